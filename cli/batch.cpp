@@ -24,7 +24,7 @@ constexpr auto kPatience = std::chrono::seconds(2);  // for a file that is being
 
 using Clock = std::chrono::steady_clock;
 
-// Who asks for less than the usual wants no progress either, unless it is named.
+// Less output than usual also means no progress, unless progress is requested.
 ProgressWay shown_way(const Request& request) {
     if (request.loudness == Loudness::errors) return ProgressWay::none;
     const bool plain = request.loudness == Loudness::warnings && request.progress == ProgressWay::automatic;
@@ -72,7 +72,7 @@ public:
         return output_error_.empty() && bound_error_.empty() ? code : static_cast<int>(Fault::failed);
     }
 
-    // Ctrl-C: waits for what is being written, then nothing more is. Standard output may be a pipe that nobody reads.
+    // Ctrl-C: waits for the current writes, then allows no more. Standard output may be a pipe without a reader.
     void stop() {
         const auto end = Clock::now() + kPatience;
         const bool whole = gate_.try_lock_until(end);  // and never let go: the program ends
@@ -144,7 +144,8 @@ private:
         for (const auto& [index, message] : failures_) say("  " + message);
     }
 
-    // In the order of the inputs, whatever the order in which they are done. It may take for ever, so mutex_ is free meanwhile.
+    // In the order of the inputs, regardless of the order in which they finish. It may block for ever, so mutex_ is unlocked
+    // meanwhile.
     void print_answer(std::size_t index, std::string answer) {
         const std::lock_guard lock(output_);
         ready_[index] = std::move(answer);

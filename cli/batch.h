@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many pictures at once: one picture a worker, a bad one never stops the rest.
+// Many pictures at once: one per worker; a bad picture never stops the rest.
 #pragma once
 
 #include "cli/request.h"
 
 namespace tactics {
 
-/// Converts all and says so. Gives the exit code.
+/// Converts all pictures and reports the results. Returns the exit code.
 int run_batch(const Request& request);
 
 }  // namespace tactics

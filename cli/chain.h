@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recipe as the command line spells it: --recipe, --filter, --set and --detail.
+// The recipe from the command line: --recipe, --filter, --set and --detail.
 #pragma once
 
 #include "cli/command.h"

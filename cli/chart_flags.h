@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flags about how a plot is drawn.
+// Options for drawing plots.
 #pragma once
 
 #include "cli/command.h"
@@ -12,19 +12,21 @@ inline constexpr Flag kChartGridFlag{
 inline constexpr Flag kChartViewFlag{"--view",
                                      "",
                                      "contours|sections|heights",
-                                     "how a surface is shown: lines of equal height with their values, curves of its height "
-                                     "along lines across it, or, in formats of "
-                                     "heights, itself; contours if nothing is said",
+                                     "how a surface is shown: as lines of equal height with their values, as curves of its "
+                                     "height along lines across it, or, in height formats, as itself; default: contours",
                                      false,
                                      "contours sections heights"};
-inline constexpr Flag kChartLevelsFlag{
-    "--levels", "",    "NUMBER|auto", "contours at most, 3 to 20, at round heights; auto: as many as a finger tells, 3 to 8",
-    false,      "auto"};
+inline constexpr Flag kChartLevelsFlag{"--levels",
+                                       "",
+                                       "NUMBER|auto",
+                                       "maximum number of contours, 3 to 20, at round heights; auto: as many as a finger can "
+                                       "tell apart, 3 to 8",
+                                       false,
+                                       "auto"};
 inline constexpr Flag kChartSectionFlag{
-    "--section", "", "y=2,5,8|x=...", "where sections are, at most five; up to five round values of y if nothing is said",
-    false,       ""};
+    "--section", "", "y=2,5,8|x=...", "where the sections are, at most five; default: up to five round values of y", false, ""};
 
-/// --levels; 0: as many as a finger tells. Throws Error(usage).
+/// --levels; 0: as many as a finger can tell apart. Throws Error(usage).
 int levels_value(const Given& given);
 /// --section. Throws Error(usage).
 SectionWish section_value(const Given& given);

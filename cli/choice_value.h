@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options that take one of a few words.
+// Options whose value is one of a few words.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace tactics {
 
-/// Which of the words an option was given, by its place; nothing: it was not given. Throws Error(usage).
+/// The index of the given word; nothing: the option was not given. Throws Error(usage).
 std::optional<std::size_t> choice_value(const Given& given, std::string_view name, const std::vector<std::string_view>& words);
 
 }  // namespace tactics

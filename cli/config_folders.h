@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a person and a machine keep choices, as the XDG Base Directory Specification (0.8) has it.
+// The folders in which users and machines keep choices, by the XDG Base Directory Specification (0.8).
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace tactics {
 
-/// The person's own: $XDG_CONFIG_HOME/tactics, or ~/.config/tactics; empty if the environment names neither. It need not exist.
+/// The user's own: $XDG_CONFIG_HOME/tactics, or ~/.config/tactics; empty if the environment names neither. It need not exist.
 std::string own_config_folder();
 
-/// That folder, then those for everybody, the most important first: tactics in each of $XDG_CONFIG_DIRS, or /etc/xdg/tactics.
-/// Paths that do not begin at the root are passed over, as the specification asks.
+/// That folder, then those for all users, the most important first: tactics in each of $XDG_CONFIG_DIRS, or /etc/xdg/tactics.
+/// Relative paths are ignored, as the specification requires.
 std::vector<std::string> config_folders();
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What commands ask alike about an embosser whose bytes they read.
+// Options about an embosser, shared by the commands that read its bytes.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@ namespace tactics {
 
 enum class MachineKinds : std::uint8_t { embossers, with_displays };
 
-/// --embosser, else the machine that is kept; nullptr: neither. A typed name that is a model's is told. Throws Error(usage).
+/// --embosser, else the kept machine; nullptr: neither. If the user named a model, a note names its driver. Throws Error(usage).
 const Format* machine_of(const Given& given, MachineKinds kinds);
 
-/// The sheet in it: --paper, else the kept one if the machine takes it, else its own; `format` may be nullptr.
+/// The sheet in it: --paper, else the kept paper if the machine takes it, else its own; `format` may be nullptr.
 Paper sheet_in(const Given& given, const Format* format, const Settings& settings);
 
-/// What the model that machine_of was named by is set to, then all of --set, as NAME.OPTION=VALUE of that embosser. Throws
+/// The settings of the model that was named for machine_of, then those of --set, NAME.OPTION=VALUE of that embosser. Throws
 /// Error(usage).
 Settings embosser_settings(const Format& format, const Given& given);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of pictures out of a file, for more of them than a command line bears.
+// Names of pictures from a file, for more names than a command line can hold.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace tactics {
 
-/// The names that a list holds, one a line or, if `null`, each with a zero byte behind it, as find -print0 writes them. Empty
-/// ones are left out, and so is a carriage return at the end of a line.
+/// The names in a list, one per line or, with `null`, each followed by a zero byte, as find -print0 writes them. Empty names and
+/// a carriage return at the end of a line are dropped.
 std::vector<std::string> names_in(std::string_view list, bool null);
 
-/// The words, and what --files-from names besides, in that order. Throws Error(usage): --null alone; the list names nothing;
-/// standard input is to be the list and a picture; Error(failed): the list cannot be read, or has over 64 MB.
+/// The words of the command line, then the names from --files-from. Throws Error(usage) for --null alone, an empty list, or
+/// standard input as both the list and a picture; Error(failed) if the list cannot be read or has over 64 MB.
 std::vector<std::string> named_files(const Given& given);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of options that many commands have.
+// Values of options that many commands share.
 #pragma once
 
 #include <string>
@@ -11,21 +11,21 @@
 
 namespace tactics {
 
-/// How much is told of the pictures on standard error. usual: all of one picture; of each of many a line, and what a person must
-/// act on. Failures are told in any case.
+/// How much is reported about pictures on standard error. usual: everything about one picture; for each of many, one line and
+/// everything that a person must act on. Failures are always reported.
 enum class Loudness { errors, warnings, usual, all };
 
 /// --page, or 0. Throws Error(usage).
 int page_value(const Given& given);
-/// The same of --page 1-3,7: the pages in their order, at most 10,000; 0 alone if none is named.
+/// The same for --page 1-3,7: the pages in order, at most 10,000; only 0 if none is named.
 std::vector<int> pages_value(const Given& given);
 /// --allow: of kAskedFormats. Throws Error(usage).
 std::vector<std::string> allowed_formats(const Given& given);
-/// --quiet, --warnings or --verbose. Throws Error(usage): more than one of them.
+/// --quiet, --warnings or --verbose. Throws Error(usage) for more than one of them.
 Loudness loudness_value(const Given& given);
 /// "none", "lines" or "bar". Throws Error(usage) at `place`.
 ProgressWay progress_of(const std::string& text, std::string_view place);
-/// --progress, or what is kept. Throws Error(usage).
+/// --progress, or the kept choice. Throws Error(usage).
 ProgressWay progress_value(const Given& given);
 /// --jobs, or 0. Throws Error(usage).
 int workers_value(const Given& given);

@@ -40,7 +40,7 @@ Interrupt::Interrupt(std::function<void()> before_end) : before_end_(std::move(b
     thread_ = std::thread([this] { wait(); });
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction before {};
-        // What nohup or a shell's background job ignores stays ignored.
+        // Signals ignored by nohup or a shell's background job stay ignored.
         if (sigaction(number, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
         struct sigaction action {};
         action.sa_handler = tell;

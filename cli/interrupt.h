@@ -11,10 +11,10 @@
 
 namespace tactics {
 
-/// While it lives, a thread waits for SIGINT, SIGTERM and SIGHUP (those that the caller of the program does not ignore),
-/// calls `before_end`, removes the files that are still unfinished, ends the programs that run for this one, and then lets the
-/// signal end the program as usual, so that shells and make see it. The signals may reach any thread, those of libraries, too,
-/// which are not ours to mask. One at a time. Throws std::system_error if the process has no descriptor left.
+/// While this object lives, a thread waits for SIGINT, SIGTERM and SIGHUP (except those that the program's caller ignores). It
+/// then calls `before_end`, removes unfinished files, ends child programs, and lets the signal end the program as usual, so that
+/// shells and make see it. The signals may reach any thread, including those of libraries, which we cannot mask. Only one object
+/// at a time. Throws std::system_error if the process has no descriptor left.
 class Interrupt {
 public:
     explicit Interrupt(std::function<void()> before_end);
@@ -26,7 +26,8 @@ private:
     void wait();
 
     std::function<void()> before_end_;
-    std::array<int, 2> pipe_{-1, -1};  // from the handler to the thread: a signal's number a byte, 0 when the work is over
+    std::array<int, 2> pipe_{-1, -1};  // from the handler to the thread: one byte per signal with its number, 0 when the work is
+                                       // over
     std::vector<std::pair<int, struct sigaction>> before_;
     std::thread thread_;
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C as a wish to come to an end, for commands that finish what they are in the middle of.
+// Ctrl-C as a request to end, for commands that first finish their current step.
 #pragma once
 
 namespace tactics {
 
-/// From now on SIGINT, SIGTERM and SIGHUP, those that the caller of the program does not ignore, end nothing but are counted.
+/// From now on, SIGINT, SIGTERM and SIGHUP (except those that the program's caller ignores) are only counted.
 void count_interrupts();
-/// How many there were.
+/// The number of signals.
 int interrupts() noexcept;
 
 }  // namespace tactics

@@ -28,26 +28,26 @@ void check_braille_name(const std::string& value, const std::string& place) {
 }
 
 constexpr KeptWord kWords[] = {
-    {"language", "TAG", "language of titles, of braille and of print that is read; else en",
+    {"language", "TAG", "language of titles, braille and print that is read; default: en",
      [](const std::string& value, const std::string& place) { language_of(value, place); }},
-    {"braille", "TABLE|none", "table of braille; else that of the language", check_braille_name},
-    {"cell", "NAME", "size of braille in print; else marburg-medium",
+    {"braille", "TABLE|none", "braille table; default: that of the language", check_braille_name},
+    {"cell", "NAME", "size of braille on printed pages; default: marburg-medium",
      [](const std::string& value, const std::string& place) { find_cell(value, place); }},
-    {"paper", "PAPER", "paper of pages in print and of heights; else a4",
+    {"paper", "PAPER", "paper of printed pages and height maps; default: a4",
      [](const std::string& value, const std::string& place) { find_paper(value, place); }},
-    {"embosser-paper", "PAPER", "paper of embossers that take it and of files of braille; else that of each machine or format",
+    {"embosser-paper", "PAPER", "paper of braille files and of embossers that take it; default: that of each machine or format",
      [](const std::string& value, const std::string& place) { find_paper(value, place); }},
-    {"medium", "MEDIUM", "what pages in print are for; else swell",
+    {"medium", "MEDIUM", "medium of printed pages; default: swell",
      [](const std::string& value, const std::string& place) { find_medium(value, place); }},
-    {"margin", "LENGTH", "margin of pages in print; else the medium's own",
+    {"margin", "LENGTH", "margin of printed pages; default: the medium's own",
      [](const std::string& value, const std::string& place) { margin_of(value, place); }},
-    {"binding", "left|top|right=LENGTH", "room for holes on pages in print; else none",
+    {"binding", "left|top|right=LENGTH", "room for holes on printed pages; default: none",
      [](const std::string& value, const std::string& place) { binding_of(value, place); }},
-    {"words", "auto|read|leave|remove", "what becomes of print in pictures; else auto",
+    {"words", "auto|read|leave|remove", "what to do with print in pictures; default: auto",
      [](const std::string& value, const std::string& place) { find_words_wish(value, place); }},
-    {"machine", "NAME", "embosser of emboss, preview and files of convert that end in .prn; else none",
+    {"machine", "NAME", "embosser for emboss, preview and .prn files from convert; default: none",
      [](const std::string& value, const std::string& place) { find_embosser(value, place); }},
-    {"progress", "none|lines|bar", "how convert tells how far it is; else a bar on a terminal, lines elsewhere",
+    {"progress", "none|lines|bar", "how convert reports progress; default: a bar on a terminal, lines elsewhere",
      [](const std::string& value, const std::string& place) { progress_of(value, place); }},
 };
 
@@ -178,7 +178,7 @@ void take_kept_choices(Given& given) {
 KeptSheet kept_sheet(const Given& given) {
     KeptSheet kept;
     if (const KeptValue* paper = given.kept("paper")) kept.paper = find_paper(paper->value, paper->place);
-    // A paper that is typed is that of every output.
+    // A typed paper applies to every output.
     if (const KeptValue* paper = given.kept("embosser-paper"); paper != nullptr && !given.has("--paper"))
         kept.embosser_paper = find_paper(paper->value, paper->place);
     if (const KeptValue* medium = given.kept("medium")) kept.medium = &find_medium(medium->value, medium->place);

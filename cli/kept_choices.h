@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choices that a person or a machine keeps for all jobs: lines such as "paper a4" in the file `defaults` of the folders of
+// Choices that a user or a machine keeps for all jobs: lines such as "paper a4" in the file `defaults` of the folders of
 // config_folders.h.
 #pragma once
 
@@ -13,11 +13,11 @@
 
 namespace tactics {
 
-/// A word that may stand in such a file.
+/// A choice that such a file can hold.
 struct KeptWord {
-    std::string_view name;     ///< "paper": that of the option, where there is one
-    std::string_view value;    ///< "PAPER", for the help
-    std::string_view summary;  ///< what it is for, and what holds where nobody keeps it
+    std::string_view name;                                                        ///< "paper": the option's name, if there is one
+    std::string_view value;                                                       ///< "PAPER", for the help
+    std::string_view summary;                                                     ///< its meaning and its default
     void (*check)(const std::string& value, const std::string& place) = nullptr;  ///< throws Error(usage) at `place`
 };
 
@@ -31,33 +31,32 @@ struct KeptChoice {
     std::string place;  ///< "~/.config/tactics/defaults:3"
 };
 
-/// What the text of such a file keeps, in its order. A line is a word and its value, with blanks or an equals sign between them;
-/// `#` begins a comment. Throws Error(usage) at `file` and the line: a word that there is not or that stands there twice, a value
-/// that it cannot have.
+/// The choices in the text of such a file, in order. A line is a word and its value, separated by blanks or an equals sign; `#`
+/// begins a comment. Throws Error(usage) at `file` and the line for an unknown or repeated word, or an invalid value.
 std::vector<KeptChoice> parse_kept(std::string_view text, const std::string& file);
 
-/// That of all files, the most important first: of a word the first counts. Throws Error(usage) as above, Error(failed) for a
-/// file that cannot be read.
+/// The choices of all files, the most important first: for each word, the first one counts. Throws Error(usage) as above,
+/// Error(failed) for a file that cannot be read.
 std::vector<KeptChoice> kept_choices();
 
-/// The person's own file. Throws Error(failed) if the environment names no folder for it.
+/// The user's own file. Throws Error(failed) if the environment names no folder for it.
 std::string own_kept_file();
 
-/// What such a file holds; empty if it is not there. Throws Error(failed).
+/// The contents of such a file; empty if it does not exist. Throws Error(failed).
 std::string text_of_kept(const std::string& file);
 
-/// `text` with that choice, in the place of an earlier one, else behind all; everything else stays as it is.
+/// `text` with that choice, in place of an earlier one, else at the end; everything else is unchanged.
 std::string with_choice(std::string_view text, std::string_view word, std::string_view value);
-/// `text` without any line of that word.
+/// `text` without lines for that word.
 std::string without_choice(std::string_view text, std::string_view word);
 
-/// Throws Error(usage) at `place`: there is no such table of braille, or it cannot be used. It is read for that.
+/// Throws Error(usage) at `place` if there is no such braille table, or it cannot be used. Reads the table to test it.
 void check_kept_table(const std::string& table, const std::string& place);
 
-/// Gives `given` what is kept, for those of its options that nobody typed.
+/// Adds the kept choices to `given`, for its options that were not typed.
 void take_kept_choices(Given& given);
 
-/// What `given` keeps for sheets.
+/// The kept choices in `given` for sheets.
 KeptSheet kept_sheet(const Given& given);
 
 }  // namespace tactics

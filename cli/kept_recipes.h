@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recipe files that a person or a machine keeps: NAME.recipe in the folder `recipes` of those of config_folders.h.
+// Recipe files kept by a user or on a machine: NAME.recipe in the subfolder `recipes` of the folders of config_folders.h.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@ struct KeptRecipe {
     std::string file;  ///< "~/.config/tactics/recipes/lines.recipe"
 };
 
-/// By name; of files of one name the most important. Those with the name of a recipe that comes with the program are left out:
-/// that name means the same everywhere.
+/// Sorted by name; of files with the same name, only the most important. Names of recipes that come with the program are left
+/// out, because such a name must mean the same everywhere.
 std::vector<KeptRecipe> kept_recipes();
 
-/// The file of that recipe; empty: none is kept by that name.
+/// The file of that recipe; empty: no such recipe is kept.
 std::string kept_recipe_file(std::string_view name);
 
 }  // namespace tactics

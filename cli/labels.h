@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of things, as options say them: --label and --labels.
+// Names of things, from the options --label and --labels.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace tactics {
 
-/// The labels of each picture and what matters in it: those of --label, then those of the file --labels or, if that is a folder,
-/// of the file in it that is named like the picture, "map.labels" for "pictures/map.png"; there may be none. Throws Error.
+/// The labels and subjects of each picture: those of --label, then those of the file --labels or, if that is a folder, of the
+/// file in it named after the picture, "map.labels" for "pictures/map.png", if it exists. Throws Error.
 void plan_labels(std::vector<Item>& items, const Given& given, const Disk& disk);
 
 }  // namespace tactics

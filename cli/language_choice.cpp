@@ -56,7 +56,7 @@ void plan_language(Sheet& sheet, const Given& given, std::vector<std::string>& n
         check_kept_table(kept->value, kept->place);
         sheet.braille_table = kept->value == "none" ? "" : kept->value;
     } else if (!english) {
-        take_table_of(sheet.language, all, typed, sheet, notes);  // what is kept need not be told each time
+        take_table_of(sheet.language, all, typed, sheet, notes);  // no note each time for a kept choice
     }
 }
 

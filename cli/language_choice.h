@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The language of a page and the table of braille that goes with it.
+// The language of a page and its braille table.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace tactics {
 
-/// --language and --braille, each before what is kept. A language brings its table where none is named; a kept table stays with
-/// its own language only. What it chose is told in `notes`. Throws Error(usage).
+/// --language and --braille override the kept choices. A language brings its table if none is named; a kept table applies only
+/// with its own language. `notes` gets the choice. Throws Error(usage).
 void plan_language(Sheet& sheet, const Given& given, std::vector<std::string>& notes);
 
 }  // namespace tactics

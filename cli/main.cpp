@@ -23,7 +23,7 @@ int main(int count, char** words) {
     mallopt(M_MMAP_THRESHOLD, 32 << 20);
     mallopt(M_TRIM_THRESHOLD, 256 << 20);
     hold_standard_streams();
-    // What passes ulimit -f is told; a file in memory that another program is to read counts, too.
+    // Exceeding ulimit -f gives an error message; the limit also applies to memory files for other programs.
     std::signal(SIGXFSZ, SIG_IGN);
     return tactics::run_program(count, words);
 }

@@ -64,7 +64,7 @@ ModelDrawingWish model_wish(const Given& given) {
     ModelDrawingWish wish;
     wish.view = view_of(given);
     wish.fold.part = given.value("--object");
-    // Objects are told apart only where they are drawn.
+    // Objects are distinguished only where they are drawn.
     for (const char* of_objects : {"--object", "--fold", "--reader"}) {
         if (!given.has(of_objects)) continue;
         if (wish.view == ModelView::heights)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a picture matters, as options say it: --subject, --subject-only and --leave.
+// The parts of a picture that matter, from the options --subject, --subject-only and --leave.
 #pragma once
 
 #include "cli/command.h"
@@ -7,7 +7,7 @@
 
 namespace tactics {
 
-/// Of the options. Throws Error(usage).
+/// The wish from the options. Throws Error(usage).
 SubjectWish subject_value(const Given& given);
 
 }  // namespace tactics

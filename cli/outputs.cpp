@@ -23,7 +23,7 @@ std::vector<std::string_view> format_names() {
     return names;
 }
 
-// A format, or a machine by its model, which is told.
+// A format, or a machine by its model, with a note on its driver.
 const Format* format_called(std::string_view name, std::vector<std::string>& told) {
     if (const Format* format = find_format(name)) return format;
     const Format* format = find_model(name);

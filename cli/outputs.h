@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which files come out of which pictures: worked out, and refused where something would be lost, before any work starts.
+// Plans the output files of each picture before any work starts, and refuses plans that would lose a file.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 namespace tactics {
 
 /// `outs` are the values of -o: FILE, FORMAT:FILE, FOLDER/, FORMAT:FOLDER/; `to` the format names for folders.
-/// A machine may be named by its model; `notes` are told what drives it. Of several `pages` each is an item of its own, whose
-/// names end in "-page3". Throws Error(usage): no or unknown format, a file for many pictures, two outputs of one name, an output
-/// over an input.
+/// A machine may be named by its model; `notes` then names its driver. Each of several `pages` is a separate item, whose names
+/// end in "-page3". Throws Error(usage) for a missing or unknown format, one file for many pictures, two outputs with one name,
+/// or an output that would overwrite an input.
 std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outs,
                                const std::vector<std::string>& to, const Disk& disk, const std::vector<int>& pages = {0},
                                std::vector<std::string>* notes = nullptr);

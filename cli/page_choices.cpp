@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-// Where pages go, which formats they have (each page's record has its own), how it is told, and what only refuses.
+// Destinations, formats (each page's record has its own), reporting, and options that only refuse pages.
 constexpr std::string_view kSamePages[] = {"--output",   "--to",      "--files-from", "--null",    "--labels", "--save-recipe",
                                            "--allow",    "--jobs",    "--update",     "--no-sync", "--strict", "--quiet",
                                            "--warnings", "--verbose", "--progress",   "--json",    "--help",   "--no-defaults"};

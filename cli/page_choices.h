@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was chosen for pages, in the words of the command line: what --update compares.
+// The choices for pages, in terms of the command line, as compared by --update.
 #pragma once
 
 #include "cli/command.h"
@@ -7,11 +7,11 @@
 
 namespace tactics {
 
-/// The program's version, every option of `command` that was given and that may make other pages, with its value, and what is
-/// kept (kept_choices.h). Files count by what is in them; labels are not among them, as each picture has its own.
+/// The program's version, every given option of `command` that can change pages, with its value, and the kept choices
+/// (kept_choices.h). Files count by their contents; labels are not included, because each picture has its own.
 MadeWith page_choices(const Command& command, const Given& given, const RecipeWish& recipe);
 
-/// Whether that option may make other pages. Those that may not are named; any other may.
+/// Whether that option can change pages: true for any option except those listed.
 bool changes_pages(std::string_view flag);
 
 }  // namespace tactics

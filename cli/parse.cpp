@@ -26,14 +26,14 @@ const Flag* find_flag(std::span<const Flag> flags, std::string_view name) {
                     ", and write ./" + name + " for a file of that name");
 }
 
-// What the words say, one after the other, as POSIX and GNU have it (Utility Conventions, guidelines 3 to 11; getopt_long).
+// Parses the words in order, by the rules of POSIX and GNU (Utility Conventions, guidelines 3 to 11; getopt_long).
 class Sorting {
 public:
     Sorting(const Command& command, std::span<const Flag> flags) : command_(command), flags_(flags), values_(flags.size()) {}
 
     void take(const std::string& word) {
         if (waiting_ != nullptr) {
-            values_of(*waiting_).push_back(word);  // whatever it looks like
+            values_of(*waiting_).push_back(word);  // even if it looks like an option
             waiting_ = nullptr;
         } else if (only_words_ || word.size() < 2 || word[0] != '-') {
             words_.push_back(word);

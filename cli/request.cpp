@@ -142,8 +142,8 @@ void plan_sets(Request& request, const Given& given) {
     }
 }
 
-// Outputs that are named by a model are set to it, which is told as what pages are made with. Two models of one driver cannot be
-// told apart by their format.
+// Outputs named by a model get its settings, which are also recorded with the pages. The format does not distinguish two models
+// of one driver.
 MadeWith plan_models(Request& request, const std::vector<std::string>& outs, const std::vector<std::string>& to) {
     std::vector<std::pair<std::string, std::string>> named;  // and where
     for (const std::string& out : outs)
@@ -203,7 +203,7 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
         throw Error(Fault::usage, "--tiles", "labels in print would be cut; leave out --braille none, the labels or --tiles");
 }
 
-// A margin that leaves nothing is told once, not for each picture. What depends on the picture's shape is left out.
+// Reports a margin that leaves nothing once, not for each picture. Ignores everything that depends on the picture's shape.
 void check_sheets(const Request& request) {
     for (const auto& [format, settings] : request.settings) {
         Sheet sheet = sheet_for(request, *format, request.items.front());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `convert` was asked to do, from its options.
+// The request of `convert`, from its options.
 #pragma once
 
 #include <optional>
@@ -17,36 +17,36 @@ namespace tactics {
 
 struct Outcome;
 
-/// Exit code of --strict: what was asked for is done, and a hard rule is broken.
+/// Exit code of --strict: the work is done, but a hard rule is broken.
 inline constexpr int kRuleBroken = 3;
 
-/// What a command is to do: complete and checked before the first picture is opened.
+/// A command's request, complete and checked before the first picture is opened.
 struct Request : Wishes {
     std::vector<Item> items;
-    std::vector<std::string> notes = {};  ///< of the plan, for the user: what drives a machine that was named by its model
-    int workers = 0;                      ///< 0: as many as there are cores
+    std::vector<std::string> notes = {};  ///< on the plan, for the user: the driver of a machine that was named by its model
+    int workers = 0;                      ///< 0: the number of cores
     bool update = false;
-    /// Of what may make other pages, what was asked for and what is kept; nothing: no records are kept of what is made.
+    /// The given and kept choices that can change pages; nothing: no records are kept.
     std::optional<MadeWith> made_with = {};
     Loudness loudness = Loudness::usual;
     ProgressWay progress = ProgressWay::automatic;
-    /// What is told of each picture on standard output, with its line end; nullptr: nothing.
+    /// The text for each picture on standard output, with its line end; nullptr: none.
     std::string (*answer)(const Outcome& outcome) = nullptr;
 };
 
-/// The recipe that is the same for all pictures, with what matters in them if that is the same, too.
+/// The recipe shared by all pictures, with their subject if that is also shared.
 Recipe saved_recipe(const Request& request);
 
 /// Throws Error(usage), or Error(failed) for a recipe file that cannot be read.
 Request plan(const Given& given, const Disk& disk);
 
-/// For a command that knows the page's options but writes no pages: nothing of the rest is asked for.
+/// For a command that has the page options but writes no pages: uses no other options.
 Request plan_pages(std::vector<Item> items, const Given& given, const Disk& disk);
 
-/// What --output names; one that ends in .prn and names no machine is for the machine that is kept.
+/// The outputs of --output; one that ends in .prn and names no machine is for the kept machine.
 std::vector<std::string> named_outputs(const Given& given);
 
-/// For a command that draws charts: a page's own options, and nothing of how a picture becomes a drawing.
+/// For a command that draws charts: only the options of pages, not those of drawing pictures.
 Request plan_charts(std::vector<Item> items, const Given& given);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is asked of a sheet, out of the words for it. Each throws Error(usage) at the place where they stand.
+// Parses the values of sheet options. Each function throws Error(usage) at the place where the value was given.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@ namespace tactics {
 
 /// "left=15mm"
 Binding binding_of(const std::string& text, std::string_view place);
-/// A language tag of BCP 47, as it was written; whether there is such a language is not looked up.
+/// A BCP 47 language tag, as written; it is not checked that the language exists.
 std::string language_of(const std::string& text, std::string_view place);
 /// "15mm", in mm
 double margin_of(const std::string& text, std::string_view place);
 
 /// --tiles: "2x2"
 Tiles tiles_value(const Given& given);
-/// --scale: "1:100" or "1cm=1m", as mm on the page for a mm in the world
+/// --scale: "1:100" or "1cm=1m", as mm on the page per mm in the world
 double scale_value(const Given& given);
 
 }  // namespace tactics

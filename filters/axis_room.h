@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The room that the words at an axis need, and the ticks that fit into it.
+// The space that the words at an axis need, and the ticks that fit.
 #pragma once
 
 #include <string>
@@ -11,20 +11,20 @@
 
 namespace tactics {
 
-/// Of lines set below each other, mm.
+/// Size of stacked lines, mm.
 double height_of(const std::vector<std::string>& lines, const Sheet& sheet);
 
 /// The largest block of words at the ticks of an axis, however many it has.
 LabelBlock widest_words(const Axis& axis, const AxisExtent& extent, const Sheet& sheet);
 
-/// Where an axis lies in the drawing, mm.
+/// The position of an axis in the drawing, mm.
 struct AxisRoom {
     double from = 0, to = 0;
     bool upright = false;
     double words = 0;  ///< between words beside each other
 };
 
-/// With as many ticks as their words have room for. Throws Error(usage) if two have none beside each other.
+/// With as many ticks as their words have room for. Throws Error(usage) if there is no room for two.
 AxisScale scale_for(const Axis& axis, const AxisExtent& extent, const AxisRoom& room, const Sheet& sheet);
 
 }  // namespace tactics

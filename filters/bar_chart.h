@@ -6,8 +6,8 @@
 
 namespace tactics {
 
-/// Draws plot.bars. Bars of several series are told apart by five textures, which the key shows. A category has its name below or
-/// beside its bars, or, where names have no room, a letter that the key explains. Throws Error(usage) if the bars have no room.
+/// Draws plot.bars. Five textures, which the key shows, distinguish the series. A category has its name below or beside its bars
+/// or, if names have no room, a letter that the key explains. Throws Error(usage) if the bars have no room.
 Drawing draw_bars(const Plot& plot, const Sheet& sheet, const ChartWish& wish, Notes& notes, ChartTold& told);
 
 }  // namespace tactics

@@ -16,17 +16,17 @@ namespace tactics {
 struct BarFrame {
     bool level = false;  ///< bars run to the right, and the first category is at the top
     Rect field;
-    double first = 0;  ///< where the first slot begins, mm from the left of the drawing or, of level bars, from its top
+    double first = 0;  ///< beginning of the first slot, mm from the left of the drawing or, for level bars, from its top
     BarPlaces places;
     AxisScale values;
-    std::vector<std::vector<std::string>> names;  ///< of each category, in as many lines as they need
+    std::vector<std::vector<std::string>> names;  ///< for each category, in as many lines as they need
     std::vector<std::string> name_x, name_y;      ///< of the axes, in lines
-    double names_end = 0;                         ///< of level bars: where the names beside them end
+    double names_end = 0;                         ///< for level bars: where the names beside them end
     double below = 0;                             ///< mm from the field to the words below it
     double words = 0;                             ///< height of these
 };
 
-/// What a frame is made of.
+/// The parts of a frame.
 struct BarRoom {
     const Sheet& sheet;
     const Clearance& clear;
@@ -35,14 +35,14 @@ struct BarRoom {
     double bottom = 0;  ///< mm from its top: where the key begins
 };
 
-/// What the axis of values holds: 0, all ends of bars, and of their errors.
+/// The range of the value axis: 0, all ends of bars, and of their errors.
 AxisExtent extent_of_bars(const PlotBars& bars);
 
-/// A frame with `names` at its categories, its bars drawn in that way; nothing if that has no room.
+/// A frame with `names` at its categories and bars drawn in that way; nothing if there is no room.
 std::optional<BarFrame> bar_frame(const Plot& plot, const std::vector<std::string>& names, bool level, BarLook look,
                                   const BarRoom& room);
 
-/// Axes, ticks, and all words but those of the key.
+/// Axes, ticks, and all words except those of the key.
 void draw_bar_frame(const BarFrame& frame, const BarRoom& room, Drawing& drawing);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How thick the bars of a chart are and how far apart, so that a finger tells each from its neighbours.
+// Thickness and distance of the bars of a chart, so that a finger can tell them apart.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace tactics {
 
-/// How a bar is drawn. What needs more room shows more.
+/// How a bar is drawn, in order of the room needed.
 enum class BarLook : std::uint8_t {
     outlined,  ///< a line around its texture
-    hollow,    ///< a line around nothing; only where there is one series, as nothing tells several apart
+    hollow,    ///< an empty outline; only with one series, since several would be alike
     solid,     ///< black: the same where dots stand in cells, and a line around nothing would need more rows of them
     bare,      ///< its texture alone, with a line across its end
 };
@@ -40,7 +40,7 @@ struct BarPitch {
     bool lines = false;  ///< of cells: the first and the last of their rows of dots are 5 mm apart, and there are no others
 };
 
-/// For so many clusters of so many bars each on `length` mm; nothing if they have no room.
+/// Places for that many clusters of that many bars on `length` mm; nothing if they have no room.
 std::optional<BarPlaces> bars_on(double length, std::size_t clusters, std::size_t bars, BarLook look, const Medium& medium,
                                  const BarPitch& pitch);
 

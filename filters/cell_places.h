@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where words of a drawing stand if a machine sets them in cells, known before the page is laid out.
+// The places of a drawing's words if a machine sets them in cells, computed before layout.
 #pragma once
 
 #include "tactics/layout/label.h"
@@ -20,7 +20,7 @@ public:
     Point nearest(Point at, const LabelBlock& block) const;
     Point next(Point at, const LabelBlock& block) const;
 
-    /// The next place at or behind `at` where a cell's first dot can be; `at` itself if that is anywhere.
+    /// The next possible place of a cell's first dot at or after `at`; `at` itself if any place is possible.
     Point next_cell(Point at) const;
 
 private:

@@ -19,19 +19,19 @@ namespace tactics {
 enum class SurfaceView : std::uint8_t {
     contours,
     sections,
-    heights,  ///< itself, where a format has heights (tactics/job/drawable.h); on paper contours
+    heights,  ///< as heights, in formats that have them (tactics/job/drawable.h); on paper as contours
 };
 
 /// How a plot is drawn.
 struct ChartWish {
-    bool grid = false;  ///< off: what a finger does not feel cannot distract it, and ticks tell values
+    bool grid = false;  ///< off by default: lines that are not there cannot distract a finger, and ticks show values
     SurfaceView view = SurfaceView::contours;
-    int levels = 0;  ///< of contours at most; 0: as many as a finger tells, 3 to 8
+    int levels = 0;  ///< maximum number of contours; 0: as many as a finger can tell apart, 3 to 8
     SectionWish sections = {};
-    bool told = false;  ///< what is drawn is told to programs, too (tactics/job/chart_json.h)
+    bool told = false;  ///< also report the chart to programs (tactics/job/chart_json.h)
 };
 
-/// What a chart says of itself, for programs.
+/// The data of a chart for programs.
 struct ChartTold {
     std::optional<AxisPlace> x, y;     ///< nothing for an axis of categories
     bool level = false;                ///< bars run to the right, so that x has their values
@@ -42,11 +42,11 @@ struct ChartTold {
 /// keeps its millimetres. Axes are thin lines, curves normal ones or thicker, and grid lines less than axes, so that a finger
 /// tells data from frame. Nothing lies over a label.
 ///
-/// Curves with names have the five line styles (line_styles.h), and the key begins each line with a sample: a finger follows a
-/// style through a crossing, which it cannot a letter, and no letter stands in its way. More than five are whole lines with a
-/// letter each. Marks whose symbol has one name for all are in the key by that symbol, as a group; other marks with a name have a
-/// letter, since each is a thing of its own. `notes` is told what is not drawn as it is in the plot: points that have no room,
-/// fine detail. Bars over categories are drawn by bar_chart.h.
+/// Named curves have the five line styles (line_styles.h), and the key begins each line with a sample: a finger can follow a
+/// style through a crossing, which is impossible with a letter, and no letter is in its way. More than five curves are solid
+/// lines with a letter each. Marks that share a symbol and a name appear in the key by that symbol, as a group; other named marks
+/// have letters, since each is a separate thing. `notes` reports differences from the plot: points that have no room, fine
+/// detail. Bars over categories are drawn by bar_chart.h.
 ///
 /// Throws Error(usage) if the sheet is too small for it.
 Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish = {}, Notes* notes = nullptr,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contours of a surface on a chart: which levels a finger can tell, and where their heights are written.
+// Contours of a surface on a chart: the levels that a finger can tell apart, and the places of their heights.
 #pragma once
 
 #include <optional>
@@ -25,10 +25,10 @@ inline constexpr double kMostNear = 1.0 / 3;  ///< of all lines
 /// The share of lines that are nearer than 6 mm to one of another level.
 double share_near(const std::vector<ChartLevel>& levels);
 
-/// How much of a page words in a break keep to themselves, mm.
+/// Space around words in a break of a line, mm.
 Rect kept_by(const Rect& words, const Clearance& clear);
 
-/// What the words of levels are set in.
+/// The notation of the heights.
 struct LevelGround {
     Rect field;
     const Sheet& sheet;

@@ -12,16 +12,16 @@
 namespace tactics {
 
 struct ChartCurve {
-    std::vector<std::vector<Point>> lines;   ///< between gaps; of bars their outline, their sides and what they stand on
-    std::vector<std::vector<Point>> filled;  ///< bars that are too low to have a top apart from what they stand on
+    std::vector<std::vector<Point>> lines;   ///< between gaps; for bars, their outline, their sides and their base
+    std::vector<std::vector<Point>> filled;  ///< bars too low for a top separate from their base
     std::vector<Point> alone;                ///< points with a gap on both sides
-    double every = 0;                        ///< mm: it is drawn through one point so often; 0: through all
+    double every = 0;                        ///< mm: distance of the points through which it is drawn; 0: through all
 };
 
-/// Points are joined as the curve says. One that comes nearer to itself than the medium's gap, from left to right up and down,
-/// goes through fewer of its points: of each so many mm the first, the last and that with the middle value of the rest, until it
-/// keeps the gap or 12 mm are reached. Bars stand on 0, on a logarithmic axis on its lowest value. Throws Error(usage) for bars
-/// that are narrower than the gap.
+/// Joins points as the curve requires. A curve that rises and falls so fast that it comes closer to itself than the medium's gap
+/// is drawn through fewer points: in each stretch, the first, the last and the one with the median value of the rest. The stretch
+/// grows until the curve keeps the gap, or to 12 mm. Bars stand on 0, or on the lowest value of a logarithmic axis. Throws
+/// Error(usage) for bars narrower than the gap.
 ChartCurve curve_on(const PlotCurve& curve, const AxisScale& across, const AxisScale& up, bool up_is_logarithmic,
                     const Medium& medium);
 

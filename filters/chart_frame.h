@@ -21,8 +21,8 @@ struct ChartFrame {
     double ticks_x = 0;                       ///< height of these
 };
 
-/// In a room of that width from the top down to `bottom`, with as many ticks as their words have room for. Throws Error(usage) if
-/// that is too small to be read by touch, or if there is nothing to plot.
+/// In a space of that width from the top down to `bottom`, with as many ticks as their words have room for. Throws Error(usage)
+/// if it is too small to be read by touch, or if there is nothing to plot.
 ChartFrame frame_for(const Plot& plot, const Sheet& sheet, const Clearance& clear, double width, double bottom);
 
 /// From each tick through the field, level ones first.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The key of a chart: what its lines, symbols and letters stand for.
+// The key of a chart, which explains its lines, symbols and letters.
 #pragma once
 
 #include <optional>
@@ -23,15 +23,14 @@ struct ChartKeyEntry {
 /// The words in as many lines as they need, by blanks; a word that alone is wider keeps a line to itself.
 std::vector<std::string> lines_within(const std::string& text, double width, const Sheet& sheet);
 
-/// Samples of textures and lines come before symbols and those before letters (BANA: textures, lines, points). It stands at the
-/// bottom of the drawing, in as many columns as it has room for; words that are wider than the drawing go on below their
-/// beginning.
+/// Samples of textures and lines come first, then symbols, then letters (BANA: textures, lines, points). It stands at the bottom
+/// of the drawing, in as many columns as fit; words wider than the drawing continue on the next line.
 class ChartKey {
 public:
     ChartKey(std::vector<ChartKeyEntry> entries, const Sheet& sheet, const CellPlaces& cells, const Clearance& clear,
              double width);
 
-    double height() const;  ///< mm, with what it keeps clear of what is above
+    double height() const;  ///< mm, including the clear space above it
     void draw(Drawing& drawing) const;
 
 private:
@@ -39,8 +38,8 @@ private:
         ChartKeyEntry entry;
         std::vector<LabelBlock> blocks;
         std::vector<std::string> lines;
-        double sample = 0;  ///< width of what stands before the words
-        double height = 0;  ///< of that, where it is higher than a line of words
+        double sample = 0;  ///< width of the part before the words
+        double height = 0;  ///< its height, if greater than a line of words
     };
     double words_from(const Set& set) const;
 

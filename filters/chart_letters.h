@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the letters of a chart stand: beside what they name, clear of all that is drawn.
+// Places the letters of a chart: beside the thing that they name, clear of everything drawn.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace tactics {
 
-constexpr double kChartClear = 3.2;  // mm between things that are not to touch: the gap of swell paper
+constexpr double kChartClear = 3.2;  // mm between things that must not touch: the gap of swell paper
 constexpr double kChartLines = 3.5;  // mm between blocks of words: lines of braille are 10 mm apart
 constexpr double kChartTick = 6.35;  // mm on each side of the axis: 1/4 in (rules/tick_sides.cpp)
 
-/// How things keep clear of words. An embosser sets words in whole cells, up to half a cell off, and chains of dots up to half
-/// the gap between cells or lines off.
+/// Clearances around words. An embosser shifts words to whole cells, by up to half a cell, and chains of dots by up to half the
+/// gap between cells or lines.
 struct Clearance {
     double across = 0;  ///< words to the middle of a thin line, mm
     double down = 0;
@@ -26,12 +26,12 @@ struct Clearance {
 };
 Clearance clearance_on(const Medium& medium);
 
-/// a, b, ... z, aa, ab ...: what stands beside a thing and begins its line in the key.
+/// a, b, ... z, aa, ab ...: the letter beside a thing and at the beginning of its line in the key.
 std::string letter_of(std::size_t index);
 
-/// A letter with what it names.
+/// A letter and the thing that it names.
 struct ChartTag {
-    std::vector<Point> places;  ///< of what it names: a mark's middle, or points of a curve, the best first
+    std::vector<Point> places;  ///< of the named thing: a mark's middle, or points of a curve, the best first
     std::string letter;
     LabelBlock block;
     std::vector<std::size_t> curve;  ///< the strokes of the drawing that it names
@@ -40,7 +40,7 @@ struct ChartTag {
     bool placed = false;
 };
 
-/// What letters keep clear of.
+/// The things from which letters keep clear.
 struct ChartGround {
     const Drawing& drawing;  ///< with its axes and curves
     const Medium& medium;
@@ -52,7 +52,7 @@ struct ChartGround {
     std::vector<Rect> words = {};  ///< that stand in the field already
 };
 
-/// Gives every tag its place, as well as it can be done.
+/// Finds the best possible place for every tag.
 void place_letters(std::vector<ChartTag>& tags, const ChartGround& ground);
 
 /// From what is named to its words, if they are far; empty if they are near.

@@ -20,11 +20,11 @@ struct MarkGroups {
 };
 MarkGroups groups_of(const std::vector<PlotMark>& marks);
 
-/// Marks of a spatial plot, seen from above: one with a name has its z behind that; others get a symbol by their z, low, middle
-/// or high, unless they have several kinds of symbols. True: they have, so the z of those without a name is not to be seen.
+/// Marks of a spatial plot, seen from above: the name of a mark is followed by its z; unnamed marks get a symbol by their z, low,
+/// middle or high, unless they already have several kinds of symbols. True: they have, so the z of unnamed marks is not visible.
 bool flatten_marks(Plot& plot);
 
-/// A mark as it is drawn.
+/// A drawn mark.
 struct ChartMark {
     const PlotMark* mark = nullptr;
     Point at;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which recipe suits a picture: what `--recipe auto` asks.
+// Chooses a recipe for a picture, for `--recipe auto`.
 #pragma once
 
 #include <string>
@@ -8,8 +8,7 @@
 
 namespace tactics {
 
-/// What a look at the picture counts, on a small copy without its grain and its uneven light. Shares are of all places, 0
-/// to 1.
+/// Measurements of the picture, on a small copy without grain and uneven light. Shares are of all places, 0 to 1.
 struct Traits {
     double noise = 0;       ///< deviation that is left, in grey levels
     double flat = 0;        ///< where the 3x3 neighbours differ by no more than what is left of the noise
@@ -29,7 +28,7 @@ Traits traits_of(const Image& picture);
 
 struct Choice {
     std::string recipe;
-    std::string reason;  ///< "continuous tones: 31 % flat, 47 % soft, ...": to be told to the user
+    std::string reason;  ///< "continuous tones: 31 % flat, 47 % soft, ...": for the user
 };
 
 Choice choose_recipe(const Image& picture);

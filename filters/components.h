@@ -18,7 +18,7 @@ struct Run {
     std::size_t length() const { return static_cast<std::size_t>(end - begin); }
 };
 
-/// What holds pixels together: ink by corners too, its holes by sides only, so that a line parts what it runs between.
+/// Connectivity of pixels: ink also by corners, its holes only by sides, so that a line separates its two sides.
 enum class Joined { by_sides, by_corners };
 
 struct Components {

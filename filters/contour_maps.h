@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What regions are made from: contour maps of a picture, not thinned.
+// Contour maps of a picture, not thinned, from which regions are made.
 #pragma once
 
 #include "filters/net/net.h"
@@ -10,12 +10,12 @@ namespace tactics {
 /// Of the picture's size, 0 to 255.
 struct ContourMaps {
     EdgeMap fine;    ///< where the boundaries run
-    EdgeMap coarse;  ///< how much they are of the scene and not of its texture
+    EdgeMap coarse;  ///< how much they belong to the scene rather than its texture
 };
 
-/// The longer side at which scenes are looked at, in pixels: that of the photographs on which everything was fitted. A larger or
-/// smaller picture is looked at as if it had it, within bounds: a net sees it at no less than a tenth and no more than four times
-/// its size, which from about 170 to 2400 pixels is no bound, and without training it is smoothed no less than one of 144 pixels.
+/// The longer side at which scenes are analysed, in pixels: that of the photographs on which everything was fitted. Other
+/// pictures are scaled to it, within bounds: for a net, to at least a tenth and at most four times their size, which is no
+/// restriction from about 170 to 2400 pixels; without training, a picture is smoothed at least as much as one of 144 pixels.
 inline constexpr double kSceneSide = 480;
 
 /// The fine one by a net, with normals.

@@ -67,7 +67,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter contrast_filter;
 const Filter contrast_filter{
     .name = "contrast",
-    .summary = "stretches the greys to full black and white; a picture of one grey stays as it is",
+    .summary = "stretches the greys to full black and white; a picture with a single grey is unchanged",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
     .options = kOptions,

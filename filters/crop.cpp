@@ -17,10 +17,10 @@ constexpr Option percent(std::string_view name, std::string_view summary) {
 }
 
 constexpr Option kOptions[] = {
-    percent("left", "how much of the picture's width goes at the left"),
-    percent("top", "how much of the picture's height goes at the top"),
-    percent("right", "how much of the picture's width goes at the right"),
-    percent("bottom", "how much of the picture's height goes at the bottom"),
+    percent("left", "share of the picture's width to cut off at the left"),
+    percent("top", "share of the picture's height to cut off at the top"),
+    percent("right", "share of the picture's width to cut off at the right"),
+    percent("bottom", "share of the picture's height to cut off at the bottom"),
 };
 
 struct Span {
@@ -85,7 +85,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter crop_filter;
 const Filter crop_filter{
     .name = "crop",
-    .summary = "cuts the edges of the picture off; the rest keeps its scale on the page, at least one pixel stays",
+    .summary = "cuts off the edges of the picture; the rest keeps its scale on the page, and at least one pixel stays",
     .takes = Kind::picture | Kind::edges,
     .options = kOptions,
     .apply = apply,

@@ -90,7 +90,9 @@ Artwork apply(Artwork artwork, const Settings&) { return ink_on_white(std::get<I
 extern const Filter darken_filter;
 const Filter darken_filter{
     .name = "darken",
-    .summary = "what differs from the ground as dark ink on white: coloured lines, and light ones on a dark ground",
+    .summary =
+        "turns everything that differs from the background into dark ink on white: coloured lines, and light lines on a "
+        "dark background",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
     .uses_colour = true,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ink of any colour on a ground of any colour.
+// Ink of any colour on a background of any colour.
 #pragma once
 
 #include "tactics/image.h"
 
 namespace tactics {
 
-/// Grey: white where the picture has its commonest colour, and the darker the more a colour differs from that in one channel. Of
-/// a light ground only what is darker counts, of a dark one only what is lighter.
+/// A grey picture: white where the picture has its commonest colour, and darker the more a colour differs from it in one channel.
+/// On a light background only darker colours count, on a dark one only lighter colours.
 Image ink_on_white(const Image& picture);
 
 }  // namespace tactics

@@ -22,14 +22,14 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 50,
      .unit = "mm",
-     .summary = "longer pieces of ink are no dashes; under 1 pixel it has no effect"},
+     .summary = "pieces of ink longer than this are no dashes; no effect under 1 pixel"},
     {.name = "widest",
      .type = Option::Type::length,
      .fallback = 1.2,
      .min = 0.1,
      .max = 20,
      .unit = "mm",
-     .summary = "wider pieces of ink are no dashes: letters are wider than lines"},
+     .summary = "pieces of ink wider than this are no dashes: letters are wider than lines"},
 };
 
 constexpr std::size_t kLeast = 4;          // dashes of a line; three in a row are dots after a word
@@ -183,7 +183,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter dashes_filter;
 const Filter dashes_filter{
     .name = "dashes",
-    .summary = "makes dashed and dotted lines of a black and white picture whole, so that they are traced as lines",
+    .summary = "joins dashed and dotted lines in a black and white picture, so that they are traced as lines",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
     .options = kOptions,

@@ -9,7 +9,7 @@
 
 namespace tactics {
 
-/// Ticks as ISO 8601 writes them, as far as they differ: 2024, 2024-03, 2024-03-05, 06:30, 06:30:15.
+/// Ticks in ISO 8601 notation, shortened to the parts that differ: 2024, 2024-03, 2024-03-05, 06:30, 06:30:15.
 struct DateTicks {
     Ticks ticks;
     std::vector<std::string> words;  ///< of each

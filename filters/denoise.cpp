@@ -21,7 +21,7 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 2,
-     .summary = "gaussian serves edges best, median takes specks, bilateral keeps borders of regions sharp",
+     .summary = "gaussian suits edges best, median removes specks, bilateral keeps the borders of regions sharp",
      .choices = "gaussian median bilateral"},
     {.name = "size",
      .type = Option::Type::length,
@@ -29,14 +29,14 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 5,
      .unit = "mm",
-     .summary = "width of the window (gaussian: at half height); under 1 pixel it has no effect"},
+     .summary = "width of the window (gaussian: at half height); no effect under 1 pixel"},
     {.name = "step",
      .type = Option::Type::number,
      .fallback = 30,
      .min = 1,
      .max = 255,
      .unit = "grey levels",
-     .summary = "bilateral only: steps well over this stay sharp"},
+     .summary = "bilateral only: steps well above this stay sharp"},
 };
 
 // OpenCV counts a median's window in 16 bits, so 255 pixels is the widest. Over 5 pixels it costs 15 times as much, but no
@@ -96,7 +96,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter denoise_filter;
 const Filter denoise_filter{
     .name = "denoise",
-    .summary = "smooths grain and small detail away",
+    .summary = "smooths away grain and small detail",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
     .options = kOptions,

@@ -17,8 +17,8 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 50,
      .unit = "mm",
-     .summary = "smaller specks than a disc of this diameter go, and pieces of edges that reach less far; under 1 pixel it has "
-                "no effect"},
+     .summary = "remove specks smaller than a disc of this diameter, and pieces of edges shorter than it; no effect under 1 "
+                "pixel"},
 };
 
 // Sets every pixel of the pieces whose size is under `least` to `blank`.
@@ -57,7 +57,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter despeckle_filter;
 const Filter despeckle_filter{
     .name = "despeckle",
-    .summary = "removes small specks of ink (darker than 128), or short pieces of edges",
+    .summary = "removes small specks of ink (darker than 128) or short pieces of edges",
     .takes = Kind::picture | Kind::edges,
     .options = kOptions,
     .apply = apply,

@@ -7,7 +7,7 @@
 
 namespace tactics {
 
-/// Takes the piece of ink around that pixel out of what has been thinned, and gives its outline.
+/// Removes the piece of ink around that pixel from the thinned picture, and returns its outline.
 Outline take_piece(Skeleton& skeleton, std::uint32_t pixel);
 
 }  // namespace tactics

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recipe ends with, as what is laid out.
+// Converts the end result of a recipe to a drawing for layout.
 #pragma once
 
 #include "tactics/artwork.h"
 
 namespace tactics {
 
-/// A recipe may end before there are lines; then its picture is printed, in black and white.
+/// If a recipe ends before there are lines, its picture is printed in black and white.
 Drawing drawing_of(Artwork artwork);
 
 }  // namespace tactics

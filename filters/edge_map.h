@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ridges of an edge map: thin lines where the strength is greatest, and the cut that keeps the connected ones.
+// Ridges of an edge map: thin lines where the strength is greatest, and the threshold that keeps the connected ones.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture of more pixels.
+// Enlarges a picture to more pixels.
 #pragma once
 
 #include "tactics/image.h"

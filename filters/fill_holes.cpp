@@ -17,7 +17,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 50,
      .unit = "mm",
-     .summary = "smaller holes than a disc of this diameter are filled; under 1 pixel it has no effect"},
+     .summary = "fill holes smaller than a disc of this diameter; no effect under 1 pixel"},
 };
 
 Artwork apply(Artwork artwork, const Settings& settings) {
@@ -43,7 +43,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter fill_holes_filter;
 const Filter fill_holes_filter{
     .name = "fill-holes",
-    .summary = "fills small white holes (128 or lighter) that ink shuts in",
+    .summary = "fills small white holes (128 or lighter) enclosed by ink",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
     .options = kOptions,

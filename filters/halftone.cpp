@@ -21,7 +21,7 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "diffusion scatters the dots and keeps detail, ordered sets them in a regular weave",
+     .summary = "diffusion scatters the dots and keeps detail, ordered places them in a regular pattern",
      .choices = "diffusion ordered"},
     {.name = "dot",
      .type = Option::Type::length,
@@ -120,7 +120,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter halftone_filter;
 const Filter halftone_filter{
     .name = "halftone",
-    .summary = "prints greys as black dots, for paper that knows no grey",
+    .summary = "turns greys into black dots, for media that have no grey",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
     .options = kOptions,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often each level occurs, in a picture and in an edge map: what contrast, kmeans and threshold decide by.
+// Histograms of pictures and edge maps, for contrast, kmeans and threshold.
 #pragma once
 
 #include <array>

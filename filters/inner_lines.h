@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is inside a thing and too small to be one: eyes, a mouth, a stripe.
+// Details inside a thing that are too small to be things: eyes, a mouth, a stripe.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace tactics {
 
-/// Of each face: whether it is of a part that is enclosed: the picture's frame bounds little of it. What the picture does not
-/// enclose is ground, or a body below a head.
+/// For each face, whether it belongs to an enclosed part, of which the picture's frame bounds little. Other parts are background,
+/// or a body below a head.
 std::vector<bool> enclosed_faces(const RegionTree& tree, const Parts& parts);
 
 /// The lines along arcs of at least that strength (0 to 255) that `parts` do not divide and that have a face of `within` on both

@@ -16,7 +16,7 @@ Artwork apply(Artwork artwork, const Settings&) {
 extern const Filter invert_filter;
 const Filter invert_filter{
     .name = "invert",
-    .summary = "black for white and white for black",
+    .summary = "swaps black and white",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
     .apply = apply,

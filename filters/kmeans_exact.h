@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// K-means on a histogram, solved exactly: the best of all ways to cut levels into classes, not the best of some tries.
+// K-means on a histogram, solved exactly: the best of all divisions of levels into classes, not the best of a few trials.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// K-means as everybody else does it, from random starts: kept beside the exact one to be charted against it.
+// The usual K-means from random starts, kept for comparison with the exact one.
 #pragma once
 
 #include <cstdint>

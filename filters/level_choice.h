@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many classes a picture needs.
+// The number of classes that a picture needs.
 #pragma once
 
 #include <functional>
@@ -9,9 +9,9 @@ namespace tactics {
 
 struct LevelChoice {
     int k = 1;
-    double explained = 1;  ///< share of the picture's variance that so many classes explain
-    bool noise = false;    ///< what they leave is no more than the picture's noise
-    bool ended = false;    ///< more would be needed, but no finger tells them apart
+    double explained = 1;  ///< share of the picture's variance that this many classes explain
+    bool noise = false;    ///< the residual is no more than the picture's noise
+    bool ended = false;    ///< more would be needed, but a finger could not tell them apart
 };
 
 /// The least k for which `unexplained(k)`, the variance that the best k classes leave, is no more than that of the picture's

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Five kinds of lines that a finger tells from each other: what curves are drawn with.
+// Five line styles for curves that a finger can tell apart.
 #pragma once
 
 #include <cstddef>
@@ -10,29 +10,28 @@
 
 namespace tactics {
 
-/// What a finger remembers (TGwiki, Design Considerations: at most 5 line styles, else a key).
+/// The number of styles that a finger can remember (TGwiki, Design Considerations: at most 5 line styles, else a key).
 inline constexpr std::size_t kLineStyles = 5;
 
 struct LineStyle {
     LineClass line = LineClass::normal;
-    std::vector<double> marks = {};  ///< mm of ink one after the other, again and again; 0: a dot; empty: a whole line
-    double gap = 0;                  ///< mm of white behind each
+    std::vector<double> marks = {};  ///< lengths of ink in mm, repeated; 0: a dot; empty: a solid line
+    double gap = 0;                  ///< mm of white after each
 
     bool is_whole() const { return marks.empty(); }
 };
 
-/// Whole, dashed, thick, dotted and thick dashed lines; where the medium has no thick lines (an embosser), the third has a dot
-/// behind each dash and the fifth two. Dashes are 8 mm long with gaps of half of that (a rule file after BANA 3.4.3.3: 6 to 10
-/// mm, about half a dash). Where dots stand in cells of braille both grow, as a dot moves up to half the room between two cells:
-/// 10 mm, and gaps of 5.4. Dots stand as far apart as the medium has gaps; those of thick lines are beads.
+/// Solid, dashed, thick, dotted and thick dashed lines; if the medium has no thick lines (an embosser), the third has a dot after
+/// each dash and the fifth two. Dashes are 8 mm long with gaps of half of that (a rule file after BANA 3.4.3.3: 6 to 10 mm, about
+/// half a dash). Where dots stand in cells of braille both grow, as a dot moves up to half the room between two cells: 10 mm, and
+/// gaps of 5.4. Dots stand as far apart as the medium has gaps; those of thick lines are beads.
 LineStyle line_style(std::size_t number, const Medium& medium);
 
 /// From the beginning of a sample to its end, mm: a finger meets each part of a style twice.
 double sample_length(const Medium& medium);
 
-/// A line in that style, each of its marks a stroke of Role::dash; all points of the line are in them where there is ink. A mark
-/// begins it and one ends it, and their lengths and gaps are stretched for that, so that a line that is broken for another one is
-/// known again behind it.
+/// A line in that style, each mark a stroke of Role::dash; the strokes keep all points of the line under ink. It begins and ends
+/// with a mark, and marks and gaps are stretched for that, so that a line broken by another is recognisable after it.
 std::vector<Stroke> in_style(const std::vector<Point>& points, bool closed, const LineStyle& style, const Medium& medium);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which contour map a filter works on: its option `map`.
+// The contour map that a filter uses: its option `map`.
 #pragma once
 
 #include <memory>
@@ -11,10 +11,10 @@
 
 namespace tactics {
 
-/// auto becomes learned or plain, by what is installed; says so if the weights are missing.
+/// auto becomes learned or plain, depending on the installation; reports missing weights.
 std::string settle_map(Settings& settings, std::string_view filter);
 
-/// nullptr: without training. Throws Error(failed) if the weights are asked for and not installed.
+/// nullptr: without training. Throws Error(failed) if the weights are requested but not installed.
 std::shared_ptr<const ContourNet> net_for(const Settings& settings);
 
 }  // namespace tactics

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thinned lines moved to the middle of their ink.
+// Moves thinned lines to the middle of their ink.
 #pragma once
 
 #include "filters/paths.h"
 
 namespace tactics {
 
-/// Thinning takes whole pixels, so that its line lies up to a pixel beside the middle of wide ink, the same way all along.
-/// Each point (in pixels) goes to the middle between the ink's two sides across the line, as far as the ink is a line there.
-/// At an end of ink the thinned line bends into a corner of it: there it goes straight on as far as it went.
+/// Thinning removes whole pixels, so its line lies up to a pixel beside the middle of wide ink, consistently to one side. Each
+/// point (in pixels) moves to the middle between the two sides of the ink, wherever the ink is a line. At an end of ink the
+/// thinned line bends into a corner; there it is replaced by a straight continuation of the same length.
 void move_to_middle(PixelPath& path, const Skeleton& skeleton);
 
 }  // namespace tactics

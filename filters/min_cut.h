@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cheapest way to part things in two.
+// The cheapest division of things into two sets.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct CutEdge {
     std::int64_t weight = 0;
 };
 
-/// On which side each thing is: true costs `as_true` of it, false `as_false`. Of all ways of one cost the one with the fewest
+/// The side of each thing: true costs its `as_true`, false its `as_false`. Of solutions with equal cost, the one with the fewest
 /// true. No cost may be negative. By largest flow (E. A. Dinic, Soviet Math. Doklady 11, 1970).
 std::vector<bool> min_cut(std::span<const std::int64_t> as_true, std::span<const std::int64_t> as_false,
                           std::span<const CutEdge> edges);

@@ -27,7 +27,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 10,
      .unit = "mm",
-     .summary = "radius of the disc; under 1 pixel it has no effect"},
+     .summary = "radius of the disc; no effect under 1 pixel"},
 };
 
 using Row = std::vector<std::uint8_t>;
@@ -93,7 +93,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter morphology_filter;
 const Filter morphology_filter{
     .name = "morphology",
-    .summary = "grows and shrinks ink by a disc",
+    .summary = "grows or shrinks ink by a disc",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
     .options = kOptions,

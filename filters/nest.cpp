@@ -31,7 +31,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 100,
      .unit = "mm",
-     .summary = "side of the smallest square that is a region of its own"},
+     .summary = "side of the smallest square that forms its own region"},
 };
 
 std::string settle(const Artwork&, Settings& settings) { return settle_map(settings, "nest"); }
@@ -91,7 +91,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter nest_filter;
 const Filter nest_filter{
     .name = "nest",
-    .summary = "a photograph as regions that nest, each with a whole outline",
+    .summary = "divides a photograph into nested regions, each with a whole outline",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::regions),
     .uses_colour = true,

@@ -9,16 +9,16 @@
 
 namespace tactics {
 
-/// Of each node: the arcs around it.
+/// For each node, the arcs around it.
 std::vector<std::vector<std::uint32_t>> outlines_of_nodes(const RegionTree& tree);
 
-/// Small regions are merged first, at level 0, and are no things: only what is merged above that is one.
+/// Small regions merge first, at level 0, and are no things; only nodes merged above that level are.
 bool is_thing(const RegionTree& tree, std::size_t node);
 
-/// The node that two are first in together.
+/// The lowest node that contains both.
 std::size_t meeting_of(const RegionTree& tree, std::size_t a, std::size_t b);
 
-/// Faces in an order in which those of each node stand together.
+/// Faces in an order in which those of each node are adjacent.
 struct FaceOrder {
     std::vector<std::size_t> first, count;  ///< of each node
     std::vector<std::uint32_t> face_at;     ///< of each place in the order

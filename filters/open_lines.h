@@ -15,7 +15,7 @@ struct OpenLines {
     double shortest = 16;  ///< mm; half of that where both ends are attached
     float least = 0;       ///< strength, 0 to 255
     double most = 0;       ///< mm of line at most
-    bool attached = true;  ///< each begins or ends on what is drawn or at the frame, and is led there; else it stands by itself
+    bool attached = true;  ///< each begins or ends on a drawn line or at the frame, and is extended there; else it is free
 };
 
 /// Adds what of `lines` (pixels of the tree that the drawing was made from) is apart from what is drawn, thin, the longest and

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only door to OpenCV (core and imgproc): nothing else in the project includes its headers.
+// The only access to OpenCV (core and imgproc): nothing else in the project includes its headers.
 //
-// Every way in is a view, and making the first one switches OpenCV's own threads off for the whole program: a picture is
-// worked on by the thread that asked for it, and a batch keeps the cores busy with many pictures. So the answer does not
-// depend on the number of cores, and no thread pool is started for a job of a few milliseconds.
+// All access goes through views, and making the first one turns off OpenCV's own threads for the whole program: each picture is
+// processed by the calling thread, and a batch keeps the cores busy with many pictures. So the result does not depend on the
+// number of cores, and no thread pool is started for a few milliseconds of work.
 #pragma once
 
 #include <opencv2/core.hpp>

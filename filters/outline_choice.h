@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which outlines are drawn: whole ones, worth their length.
+// Chooses the outlines to draw: whole ones that are worth their length.
 #pragma once
 
 #include <cstdint>
@@ -10,31 +10,31 @@
 
 namespace tactics {
 
-/// A partition of the picture: what is drawn are the arcs between faces of different parts.
+/// A partition of the picture; the arcs between faces of different parts are drawn.
 struct Parts {
     std::vector<std::uint32_t> part;  ///< of each face
     bool divides(const RegionArc& arc) const { return part[arc.faces[0]] != part[arc.faces[1]]; }
 };
 
-/// Sides of pixels that are drawn.
+/// Number of pixel sides drawn.
 double length_of(const RegionTree& tree, const Parts& parts);
 
 /// The parts whose boundaries are worth the most within a budget: of each step of a boundary its worth less `price`, added up; of
 /// outlines the one that gains most for its new length is drawn first. `worth`: of a step of each arc; `most`: sides of pixels.
 Parts best_parts(const RegionTree& tree, std::span<const float> worth, double price, double most);
 
-/// The budget of line that photographs were judged at, mm, as line_budget.h has it.
+/// The line budget at which photographs were judged, mm, as in line_budget.h.
 inline constexpr double kUsualLine = 140;
 
-/// The least chance at which anything is drawn where nothing is surer.
+/// The minimum probability at which something is drawn if nothing is more certain.
 inline constexpr double kFaint = 0.15;
 
-/// Those of a page without a subject: a budget of line (mm, as line_budget.h has it), and something faint before nothing. Who
-/// asks for so many times kUsualLine gets so many times what there would be, if there is that much that anybody would draw.
-/// What is `drawn` already, if anything is, stays as in more_parts.
+/// The parts of a page without a subject: within a line budget (mm, as in line_budget.h), and something faint rather than
+/// nothing. A multiple of kUsualLine gives the same multiple of the usual line, if people would draw that much. Arcs that are
+/// already `drawn` stay, as in more_parts.
 Parts parts_of_page(const RegionTree& tree, std::span<const float> worth, double price, double line, const Parts& drawn = {});
 
-/// Sides of pixels that a page has at most, of such a budget.
+/// The maximum of pixel sides on a page with such a budget.
 double most_of_page(const RegionTree& tree, double line);
 
 /// The same as best_parts, with what is drawn already: its arcs stay where their worth is 1, and count for `most`, which they may

@@ -33,51 +33,46 @@ constexpr Option kOptions[] = {
      .max = 100'000,
      .unit = "mm",
      .summary =
-         "how much line is drawn at most on a square of 63 mm; a larger drawing has more, as its side to the 5/3. More than the "
+         "maximum length of line on a square of 63 mm; on a larger drawing it grows as the side to the power 5/3. More than the "
          "default also draws less likely lines: twice the default, twice the line"},
     {.name = "sure",
      .type = Option::Type::number,
      .fallback = 0.62,
      .min = 0,
      .max = 1,
-     .summary = "1: only what is surest is drawn; 0: all that anybody might draw, up to the budget"},
+     .summary = "1: draw only the surest lines; 0: draw everything that anybody might draw, up to the budget"},
     {.name = "gap",
      .type = Option::Type::length,
      .fallback = 4.4,
      .min = 0,
      .max = 50,
      .unit = "mm",
-     .summary = "least distance between the middles of two lines: what is narrower has one line, or none"},
+     .summary = "minimum distance between the middles of two lines: a narrower thing gets one line, or none"},
     {.name = "inner",
      .type = Option::Type::number,
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "share of the line that may be drawn besides for what is inside of things: eyes, a mouth, a stripe. A subject "
-                "has a few such lines "
-                "in any case"},
+     .summary = "additional share of line for details inside things: eyes, a mouth, a stripe. A subject always has a few such "
+                "lines"},
     {.name = "bend",
      .type = Option::Type::length,
      .fallback = 1.4,
      .min = 0.1,
      .max = 20,
      .unit = "mm",
-     .summary = "lines are smoothed over that length (standard deviation)"},
+     .summary = "length over which lines are smoothed (standard deviation)"},
     {.name = "subject",
      .type = Option::Type::spots,
-     .summary = "what matters: a box around it or a point in it, from the left and the top of the picture; each is a thing of "
-                "its own. Its outline is "
-                "drawn whole and thick, other lines are thin"},
-    {.name = "leave",
-     .type = Option::Type::spots,
-     .summary = "boxes in which nothing is drawn but the subject",
-     .choices = kBoxesOnly},
+     .summary = "what matters: a box around it or a point in it, from the left and the top of the picture; each names a "
+                "separate thing. Its outline is drawn whole and thick; other lines are thin"},
+    {.name = "leave", .type = Option::Type::spots, .summary = "boxes in which only the subject is drawn", .choices = kBoxesOnly},
     {.name = "only",
      .type = Option::Type::choice,
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "yes: nothing is drawn but the subject, if there is one",
+     .summary = "yes: draw only the subject, if there is one",
      .choices = "no yes"},
 };
 
@@ -316,7 +311,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter outlines_filter;
 const Filter outlines_filter{
     .name = "outlines",
-    .summary = "whole outlines of the regions that people would draw, up to a budget of line",
+    .summary = "draws whole outlines of the regions that people would draw, up to a budget of line",
     .takes = static_cast<Kinds>(Kind::regions),
     .gives = static_cast<Kinds>(Kind::drawing),
     .options = kOptions,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What drawing an arc is worth on a page, and what it costs.
+// The value and the price of drawing an arc on a page.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace tactics {
 
-/// Of a step: drawing it gains its arc's worth less the price.
+/// Price of a step: drawing it gains the worth of its arc minus the price.
 struct Stakes {
-    std::vector<float> worth;  ///< of each arc: its chance and, on top, something for the chance that it is of the main thing
+    std::vector<float> worth;  ///< for each arc: its probability, plus a bonus for the probability that it belongs to the main
+                               ///< thing
     double price = 0;
 };
 
-/// Of how good a page is expected to be, sure * P + (1 - sure) * (0.6 R + 0.4 M), the slope by the length of each arc, where the
-/// parts that it leads to are about the best there are. P is the share of the page's line that people agree on, R the share that
-/// is drawn of what they agree on, M that of the main thing's outline, which is taken for 0.7 diagonals of the picture longer
-/// than it is expected to be. So a clear picture gets only what is clear, and one where little is clear the best of that. `sure`:
-/// 0 to 1.
+/// The slope of the expected quality of a page, sure * P + (1 - sure) * (0.6 R + 0.4 M), with respect to the length of each arc,
+/// near the best choice of parts. P is the share of the page's line that people agree on, R the share of their agreed lines that
+/// is drawn, M that of the main thing's outline, whose length is assumed to be 0.7 picture diagonals more than expected. So a
+/// clear picture gets only its clear lines, and an unclear one the best of its lines. `sure`: 0 to 1.
 Stakes stakes_of(const RegionTree& tree, const ArcChances& chances, double sure);
 
 }  // namespace tactics

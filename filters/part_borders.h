@@ -15,7 +15,7 @@ namespace tactics {
 /// All that two parts have between them is one border.
 class PartBorders {
 public:
-    /// Of each arc what it gains and how long it is, if it is drawn.
+    /// Gain and length of each arc, if it is drawn.
     PartBorders(const RegionTree& tree, const Parts& parts, std::span<const double> gain, std::span<const double> length);
 
     /// The border that gains least, again and again, as long as it loses more than `least`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hangs together with what: a skeleton as lines that run from junction to junction.
+// A skeleton as a graph of lines that run from junction to junction.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ struct PixelChain {
 
 struct PixelJunction {
     Point at;
-    double reach = 0;  ///< pixels around it where the medial lines are bent by one another
+    double reach = 0;  ///< pixels around it where the medial lines bend each other
 };
 
 struct PixelGraph {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Five point symbols that a finger tells from each other.
+// Five point symbols that a finger can tell apart.
 #pragma once
 
 #include "tactics/drawing.h"

@@ -31,7 +31,7 @@ constexpr NamedRecipe kRecipes[] = {
      "threshold method=fixed level=10\n"
      "trace\n"
      "simplify\n"},
-    {"sobel-kmeans", "edges first, then the strong ones by segmentation: best in the pilot study",
+    {"sobel-kmeans", "edges first, then segmentation selects the strong ones: best in the pilot study",
      "resample dpi=100\n"
      "sobel\n"
      "kmeans k=4 keep=2\n"
@@ -45,7 +45,7 @@ constexpr NamedRecipe kRecipes[] = {
     // The cut by classes of strength follows the picture's own contrast; only the weakest of eight goes. What is finer than 0.95
     // % of the side, 2 mm on A4, is left out, so that the drawing stays what it is when the picture is stored, lit or turned
     // otherwise.
-    {"fast", "photographs in a fraction of the time of photo: edges in short lines, for many pictures or a slow machine",
+    {"fast", "photographs in a fraction of the time of photo, as edges in short lines: for many pictures or a slow machine",
      "resample dpi=25\n"
      "contours scene=0.95 along=2.5mm\n"
      "kmeans k=8 keep=7\n"
@@ -61,7 +61,7 @@ constexpr NamedRecipe kRecipes[] = {
      "outlines sure=0.55 gap=4.1mm bend=1mm inner=0.25\n"
      "simplify\n"},
     // Axes of charts are 0.3 mm on A4, curves 0.5.
-    {"diagram", "charts and diagrams: lines and outlines of what is drawn, most of the lettering left out",
+    {"diagram", "charts and diagrams: lines and outlines, most of the lettering left out",
      "resample dpi=150\n"
      "contours blur=0.4mm along=0.6mm surround=0 lines=0.8mm\n"
      "threshold method=hysteresis low=15 high=40\n"

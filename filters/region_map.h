@@ -18,7 +18,7 @@ struct ClassMap {
     }
 };
 
-/// Pieces of one class that hang together by the sides of pixels.
+/// Pieces of one class, connected by the sides of pixels.
 struct RegionMap {
     int width = 0;
     int height = 0;
@@ -31,18 +31,18 @@ struct RegionMap {
 };
 RegionMap regions_of(const ClassMap& map);
 
-/// How regions go, from the least wide to the widest, each to the neighbour that it shares most border with; border with one
-/// that looks alike counts more. Width is that of the largest disc within a region, in pixels; the picture's frame is a border,
+/// Merges regions, from the narrowest to the widest, each into the neighbour with which it shares most border; border with a
+/// similar neighbour counts more. Width is that of the largest disc within a region, in pixels; the picture's frame is a border,
 /// too.
 class Merging {
 public:
     /// `apart[a][b]`: how different classes a and b look; border of that difference counts 1 / apart.
     Merging(const ClassMap& map, const std::vector<std::vector<double>>& apart);
 
-    /// Goes on until no region is less wide than `least` and there are at most `most`; always leaves one.
+    /// Continues until no region is narrower than `least` and there are at most `most`; always leaves one.
     void merge(double least, std::size_t most);
     std::size_t count() const { return count_; }
-    double narrowest() const;  ///< width of the least wide region that is left
+    double narrowest() const;  ///< width of the narrowest remaining region
     ClassMap result() const;
 
 private:
@@ -58,17 +58,18 @@ private:
     RegionMap map_;
     std::vector<std::vector<double>> apart_;
     mutable std::vector<std::uint32_t> parent_;
-    std::vector<std::vector<Neighbour>> neighbours_;  // may name regions that are gone; root() says where they went
+    std::vector<std::vector<Neighbour>> neighbours_;  // may name merged regions; root() says into which
     std::vector<float> width_;
-    std::vector<std::pair<float, std::uint32_t>> queue_;  // a heap, the narrowest first; what is gone or has grown stays in it
+    std::vector<std::pair<float, std::uint32_t>> queue_;  // a heap, the narrowest first; entries of merged or grown regions stay
+                                                          // in it
     std::size_t count_ = 0;
 };
 
-/// Parts of regions that are less wide than `width` pixels go to the regions beside them.
+/// Gives parts of regions narrower than `width` pixels to the regions beside them.
 ClassMap without_thin_parts(const ClassMap& map, double width);
 
-/// Where a region is less wide than `width` between two wide parts of it, or beside a corner of its own, the neighbour that is
-/// most beside the neck goes through it, `width` wide.
+/// If a region is narrower than `width` between two of its wide parts, or beside its own corner, the neighbour with most border
+/// at the neck cuts through it, `width` wide.
 ClassMap without_necks(const ClassMap& map, double width);
 
 }  // namespace tactics

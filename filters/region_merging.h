@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Regions that merge, the most alike and least divided first, until the whole picture is one.
+// Merges regions, the most similar and least divided first, until the whole picture is one.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace tactics {
 
-/// What is known of a region when it is compared with another: it adds up.
+/// Additive properties of a region, for comparison with others.
 struct RegionSums {
     static constexpr std::size_t kShades = 12;   ///< bins of lightness, of a* and of b*
     static constexpr std::size_t kTextures = 8;  ///< bins of how rough it is
@@ -36,15 +36,15 @@ struct SharedBorder {
 
 inline constexpr std::size_t kPairFeatures = 11;
 using PairFeatures = std::array<double, kPairFeatures>;
-/// How two regions differ: what divides them, lightness, colour, texture, mean colour, size, and how these go together; the last
+/// The differences of two regions: boundary, lightness, colour, texture, mean colour, size, and combinations of these; the last
 /// is 1.
 PairFeatures features_of(const RegionSums& a, const RegionSums& b, const SharedBorder& border);
 
-/// Which evidence counts how much. The merging is by the chance that people would draw the border, 1 / (1 + exp(-weights .
+/// The weights of the features. Merging uses the probability that people would draw the border, 1 / (1 + exp(-weights .
 /// features)).
 using PairWeights = std::array<double, kPairFeatures>;
 
-/// Looks on when features were worked out: for fitting.
+/// Called with computed features, for fitting.
 using PairWatcher = std::function<void(std::uint32_t a, std::uint32_t b, const PairFeatures&)>;
 
 /// Makes the tree's nodes and levels from its faces, arcs and their strengths. Regions smaller than `least` square pixels merge

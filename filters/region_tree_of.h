@@ -21,7 +21,7 @@ RegionTree region_tree_of(const Image& picture, const ContourMaps& maps, double 
 RegionTree region_tree_on(std::vector<std::uint32_t> face, const Image& picture, const ContourMaps& maps, double least,
                           const PairWeights& weights, const PairWatcher& watcher = {});
 
-/// How much which evidence counts in merging, fitted for either kind of map (filters/net/train/fit.py).
+/// The weights of the features in merging, fitted for each kind of map (filters/net/train/fit.py).
 const PairWeights& pair_weights(bool learned);
 
 }  // namespace tactics

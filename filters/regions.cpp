@@ -34,21 +34,22 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 500,
      .unit = "mm",
-     .summary = "less wide regions go to a neighbour; 0: chosen, what a texture needs, more while there are too many regions"},
+     .summary = "regions narrower than this join a neighbour; 0: as wide as a texture needs, or wider while there are too many "
+                "regions"},
     {.name = "clear",
      .type = Option::Type::length,
      .fallback = 4.4,
      .min = 0.5,
      .max = 50,
      .unit = "mm",
-     .summary = "least width of any part of a region, from outline to outline; convert sets what the medium needs"},
+     .summary = "minimum width of any part of a region, from outline to outline; convert sets what the medium needs"},
     {.name = "most",
      .type = Option::Type::whole,
      .fallback = 20,
      .min = 1,
      .max = 1000,
      .unit = "regions",
-     .summary = "how many there may be where smallest is chosen"},
+     .summary = "maximum number of regions if smallest is 0"},
 };
 
 // Rows of a pattern begin where they begin on the page, not where the region does: that can take a row.
@@ -266,7 +267,9 @@ Artwork apply(Artwork artwork, const Settings& settings) { return Scene(std::get
 extern const Filter regions_filter;
 const Filter regions_filter{
     .name = "regions",
-    .summary = "regions of one grey or colour as textured areas with outlines; small and thin ones go to their neighbours",
+    .summary =
+        "turns regions of one grey or colour into textured areas with outlines; small and thin regions join their "
+        "neighbours",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::drawing),
     .uses_colour = true,

@@ -20,7 +20,7 @@ constexpr Option kOptions[] = {
      .min = 25,
      .max = 1200,
      .unit = "dpi",
-     .summary = "pixels per inch of the page; a picture that has fewer stays as it is"},
+     .summary = "pixels per inch of the page; a picture that has fewer is unchanged"},
 };
 
 int shrunk(int length, double scale) { return std::max(1, static_cast<int>(std::lround(length * scale))); }

@@ -18,14 +18,14 @@ constexpr Option kOptions[] = {
      .min = 0.5,
      .max = 50,
      .unit = "mm",
-     .summary = "least distance between the middles of two lines"},
+     .summary = "minimum distance between the middles of two lines"},
     {.name = "shortest",
      .type = Option::Type::length,
      .fallback = 6.4,
      .min = 0,
      .max = 100,
      .unit = "mm",
-     .summary = "shorter lines and pieces are left out"},
+     .summary = "lines and pieces shorter than this are left out"},
 };
 
 Artwork apply(Artwork artwork, const Settings& settings) {
@@ -43,7 +43,7 @@ void fit(Settings& settings, const Medium& medium) {
 extern const Filter separate_filter;
 const Filter separate_filter{
     .name = "separate",
-    .summary = "keeps lines a finger's gap apart; of two that run together the stronger stays",
+    .summary = "keeps lines far enough apart for a finger; of two that run together, keeps the stronger",
     .takes = static_cast<Kinds>(Kind::drawing),
     .gives = static_cast<Kinds>(Kind::drawing),
     .options = kOptions,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a tree of regions could be a thing by itself, and how much each looks like one.
+// The parts of a region tree that could be separate things, and how much each looks like one.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace tactics {
 
-/// What is known of any set of faces: it adds up, but for borders between its parts.
+/// Properties of any set of faces; they are additive, except for borders between its parts.
 struct Bulk {
     double area = 0;                ///< square pixels
     double outline = 0;             ///< sides of pixels, the picture's frame not counted
@@ -41,7 +41,7 @@ struct Silhouette {
 std::vector<Silhouette> pairs_of(const RegionTree& tree, std::span<const float> chances, const std::vector<Bulk>& bulks,
                                  const std::vector<std::size_t>& first, const std::vector<std::size_t>& second);
 
-/// Of each face whether it is in the thing.
+/// For each face, whether it is in the thing.
 std::vector<bool> faces_in(const RegionTree& tree, const Silhouette& thing);
 
 }  // namespace tactics

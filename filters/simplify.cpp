@@ -24,7 +24,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 100,
      .unit = "mm",
-     .summary = "shorter lines are left out"},
+     .summary = "lines shorter than this are left out"},
 };
 
 std::size_t farthest_from(const std::vector<Point>& points, Point from) {
@@ -88,7 +88,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter simplify_filter;
 const Filter simplify_filter{
     .name = "simplify",
-    .summary = "fewer points for the same lines; leaves out lines too short to feel",
+    .summary = "draws the same lines with fewer points; leaves out lines too short to feel",
     .takes = static_cast<Kinds>(Kind::drawing),
     .gives = static_cast<Kinds>(Kind::drawing),
     .options = kOptions,

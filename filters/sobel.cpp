@@ -21,7 +21,7 @@ constexpr std::array kOptions{
            .min = 0,
            .max = 20,
            .unit = "mm",
-           .summary = "Gaussian blur before it (standard deviation); 0 is the plain 3x3 Sobel"},
+           .summary = "Gaussian blur applied first (standard deviation); 0 is the plain 3x3 Sobel"},
     Option{.name = "thin",
            .type = Option::Type::choice,
            .fallback = 0,
@@ -95,7 +95,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter sobel_filter;
 const Filter sobel_filter{
     .name = "sobel",
-    .summary = "edges by the Sobel gradient, as strengths in grey levels",
+    .summary = "finds edges by the Sobel gradient; strengths are in grey levels",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::edges),
     .options = kOptions,

@@ -31,14 +31,15 @@ constexpr Option kOptions[] = {
      .min = 1,
      .max = 100'000,
      .unit = "mm",
-     .summary = "how much line is kept on a square of 63 mm; a larger drawing has more, as its side to the 5/3"},
+     .summary = "length of line to keep on a square of 63 mm; on a larger drawing it grows as the side to the power 5/3"},
     {.name = "gap",
      .type = Option::Type::length,
      .fallback = 20,
      .min = 0,
      .max = 1000,
      .unit = "mm",
-     .summary = "a line's weak part between two strong ones stays if it is no longer, so that lines do not fall to dashes"},
+     .summary = "keep a weak part of a line between two strong ones if it is no longer than this, so that lines do not break "
+                "into dashes"},
 };
 
 // A pixel of a thin line at an angle to the rows, a, is 1 / cos a long; the mean of cos a up to 45 degrees is 2 sqrt(2) / pi.

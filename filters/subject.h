@@ -11,7 +11,7 @@
 
 namespace tactics {
 
-/// The faces of the tree that are the thing. `chances`: of each arc, 0 to 1. None is, if nothing closed is there.
+/// The faces of the tree that form the thing. `chances`: of each arc, 0 to 1. No faces if there is nothing closed.
 std::vector<bool> faces_of_subject(const RegionTree& tree, std::span<const float> chances, const Spot& spot);
 
 }  // namespace tactics

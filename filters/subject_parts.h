@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn when a person has named what matters: the subject first, the rest with what line is left.
+// The drawing when a person has named a subject: the subject first, the rest with the remaining line.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 
 namespace tactics {
 
-/// The things that were named. Each spot is a thing of its own; where two overlap, the one named later has what both have.
+/// The named things. Each spot is a separate thing; where two overlap, the one named later gets the shared part.
 struct NamedThings {
-    std::vector<std::uint32_t> of_face;  ///< 0: of none; else the number of the spot, from 1
+    std::vector<std::uint32_t> of_face;  ///< 0: none; else the number of the spot, from 1
     std::vector<double> share;           ///< of the picture, what each spot's thing has in the end
     std::vector<bool> found;             ///< of each spot, whether something closed is there; a later one may have all of it
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface as its lines of equal height.
+// A surface as lines of equal height.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace tactics {
 
-/// The same axes with a curve for each of these heights that the surface has, named by it ("height = 20 m"); behind each line of
-/// a level its curve has a gap, and closed lines end where they began.
+/// The same axes with a curve for each of these heights that the surface has, named by it ("height = 20 m"); after each line of a
+/// level the curve has a gap, and closed lines end where they began.
 Plot levels_of(const Plot& plot, const PlotSurface& surface, const std::vector<double>& heights);
 
 }  // namespace tactics

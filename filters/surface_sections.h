@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface cut open: curves of its height along lines across it.
+// Sections of a surface: curves of its height along lines across it.
 #pragma once
 
 #include <string>

@@ -21,7 +21,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 100,
      .unit = "percent",
-     .summary = "only so much of the line, the strongest and longest strokes first"},
+     .summary = "share of the line to change, the strongest and longest strokes first"},
 };
 
 LineClass class_of(std::string_view name) {
@@ -52,7 +52,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter thicken_filter;
 const Filter thicken_filter{
     .name = "thicken",
-    .summary = "makes lines thin, normal or thick, all or the strongest share",
+    .summary = "makes lines thin, normal or thick: all of them, or the strongest share",
     .takes = static_cast<Kinds>(Kind::drawing),
     .gives = static_cast<Kinds>(Kind::drawing),
     .options = kOptions,

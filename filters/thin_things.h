@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thin things that bound nothing: a mast, a wire, a whisker.
+// Thin things that enclose nothing: a mast, a wire, a whisker.
 #pragma once
 
 #include <vector>

@@ -6,7 +6,7 @@
 
 namespace tactics {
 
-/// An axis from `low` to `high`, both inclusive, and the values that are marked on it.
+/// An axis from `low` to `high`, both inclusive, and its marked values.
 struct Ticks {
     double low = 0, high = 0;
     std::vector<double> at;  ///< at least 2, ascending, within low and high

@@ -23,7 +23,7 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "lines: the middle of each line, dots stay dots; areas: black regions, filled",
+     .summary = "lines: the middle of each line, with dots kept as dots; areas: black regions, filled",
      .choices = "lines areas"},
     {.name = "spur",
      .type = Option::Type::length,
@@ -45,7 +45,7 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = 100,
      .unit = "mm",
-     .summary = "shorter lines and smaller areas are left out"},
+     .summary = "lines shorter and areas smaller than this are left out"},
 };
 
 float mean_strength(const std::vector<Point>& points, const EdgeMap& edges) {
@@ -155,7 +155,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 extern const Filter trace_filter;
 const Filter trace_filter{
     .name = "trace",
-    .summary = "pixels to lines: the middle of lines and edges, or the outlines of black regions",
+    .summary = "turns pixels into lines: the middle of lines and edges, or the outlines of black regions",
     .takes = Kind::picture | Kind::edges,
     .gives = static_cast<Kinds>(Kind::drawing),
     .options = kOptions,

@@ -55,8 +55,8 @@ void Band::span(int y, double left, double right) {
     bytes[last / 8] |= tail;
 }
 
-// What lies within `radius` of a segment is convex, so every row meets it in one span: from the leftmost to the
-// rightmost of what it meets of the two end discs and of the two long sides.
+// The points within `radius` of a segment form a convex shape, so every row meets it in one span: from the leftmost to the
+// rightmost of its intersections with the two end discs and the two long sides.
 void Band::segment(const Point& from, const Point& to, double radius) {
     const int begin_row = row_from(std::min(from.y, to.y) - radius);
     const int end_row = row_from(std::max(from.y, to.y) + radius);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Some rows of a black-and-white page, and what can be drawn on them. Places are in mm on the page.
+// Some rows of a black-and-white page, with drawing functions. Coordinates are in mm on the page.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,22 @@
 
 namespace tactics {
 
-/// A side of an outline, going down the page.
+/// A side of an outline, running down the page.
 struct Edge {
     double top = 0;     ///< y where it begins
     double bottom = 0;  ///< y where it ends
     double x = 0;       ///< at the top
     double slope = 0;   ///< change of x with y
-    int turn = 0;       ///< +1 or -1: which way the outline ran
+    int turn = 0;       ///< +1 or -1: direction of the outline
 };
-void add_edge(std::vector<Edge>& edges, const Point& from, const Point& to);  ///< level edges are left out
-void sort_edges(std::vector<Edge>& edges);                                    ///< by top, as Band::fill wants them
+void add_edge(std::vector<Edge>& edges, const Point& from, const Point& to);  ///< skips horizontal edges
+void sort_edges(std::vector<Edge>& edges);                                    ///< by top, as Band::fill expects
 
 enum class FillRule { even_odd, non_zero };
 
 class Band {
 public:
-    /// Of a page that is drawn `width` x `height` pixels large.
+    /// For a page of `width` x `height` pixels.
     Band(const Page& page, int width, int height);
 
     void begin(int first, int rows);  ///< clears it and moves it
@@ -33,7 +33,7 @@ public:
     std::size_t row_bytes() const { return row_bytes_; }
     std::uint8_t* row(int y) { return bits_.data() + row_bytes_ * static_cast<std::size_t>(y - first_); }
 
-    void segment(const Point& from, const Point& to, double radius);  ///< with round ends; a dot if both are one
+    void segment(const Point& from, const Point& to, double radius);  ///< with round ends; a dot if both points are equal
     void stroke(const PageStroke& stroke);
     void fill(const std::vector<Edge>& edges, FillRule rule);
 

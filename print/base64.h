@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes within text, as XML holds pictures.
+// Bytes within text, for pictures in XML.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a page to lines of braille cells, for machines and files that take text.
+// From a page to lines of braille cells, for machines and formats that take text.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace tactics {
 
-/// Cells from the first that the machine has on its sheet (page.bed) or from the first of the live area; bit 0 = dot 1 ...
-/// bit 7 = dot 8.
+/// Cells, starting at the machine's first cell on its sheet (page.bed) or at the first of the live area; bit 0 = dot 1 ... bit 7
+/// = dot 8.
 struct CellRows {
     std::size_t columns = 0;
     std::size_t lines = 0;
@@ -20,17 +20,17 @@ struct CellRows {
     std::span<const std::uint8_t> line(std::size_t number) const { return std::span(cells).subspan(number * columns, columns); }
 };
 
-/// The drawing raised dot by dot (dots.h), and the page's braille as whole cells in its place: a cell of both would say
-/// something else. Where the machine's dots are equally far apart, a cell is two by four of them. Throws Error(usage) if there is
-/// no room for one cell.
+/// The drawing raised dot by dot (dots.h), with the page's braille as whole cells in its place, since a mixed cell would mean
+/// something else. If the machine's dots are equally spaced, a cell is two by four of them. Throws Error(usage) if there is no
+/// room for one cell.
 CellRows cell_rows(const Page& page);
 
-/// So many cells of so many lines, whatever the page has: for a display of that size.
+/// Exactly that many cells and lines, regardless of the page: for a display of that size.
 std::vector<std::uint8_t> cells_of(const Page& page, std::size_t columns, std::size_t lines);
 
-/// Of a line, what is left without empty cells at its end.
+/// A line without the empty cells at its end.
 std::span<const std::uint8_t> without_end(std::span<const std::uint8_t> line);
-/// How many lines are left without empty ones at the end of the page.
+/// The number of lines without the empty ones at the end of the page.
 std::size_t lines_used(const CellRows& rows);
 
 }  // namespace tactics

@@ -10,7 +10,7 @@
 
 namespace tactics {
 
-/// Bytes in, compressed bytes at the end of a string. Level 1 to 9.
+/// Compresses bytes and appends them to a string. Level 1 to 9.
 class Deflater {
 public:
     explicit Deflater(int level);

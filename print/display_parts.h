@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page that is larger than a display, as what the display shows of it at a time.
+// Splits a page that is larger than a display into the parts that the display shows.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace tactics {
 
-/// Of each page the parts of that size (mm), from left to right and from the top to the bottom; those at the right and the lower
-/// side may reach beyond the page. Each keeps all of the drawing, moved, so that dots stand where they stand on the whole.
+/// The parts of that size (mm) of each page, from left to right and from top to bottom; those at the right and bottom may reach
+/// beyond the page. Each keeps the whole drawing, shifted, so that dots have the same places as on the whole page.
 std::vector<Page> parts_of(std::span<const Page> pages, double width, double height);
 
 }  // namespace tactics

@@ -40,7 +40,7 @@ public:
         if (index <= 0 || index >= static_cast<int>(centres_.size())) return 0;
         return centres_[static_cast<std::size_t>(index)] - centres_[static_cast<std::size_t>(index) - 1];
     }
-    /// How far `at` is from the dot of a box, in the pitch of that side.
+    /// The distance of `at` from the dot of a box, in the pitch of that side.
     double offset(double at, int index) const {
         const int inside = std::clamp(index, 0, static_cast<int>(centres_.size()) - 1);
         const double distance = at - centres_[static_cast<std::size_t>(inside)];
@@ -61,7 +61,7 @@ struct Stay {
     double high = 0;
 };
 
-// An open line that begins or ends just across a border would have a hook there, up to 5 mm to the side.
+// An open line that begins or ends just across a border would get a hook there, up to 5 mm to the side.
 void trim_ends(std::vector<Stay>& stays, const Axis& axis) {
     const auto hook = [&](const Stay& end, const Stay& next) {
         const int border = std::max(end.box, next.box);
@@ -119,7 +119,7 @@ struct Visit {
     double to = 0;
     bool keep = false;  // must be in the chain
     double length = 0;  // of the line in this box
-    // How far the line goes past the dot towards each corner of the box: right low, right high, left low, left high.
+    // How far the line extends past the dot towards each corner of the box: right low, right high, left low, left high.
     double reach[4] = {-2, -2, -2, -2};
 };
 
@@ -200,8 +200,8 @@ std::vector<std::size_t> sharp_turns(std::span<const Point> points, double reach
     return turns;
 }
 
-// May the way go from `a` straight to `c`, leaving out the elbow `b`? Not if the line goes round behind the dot of the
-// elbow: it would lie more than a pitch from the dots that are left.
+// Whether the chain may go from `a` straight to `c` without the elbow `b`. Not if the line passes behind the dot of the elbow: it
+// would then lie more than a pitch from the remaining dots.
 bool may_leave_out(const Visit& a, const Visit& b, const Visit& c) {
     const int across = c.dot.column - a.dot.column, down = c.dot.row - a.dot.row;
     if (b.keep || std::abs(across) != 1 || std::abs(down) != 1) return false;
@@ -256,7 +256,7 @@ std::vector<Visit> chain_of(std::span<const Point> points, bool closed, const Do
     return chain;
 }
 
-// A closed line, cut open at a point of its own between two points.
+// A closed line, cut open at a new point between two of its points.
 std::vector<Point> cut_at(std::span<const Point> ring, double time) {
     const auto before = std::min(static_cast<std::size_t>(time), ring.size() - 1);
     const auto after = static_cast<std::ptrdiff_t>(before) + 1;
@@ -279,8 +279,8 @@ std::vector<GridDot> dot_chain(std::span<const Point> points, bool closed, const
 
     std::vector<Visit> chain;
     if (closed) {
-        // Where a line is cut its dot is kept, needed or not. So it is cut anywhere first, and then for good half way
-        // round, at a dot that the first chain was free to leave out and did not.
+        // The dot where a line is cut is always kept, even if unneeded. So the line is first cut anywhere, and then finally half
+        // way round, at a dot that the first chain kept although it could have left it out.
         std::vector<Point> ring(points.begin(), points.end());
         ring.push_back(points[0]);
         chain = chain_of(ring, true, grid, columns, rows);

@@ -132,7 +132,8 @@ Dots raise_dots(const Page& page, const DotGrid& grid) {
 
 namespace {
 
-// As raise_dots, with the page's braille, on a raster that its cells are multiples of. Each line of it begins at the nearest dot.
+// As raise_dots, with the page's braille, on a raster of which its cells are multiples. Each braille line begins at the nearest
+// dot.
 Dots raise_page(const Page& page, const DotGrid& raster) {
     Dots dots = raise_dots(page, raster);
     const double pitch = raster.columns[1] - raster.columns[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a page to raised dots, for everything that has dots instead of ink.
+// From a page to raised dots, for everything that uses dots instead of ink.
 #pragma once
 
 #include <cstdint>
@@ -24,16 +24,16 @@ private:
     }
 };
 
-/// The drawing of a page (strokes, areas, picture; not its braille and print) as dots, each where it truly stands:
+/// The drawing of a page (strokes, areas, picture; without its braille and print) as dots, each in its true place:
 /// - a stroke is a chain of single dots (dot_chain.h), whatever its width;
 /// - an area raises the dots inside (even-odd); one that is too narrow to hold a dot is drawn as its outline;
 /// - a picture raises a dot where at least half of the paper around it is black, and along lines that are thinner.
-/// What lies further than one pitch outside the grid is left out.
+/// Anything farther than one pitch outside the grid is left out.
 Dots raise_dots(const Page& page, const DotGrid& grid);
 
-/// The same with the page's braille on the raster of its machine, counted from the machine's first dot: what lies in the margin
-/// is empty, and what lies before that dot is left out. Each line of braille begins at the nearest dot. Throws std::logic_error
-/// for a page of a machine without a raster.
+/// The same with the page's braille on the raster of its machine, counted from the machine's first dot: the margin is empty, and
+/// anything before that dot is left out. Each braille line begins at the nearest dot. Throws std::logic_error for a page of a
+/// machine without a raster.
 Dots raise_on_bed(const Page& page);
 
 }  // namespace tactics

@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-// "Everest-D  V5" as it is called in an entry: everest-d-v5.
+// "Everest-D V5" in the form of an entry: everest-d-v5.
 std::string typed(std::string_view name) {
     std::string small;
     for (char c : name) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of an embosser besides how to write its bytes. The embossers are formats (format.h) in embossers/, one a file.
+// The facts about an embosser, apart from the encoding of its bytes. The embossers are formats (format.h) in embossers/, one file
+// each.
 #pragma once
 
 #include <span>
@@ -12,7 +13,7 @@
 
 namespace tactics {
 
-/// Something that its bytes rely on, who says so, and how sure that is. None was tried on a machine by this project.
+/// A fact on which its bytes rely, its source, and the confidence in it. This project has tried none of them on a machine.
 struct ProtocolFact {
     std::string_view fact;
     std::string_view source;
@@ -23,59 +24,62 @@ struct Format;
 struct DotSetting;
 struct PinDisplay;
 
-/// How a machine sets text, where that is not how it is sent drawings.
+/// How a machine sets text, if that differs from the way it receives drawings.
 struct TextMode {
     DotSetting (*dots)(const Settings& settings) = nullptr;
     std::string (*encode_pages)(std::span<const Page> pages, const Settings& settings) = nullptr;
 };
 
-/// A name of Embosser::called whose machine has other settings than its entry; as --set has them, without the entry's name.
+/// A name in Embosser::called whose machine needs settings other than the entry's; written as for --set, without the entry's
+/// name.
 struct ModelSettings {
     std::string_view called;
     std::string_view settings;  ///< "model=romeo"
 };
 
 struct Embosser {
-    std::string_view models = {};  ///< what it drives, for people
-    /// Those models as they are typed, in small letters with - for blanks: "everest-d romeo-60". A model is called in one entry
-    /// only: that of its newest series where several drive it.
+    std::string_view models = {};  ///< the machines that it drives, for people
+    /// The same models as typed, in lower case with - for blanks: "everest-d romeo-60". Each model is in one entry only: if
+    /// several drive it, in that of its newest series.
     std::string_view called = {};
     std::span<const ModelSettings> settings_by_model = {};
-    std::string_view known_by = {};  ///< words, in small letters, one of which its id has on USB; empty: nothing tells it
-    /// Bytes: a job that is a multiple of them long has another 1Ah behind it, or the machine waits for more; 0: it does not.
+    std::string_view known_by = {};  ///< words in lower case, one of which occurs in its USB id; empty: the id does not identify
+                                     ///< it
+    /// Packet size in bytes: a job whose length is a multiple of it needs another 1Ah after it, or the machine waits for more; 0:
+    /// no such size.
     std::size_t packet = 0;
-    /// What comes out of the machine; never throws for what it is sent.
+    /// The machine's output; never throws, whatever it receives.
     Punched (*punch)(std::string_view bytes, const Settings& settings) = nullptr;
-    double widest = 0;                                        ///< mm, of a sheet; 0: not known
-    double (*widest_of)(const Settings& settings) = nullptr;  ///< where the models that it drives differ; nullptr: `widest`
-    double longest = 0;                                       ///< mm; 0: not known
-    std::string_view (*paper_of)(const Settings& settings) = nullptr;  ///< where models differ; nullptr: that of the entry
+    double widest = 0;                                                 ///< width of a sheet, mm; 0: unknown
+    double (*widest_of)(const Settings& settings) = nullptr;           ///< if its models differ; nullptr: `widest`
+    double longest = 0;                                                ///< mm; 0: unknown
+    std::string_view (*paper_of)(const Settings& settings) = nullptr;  ///< if models differ; nullptr: that of the entry
     std::span<const ProtocolFact> facts = {};
-    const TextMode* text = nullptr;       ///< nullptr: as drawings, if those are lines of cells (text_pages.h)
-    const PinDisplay* display = nullptr;  ///< no paper goes through it: its pins stay up until they are set again (pin_display.h)
+    const TextMode* text = nullptr;       ///< nullptr: like drawings, if those are lines of cells (text_pages.h)
+    const PinDisplay* display = nullptr;  ///< a display, without paper: its pins stay up until they are set again (pin_display.h)
 };
 
-/// What drives the model of that name, however it is written: "Everest-D V5", "index everest"; nullptr: none is called so.
+/// The format that drives the model of that name, in any spelling: "Everest-D V5", "index everest"; nullptr: no such model.
 const Format* find_model(std::string_view name);
-/// What find_model's machine of that name is set to, "model=romeo"; empty: as its entry is, or no model is called so.
+/// The settings for find_model's machine of that name, "model=romeo"; empty: those of its entry, or no such model.
 std::string_view settings_of_model(std::string_view name);
-/// Sets that. `place` is where the name stands, for messages.
+/// Applies these settings. `place` is where the name was given, for messages.
 void set_model(Settings& settings, std::string_view name, std::string_view place);
 /// "everest is driven as index-v4", "romeo is driven as enabling, model=romeo"
 std::string driven_as(std::string_view model, const Format& format);
 
-/// The name of the paper that is in it if nobody says which.
+/// The name of its default paper.
 std::string_view own_paper(const Format& format, const Settings& settings);
 
-/// An embosser or a display of pins, by its name or that of a model. Throws Error(usage) at `place` with the nearest name.
+/// An embosser or a pin display, by its name or that of a model. Throws Error(usage) at `place` with the nearest name.
 const Format& find_machine(std::string_view name, std::string_view place);
-/// Throws Error(usage) at `place`, of a display with the command for it.
+/// Throws Error(usage) at `place`; for a display, the message names the right command.
 const Format& find_embosser(std::string_view name, std::string_view place);
 
-/// Names of the embossers that a device with that id may be, "index-v4 or index-v3"; empty: it is not known to be one.
+/// Names of the embossers that a device with that id may be, "index-v4 or index-v3"; empty: no known embosser.
 std::string taken_for(std::string_view id);
 
-/// What stands behind a job of so many bytes for a machine with that Embosser::packet: 1Ah, or nothing.
+/// The bytes to add after a job of that length for a machine with that Embosser::packet: 1Ah, or nothing.
 std::string_view packet_end(std::size_t packet, std::size_t bytes);
 
 bool takes_sheet(const Embosser& embosser, const Settings& settings, double width, double height);

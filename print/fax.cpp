@@ -9,7 +9,7 @@
 
 namespace tactics {
 
-// What libtiff takes for a file. Nothing can go wrong in it, and libtiff's own rules are kept by the callers' shapes.
+// A memory file for libtiff. Its operations cannot fail, and the callers' shapes satisfy libtiff's own rules.
 struct FaxTiff::File {
     std::string bytes;
     std::size_t at = 0;

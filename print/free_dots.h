@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a page to dots that may stand anywhere, for machines without a raster.
+// From a page to freely placed dots, for machines without a raster.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace tactics {
 
-/// Dots nearer to each other than this are one to a finger, and tear the paper: the diameter of a dot of Marburg Medium, mm.
+/// Dots closer than this feel like one dot and tear the paper: the diameter of a Marburg Medium dot, mm.
 inline constexpr double kLeastBetweenDots = 1.6;
 
-/// All that is felt on a page as dots, from top to bottom:
-/// - braille where its standard has it;
+/// Everything tactile on a page as dots, from top to bottom:
+/// - braille where its standard places it;
 /// - a line as dots that stand evenly on it, about `spacing` mm from each other, with a dot at each end and at each sharp turn;
 ///   where it comes within kLeastBetweenDots of dots that are there already (a crossing, a junction), those stand for its own;
 /// - an area as its outline, filled with rows of dots; a picture as dots where it is black (raise_dots).

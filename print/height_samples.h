@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heights as samples of 16 bits.
+// Heights as 16-bit samples.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace tactics {
 
-/// 0 is the lowest, 65535 the highest; what is no number is the lowest.
+/// 0 is the lowest, 65535 the highest; NaN becomes the lowest.
 inline void to_samples(const HeightSheet& sheet, std::span<const float> heights, std::span<std::uint16_t> samples) {
     for (std::size_t x = 0; x < heights.size(); ++x) {
         const double part = (static_cast<double>(heights[x]) - sheet.low) / (sheet.high - sheet.low);

@@ -29,7 +29,7 @@ void set(std::string& text, std::size_t at, std::uint32_t value) {
     text.replace(at, 4, bytes);
 }
 
-// Its one directory, behind the strips. Values of over four bytes stand before it.
+// Its single directory, after the strips. Values of over four bytes precede it.
 class Directory {
 public:
     explicit Directory(std::string& file) : file_(file) {}

@@ -10,8 +10,8 @@
 
 namespace tactics {
 
-/// Hundredths of a millimetre (2540 to the inch): below one device pixel up to 2540 dpi, and whole numbers are short and
-/// know no locale.
+/// Hundredths of a millimetre (2540 to the inch): finer than a device pixel up to 2540 dpi; whole numbers are short and
+/// independent of the locale.
 inline constexpr double kStepsPerMm = 100;
 inline long to_steps(double mm) { return std::lround(mm * kStepsPerMm); }
 
@@ -24,7 +24,7 @@ std::string page_matrix(const Page& page);
 
 /// Areas and strokes with the operators m l h f* S w (and J, j for round ends and joins).
 std::string ink_of(const Page& page);
-/// The dots of a line of braille with m c f.
+/// The dots of a braille line with m c f.
 std::string ink_of(const BrailleLine& line, const Page& page);
 
 /// A letter's outline with m l c h, in thousandths of em.

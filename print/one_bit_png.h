@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG with one bit a pixel, row by row.
+// PNG with one bit per pixel, row by row.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace tactics {
 
 class OneBitPng {
 public:
-    /// Pixels per metre across and down; 0 = not told.
+    /// Pixels per metre across and down; 0 = unspecified.
     OneBitPng(int width, int height, double per_metre_x, double per_metre_y);
     /// The next row, packed, most significant bit left, 1 = black.
     void add_row(const std::uint8_t* row);

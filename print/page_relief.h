@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page as heights: lines, areas and dots raised from a flat ground. All formats of heights take their rows from here.
+// A page as heights: lines, areas and dots raised from a flat ground. All height formats take their rows from here.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace tactics {
 
-// Coarser than 0.5 mm, a line of 0.7 mm could fall between two samples.
+// With a pitch over 0.5 mm, a line of 0.7 mm could fall between two samples.
 inline constexpr Option kReliefPitch{.name = "pitch",
                                      .type = Option::Type::length,
                                      .fallback = 0.1,
@@ -34,7 +34,8 @@ inline constexpr Option kReliefProfile{.name = "profile",
                                        .max = 1,
                                        .summary = "cross-section of the lines",
                                        .choices = "round flat"};
-// Grid below axes below data, so that a finger tells them apart by height alone. The shares are ours: no source gives numbers.
+// The grid is lower than the axes, and these lower than the data, so that a finger can tell them apart by height alone. The
+// shares are our own choice: no source gives numbers.
 inline constexpr Option kReliefAxes{.name = "axes",
                                     .type = Option::Type::number,
                                     .fallback = 70,
@@ -50,7 +51,7 @@ inline constexpr Option kReliefGrid{.name = "grid",
                                     .unit = "% of height",
                                     .summary = "height of grid lines"};
 
-// Ten layers of 0.2 mm: stiff enough to be lifted off a printer's bed. Ours.
+// Ten layers of 0.2 mm: stiff enough to be lifted off a printer's bed. Our own choice.
 inline constexpr Option kPlateBase{.name = "base",
                                    .type = Option::Type::length,
                                    .fallback = 2,
@@ -59,18 +60,18 @@ inline constexpr Option kPlateBase{.name = "base",
                                    .unit = "mm",
                                    .summary = "thickness of the plate below the lowest place"};
 
-/// The page must outlive it. Rows are made one after the other from the geometry, so a page needs the memory of one row.
+/// The page must outlive it. Rows are computed one by one from the geometry, so only one row is in memory.
 class PageRelief {
 public:
-    /// Throws Error(usage) at `format` if that would be too many samples.
+    /// Throws Error(usage) at `format` if there would be too many samples.
     PageRelief(const Page& page, const Settings& settings, std::string_view format);
     ~PageRelief();
     PageRelief(const PageRelief&) = delete;
     PageRelief& operator=(const PageRelief&) = delete;
 
     const HeightSheet& sheet() const { return sheet_; }
-    HeightRows rows();  ///< to be asked for once, from the top
-    HeightMap map();    ///< all of them, instead
+    HeightRows rows();  ///< use once, from the top
+    HeightMap map();    ///< alternatively, all rows at once
 
 private:
     class Surface;

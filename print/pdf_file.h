@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The objects of a PDF file and the table that finds them (ISO 32000-1, 7.3 and 7.5).
+// The objects of a PDF file and the cross-reference table (ISO 32000-1, 7.3 and 7.5).
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace tactics {
 
-/// Objects are numbered in the order in which they are added, from 1.
+/// Objects are numbered from 1 in the order of adding.
 class PdfFile {
 public:
     int add(const std::string& body);
     int add_stream(const std::string& entries, const std::string& data);
     int add_deflated(const std::string& text);
     int next() const { return static_cast<int>(offsets_.size()) + 1; }
-    /// The whole file, once.
+    /// The whole file; call it once.
     std::string finish(int root, int info);
 
     static std::string reference(int number) { return std::to_string(number) + " 0 R"; }
@@ -28,7 +28,7 @@ private:
 
 void append_hex(std::string& text, unsigned value, int digits);
 void append_utf16(std::string& text, char32_t letter);
-/// UTF-8 as a string of UTF-16 in hexadecimal, which needs no escapes.
+/// UTF-8 as a hexadecimal UTF-16 string, which needs no escapes.
 std::string text_string(std::string_view text);
 
 }  // namespace tactics

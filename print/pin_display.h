@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How one talks with a display of pins. Unlike an embosser it answers, is asked how large it is, and has keys.
+// Communication with a pin display. Unlike an embosser, it answers, reports its size, and has keys.
 #pragma once
 
 #include <optional>
@@ -10,34 +10,34 @@
 
 namespace tactics {
 
-/// One thing that a display says.
+/// One message from a display.
 struct PinAnswer {
     enum class Kind {
-        taken,     ///< a message has come in; its pins do not stand yet
-        standing,  ///< its pins stand
-        again,     ///< it could not take the message now: it is to be sent once more
+        taken,     ///< it received a message; its pins are not set yet
+        standing,  ///< its pins are set
+        again,     ///< it could not take the message now; send it once more
         refused,
-        keys_down,  ///< some key is pressed
-        keys_up,    ///< none is
-        told,       ///< its size was put into the settings
-        too_small,  ///< it has told that it has no pins
+        keys_down,  ///< a key is pressed
+        keys_up,    ///< no key is pressed
+        told,       ///< its size is now in the settings
+        too_small,  ///< it reports that it has no pins
         other,
     };
     Kind kind = Kind::other;
-    int row = -1;  ///< of the message that is meant; -1: the last
+    int row = -1;  ///< row of the message that it answers; -1: the last message
 };
 
 struct PinDisplay {
-    int baud = 115200;          ///< of its serial line, without flow control
-    std::string_view question;  ///< bytes that ask for its size, or whether it is there
-    std::string_view farewell;  ///< bytes that end the talk; its pins stay
-    std::string_view thanks;    ///< bytes that it wants after each of its answers; empty: none
-    /// The first whole answer of what was heard, which is taken off, with what stood before it; nothing: there is none yet.
-    /// Throws Error for a size that no display has.
+    int baud = 115200;          ///< speed of its serial line, without flow control
+    std::string_view question;  ///< bytes that ask for its size, or test its presence
+    std::string_view farewell;  ///< bytes that end the session; its pins stay up
+    std::string_view thanks;    ///< bytes that it expects after each of its answers; empty: none
+    /// Takes the first complete answer from the received bytes, with anything before it; nothing: none yet. Throws Error for a
+    /// size that no display has.
     std::optional<PinAnswer> (*next)(std::string& heard, Settings& settings) = nullptr;
-    /// How many bytes the first of the messages has that encode made; each is answered before the next is sent.
+    /// Length of the first message that encode made, in bytes; the display answers each before the next is sent.
     std::size_t (*message)(std::string_view bytes) = nullptr;
-    /// Which row that message is for, as answers name it; -1: answers name none.
+    /// Row of that message, as answers name it; -1: answers name none.
     int (*row)(std::string_view message) = nullptr;
 };
 

@@ -11,14 +11,14 @@
 
 namespace tactics {
 
-/// What stands before the pixels is to be told before finish(); the parts keep the order of the calls.
+/// Add everything that stands before the pixels before finish(); the chunks keep the order of the calls.
 class PngFile {
 public:
     PngFile(std::uint32_t width, std::uint32_t height, int bits);
     /// Pixels per metre across and down.
     void scale(double per_metre_x, double per_metre_y);
     void text(std::string_view key, std::string_view value);
-    /// The next row as it is stored: the number of its filter, then the filtered bytes.
+    /// The next row in stored form: the number of its filter, then the filtered bytes.
     void add_row(std::span<const std::uint8_t> row);
     std::string finish();
 

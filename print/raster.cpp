@@ -38,7 +38,7 @@ std::vector<Edge> edges_of(const Area& area) {
     return edges;
 }
 
-// Where letters' outlines run on the page, their curves as short straight edges.
+// The outlines of letters on the page, with curves as short straight edges.
 std::vector<Edge> edges_of(const PrintLine& line, const std::map<char32_t, Letter>& letters) {
     constexpr int kPieces = 8;  // of a curve, which spans at most a quarter of a letter
     std::vector<Edge> edges;

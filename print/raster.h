@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A page as black and white pixels. A pixel is black when its centre lies in something black: no grey, no smoothing,
-// nothing that a heater or a scanner would have to decide later.
+// A page as black and white pixels. A pixel is black if its centre lies in something black: there is no grey and no smoothing
+// that a heater or a scanner would have to interpret later.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ struct PixelSize {
     int height = 0;
 };
 
-/// The page's size at a resolution, at least one pixel each way. Throws Error(usage) naming `format` and the largest
-/// resolution that can be had if that is over kMaxSide or kMaxPixels (read.h): what is written can be read again.
+/// The page's size at a resolution, at least one pixel each way. Throws Error(usage) with `format` and the largest possible
+/// resolution if the size exceeds kMaxSide or kMaxPixels (read.h), so that every written file can be read again.
 PixelSize pixels_at(const Page& page, double dpi, std::string_view format);
-/// The page at a width in pixels and a height, which follows from the page if it is 0. Throws as pixels_at.
+/// The page at a width and height in pixels; a height of 0 follows from the page. Throws as pixels_at does.
 PixelSize pixels_across(const Page& page, int width, int height, std::string_view format);
 
 /// A row, packed to bytes, most significant bit left, 1 = black.

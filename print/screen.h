@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What show shows pages on: a display of pins on a line, or one of braille cells.
+// The displays of `show`: a pin display on a serial line, or one with braille cells.
 #pragma once
 
 #include <chrono>
@@ -15,19 +15,19 @@ namespace tactics {
 class Screen {
 public:
     virtual ~Screen() = default;
-    /// The format and the settings that a page for it is laid out with.
+    /// The format and the settings with which to lay out a page for it.
     virtual const Format& format() const = 0;
     virtual const Settings& settings() const = 0;
-    /// false: it did not say that it shows it. Throws Error(failed): gone, or refused.
+    /// false: it did not confirm. Throws Error(failed) if it is gone or refuses.
     virtual bool show(const Page& page) = 0;
-    /// Whether a key of it was pressed within that time. Throws Error(failed): gone.
+    /// Whether one of its keys was pressed within that time. Throws Error(failed) if it is gone.
     virtual bool key_within(std::chrono::milliseconds time) = 0;
-    /// What was shown stays when the program ends.
+    /// The display keeps its contents when the program ends.
     virtual bool keeps() const = 0;
 };
 
-/// `format` has a PinDisplay. It is asked how large it is; what it tells counts more than the settings. Throws Error(failed): no
-/// answer, no pins.
+/// `format` has a PinDisplay. Asks the display for its size, which overrides the settings. Throws Error(failed) if there is no
+/// answer or there are no pins.
 std::unique_ptr<Screen> pin_screen(const Format& format, const Settings& settings, std::unique_ptr<Channel> channel,
                                    const std::string& place);
 

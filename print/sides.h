@@ -6,7 +6,7 @@
 
 namespace tactics {
 
-/// Of a machine, or a kind of file, that knows backs: --duplex sets it to both.
+/// Option of a machine or format that supports backs: --duplex sets it to both.
 inline constexpr Option kSides{.name = "sides",
                                .type = Option::Type::choice,
                                .fallback = 0,

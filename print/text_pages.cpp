@@ -65,7 +65,7 @@ public:
                                 " is no letter of braille (BRF); if it is written for the machine, name it .prn");
         }
         end_line();
-        if (pages_.back().braille.empty() && pages_.size() > 1) pages_.pop_back();  // behind the last form feed
+        if (pages_.back().braille.empty() && pages_.size() > 1) pages_.pop_back();  // after the last form feed
         check_count();
         return std::move(pages_);
     }

@@ -7,7 +7,7 @@
 
 namespace tactics {
 
-/// For content and for attributes in double quotes.
+/// Escapes text for content and for attributes in double quotes.
 std::string escaped(std::string_view text);
 
 }  // namespace tactics

@@ -23,7 +23,7 @@ std::uint32_t checksum(std::string_view bytes) {
     return static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-// zlib's format without its two bytes in front and the checksum behind is what ZIP packs.
+// ZIP uses zlib's format without its two header bytes and the trailing checksum.
 std::string packed(std::string_view bytes) {
     std::string all = deflated(bytes, kLevel);
     return all.substr(2, all.size() - 6);

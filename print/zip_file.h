@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A ZIP archive (PKWARE APPNOTE 6.3), as packages of books are. It knows no clock, so that the same files give the same bytes.
+// A ZIP archive (PKWARE APPNOTE 6.3), for book packages. It uses no clock, so the same files give the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ class ZipFile {
 public:
     enum class Packing { stored, deflated };
 
-    /// `day`, as 2026-03-31, is that of all files. Each must have one: without it it is 1980-01-01, the first that there is.
-    /// Month 0 would be no day either, which Java takes for 1979 and unzip shows as 1980-00-00.
+    /// `day`, as 2026-03-31, is the date of all files. A date is mandatory: the default is 1980-01-01, the earliest possible.
+    /// Month 0 would be invalid: Java takes it for 1979 and unzip shows 1980-00-00.
     explicit ZipFile(std::string_view day = "1980-01-01");
 
     /// `name` is in UTF-8 with / between folders. All must stay below 4 GiB together; throws std::length_error.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `evaluate` does without --study: lines against the contours that people drew.
+// `evaluate` without --study: scores lines against the contours that people drew.
 #include <sys/resource.h>
 
 #include <cmath>
@@ -151,9 +151,9 @@ StudyFindings study_contours(const StudyRequest& request, const StudyWatch& watc
 extern const Study contours_study;
 constinit const Study contours_study{
     .details =
-        "--chart draws F against the time of a picture with reading, a mark for each recipe: a disc if no other is both "
-        "faster and better, and a curve joins these; a ring otherwise. A level line is what the simplest person reaches. "
-        "--paper, --medium and --margin are the chart's, too.",
+        "--chart draws F against the time of a picture with reading, a mark for each recipe: a disc if no other recipe is both "
+        "faster and better, and a ring otherwise; a curve joins the discs. A level line shows the score of the simplest person. "
+        "--paper, --medium and --margin also apply to the chart.",
     .charted = recipes_and_person,
     .run = study_contours,
 };

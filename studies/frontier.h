@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the charts of studies have alike: marks, and those that none beats.
+// The common part of the charts of studies: marks, and the marks on the frontier.
 #pragma once
 
 #include <span>
@@ -11,20 +11,20 @@
 
 namespace tactics {
 
-/// What has a name on a chart: the recipes, and the simplest person after them.
+/// The named items on a chart: the recipes, then the simplest person.
 std::vector<std::string> recipes_alone(std::span<const Candidate> candidates);
 std::vector<std::string> recipes_and_person(std::span<const Candidate> candidates);
 
-/// Whether each point is one that no other beats: none is at most as far right and at least as high, and not the same.
+/// Whether each point is on the frontier: no different point is both at most as far right and at least as high.
 std::vector<bool> on_frontier(const std::vector<PlotPoint>& points);
 
-/// Sorts the marks by x, a time; fills those that none beats in both, and joins these with a curve.
+/// Sorts the marks by x, a time; fills those on the frontier, and joins them with a curve.
 void join_frontier(Plot& plot);
 
-/// A level line through all marks: what people reach, who take no time that could be told.
+/// A horizontal line for the score of people, whose time is unknown.
 void add_level(Plot& plot, const std::string& name, double y);
 
-/// F against the time of a picture: a disc for each recipe that none beats in both, joined by a curve, rings for the others.
+/// F against the time of a picture: discs joined by a curve for the recipes on the frontier, rings for the others.
 Plot frontier_plot(const Evaluation& evaluation);
 
 /// "page.pdf" and "dpi" make "page-dpi.pdf".

@@ -134,7 +134,7 @@ std::vector<std::size_t> sets_of(std::size_t pictures) {
 
 using Collections = std::vector<std::vector<std::vector<Relief>>>;  // by recipe and set
 
-// The answers of all sets under one reader: how often each sheet of a set was taken for each.
+// The answers of all sets with one reader: how often each sheet of a set was taken for each other.
 using Tables = std::vector<std::vector<std::size_t>>;
 
 Tables ask(const std::vector<std::vector<Relief>>& sets, const FingertipReader& reader, int readers, std::uint64_t seed) {
@@ -288,11 +288,11 @@ extern const Study matching_study;
 constinit const Study matching_study{
     .name = "matching",
     .details =
-        "is the pilot study of TACTICS with simulated readers: of each picture a square sheet of 2.5 in is made, and a "
-        "fingertip of limited acuity, sureness of place and memory looks for each sheet among all of its kind, in sets of at "
-        "most 20. Matched is how often it finds it; the 95 percent are the readers' luck, not that of other pictures. Random "
-        "readers is the middle rate of 60 readers whose parameters are drawn at random; the rates with one parameter changed "
-        "follow. It is a simulation: the reader has not been checked on people.",
+        "repeats the pilot study of TACTICS with simulated readers. Each picture becomes a square sheet of 2.5 in; a simulated "
+        "fingertip with limited acuity, sense of place and memory then looks for each sheet among all of its kind, in sets of "
+        "at most 20. Matched is how often it finds the sheet; the 95 percent interval covers chance among readers, not among "
+        "pictures. Random readers is the median rate of 60 readers with random parameters; the rates with one parameter changed "
+        "follow. It is a simulation: the reader has not been validated on people.",
     .needs_maps = false,
     .options = kOptions,
     .no_options = "nothing is left to chance here",

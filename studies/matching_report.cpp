@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-// What the pilot study found (J. P. Fritz, T. P. Way, K. E. Barner, section 2), on sets of about nine sheets.
+// The results of the pilot study (J. P. Fritz, T. P. Way, K. E. Barner, section 2), on sets of about nine sheets.
 struct Found {
     std::string_view recipe;
     std::string_view rate;
@@ -54,7 +54,7 @@ double middle_of(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-// The paper's five in its order, or nothing if one was not asked for.
+// The paper's five recipes in its order, or nothing if one was not requested.
 std::vector<const MatchedRecipe*> papers_five(const MatchingStudy& study) {
     std::vector<const MatchedRecipe*> five;
     for (const Found& found : kPaper)

@@ -13,7 +13,7 @@ namespace tactics {
 std::string matching_text(const MatchingStudy& study);
 /// A line for each recipe and, under it, one for each picture.
 std::string matching_csv(const MatchingStudy& study);
-/// One object a line: each recipe with its pictures and mistakes, and last what the whole was.
+/// One object per line: each recipe with its pictures and mistakes, and finally the whole study.
 std::string matching_json(const MatchingStudy& study);
 
 }  // namespace tactics

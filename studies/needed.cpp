@@ -247,12 +247,12 @@ extern const Study needed_study;
 constinit const Study needed_study{
     .name = "needed",
     .details =
-        "turns one dial at a time, for auto if no recipe is named: grey levels left by K-means before the edges are found "
-        "(256: grey, all of them), dots per inch of the page at which it works, and strokes kept, the strongest and longest "
-        "first. F is that of all that is drawn. Enough is the least value of a picture with F within 1 percent of the best of "
-        "that dial; the table has the value that is enough for a quarter, half and three quarters of the pictures, the median "
-        "that the recipe has by itself, on how many pictures that is more than needed, and the mean F at each value. --chart "
-        "writes a page for each dial: chart-levels.pdf, chart-dpi.pdf, chart-strokes.pdf.",
+        "turns one dial at a time, by default for recipe auto: the grey levels that K-means leaves before edges are found (256: "
+        "all greys), the dots per inch of the page at which the recipe works, and the strokes kept, the strongest and longest "
+        "first. F is that of the whole drawing. Enough is the smallest value for a picture whose F is within 1 percent of the "
+        "best on that dial. The table gives the value that is enough for a quarter, half and three quarters of the pictures, "
+        "the median that the recipe uses by default, on how many pictures that is more than needed, and the mean F at each "
+        "value. --chart writes a page for each dial: chart-levels.pdf, chart-dpi.pdf, chart-strokes.pdf.",
     .refuses = kRefuses,
     .recipes = kRecipes,
     .charted = curves_and_marks,

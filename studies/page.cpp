@@ -293,17 +293,17 @@ extern const Study page_study;
 constinit const Study page_study{
     .name = "page",
     .details =
-        "scores the page as convert makes it, mended, by its line: P3 and P1 are the shares that run within 0.75 percent of "
-        "the diagonal of a line that at least 3 people, at least 1 drew; R3 is the share of the lines of at least 3 people "
-        "that is drawn; main object the share of the outline of the largest thing that each person drew whole; diagonals the "
-        "pixels of line. An end of a line is loose if it is not within 4 mm of another line, of its own other end or of the "
-        "side of all that is drawn; whole is the share of line without loose ends. Lines, mm, loose ends and CPU ms (from the "
-        "picture to the mended drawing) are medians, the others means. The row simplest person is what the person with the "
-        "fewest regions of a picture drew of it, as a page, against the others. --chart draws P3 and R3 against time: "
-        "chart-p3.pdf, chart-r3.pdf. A recipe that expects something of its pages has a second table: P3 and R3 as expected "
-        "and as they are, by the harmonic mean of the two that was expected, and how many pages are poor. A page is poor if "
-        "less than two thirds of its line is agreed on, or less than 0.45 of what is agreed on is drawn and less than 0.6 of "
-        "the main object, and the simplest person is better in that by 0.1.",
+        "scores the lines of the page as convert makes it, mended. P3 and P1 are the shares of its line that run within 0.75 "
+        "percent of the diagonal of a line that at least 3 people, or at least 1, drew; R3 is the share of the lines of at "
+        "least 3 people that the page has; main object is the share of the outline of the largest thing that each person drew "
+        "whole; diagonals is the length of line in picture diagonals. An end of a line is loose if it is not within 4 mm of "
+        "another line, of its own other end or of the edge of the drawing; whole is the share of line without loose ends. "
+        "Lines, mm, loose ends and CPU ms (from the picture to the mended drawing) are medians, the others means. The row "
+        "simplest person scores against the others the page drawn by the person with the fewest regions. --chart draws P3 and "
+        "R3 against time: chart-p3.pdf, chart-r3.pdf. A recipe that predicts the quality of its pages has a second table: "
+        "predicted and actual P3 and R3, grouped by the harmonic mean of the two predictions, and the number of poor pages. A "
+        "page is poor if less than two thirds of its line is agreed on, or if it has less than 0.45 of the agreed lines and "
+        "less than 0.6 of the main object; in either case only if the simplest person is better by 0.1.",
     .refuses = kAsItIs,
     .without = kDotsAndRegions,
     .charted = recipes_and_person,

@@ -16,7 +16,7 @@ namespace tactics {
 /// One picture by one recipe, or by a person.
 struct PageTrial {
     bool tried = false;
-    bool nobody = false;  ///< it is no failure that it was not tried: nobody is left to compare with
+    bool nobody = false;  ///< not tried, but no failure: there is no other person to compare with
     PageShares shares;
     WholeLines lines;
     double page_ms = 0;               ///< CPU time from the file of the picture to the mended drawing
@@ -47,8 +47,8 @@ struct PageFigures {
 PageFigures page_figures(const PageMaker& maker);
 
 std::vector<Row> page_rows(const PageStudy& study);
-/// What recipes expected of their pages beside what they are, by the agreement that was expected; the first of a recipe's lines
-/// has the pages that are told to need a look. Headings only if no recipe expects anything.
+/// The predicted and actual scores of pages, grouped by the predicted agreement; the first line of each recipe has the pages
+/// reported as needing a look. Headings only if no recipe predicts anything.
 std::vector<Row> trust_rows(const PageStudy& study);
 /// One object a line: each maker with its pages, and last what the whole was.
 std::string page_json(const PageStudy& study);
@@ -57,7 +57,7 @@ std::string page_json(const PageStudy& study);
 /// a level line for the simplest person.
 Plot page_plot(const PageStudy& study, bool recall);
 
-/// What a person drew, as a drawing of that width in mm.
+/// A person's drawing, scaled to that width in mm.
 Drawing drawing_of_person(const PixelSet& lines, double width);
 
 }  // namespace tactics

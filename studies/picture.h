@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture of an evaluation with what people drew of it, and recipes on it: what the studies do alike.
+// A picture of an evaluation with people's drawings of it, and recipes applied to it; shared by the studies.
 #pragma once
 
 #include <cstddef>
@@ -27,16 +27,16 @@ void read_through(const StudyRequest& request, const Subject& subject);
 
 struct MappedPicture {
     PictureInfo info;
-    std::vector<PixelSet> truths;  ///< what each annotator drew
+    std::vector<PixelSet> truths;  ///< the drawing of each annotator
 };
 
-/// Throws Error: unreadable, or no map although it needs one.
+/// Throws Error if it is unreadable, or has no map although it needs one.
 MappedPicture read_mapped(const StudyRequest& request, const Subject& subject, bool needs_map);
 
-/// A recipe, chosen and fitted to the medium, with what it is to work on.
+/// A recipe, chosen and fitted to the medium, with its input.
 struct ReadyRecipe {
     Recipe recipe;
-    Artwork from;  ///< the picture as the recipe wants to see it; of what is no picture its drawing, and there are no steps
+    Artwork from;  ///< the picture as the recipe needs it; for other sources, their drawing, without steps
     Rect place;    ///< of the drawing on the sheet
 };
 
@@ -52,7 +52,7 @@ using TryRecipe = std::function<void(std::size_t candidate)>;
 /// Takes a picture, by its number in the request, and gives what tries recipes on it.
 using OpenPicture = std::function<TryRecipe(std::size_t picture, const MappedPicture& mapped)>;
 
-/// Every recipe on every picture, all cores at work. What goes wrong is told at once, and given as lines, those of the folders
+/// Runs every recipe on every picture, on all cores. Reports errors at once, and returns them as lines, those of the folders
 /// first.
 std::vector<std::string> try_all(const StudyRequest& request, const StudyWatch& watch, bool needs_maps, const OpenPicture& open);
 

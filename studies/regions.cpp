@@ -82,7 +82,7 @@ std::string row_json(const RegionStudy& study, const RegionRow& row) {
     return json.text();
 }
 
-// Where a recipe has regions that nest, before lines are made of them.
+// The step where a recipe has nested regions, before it makes lines from them.
 std::optional<std::size_t> last_of_regions(const Recipe& recipe) {
     for (std::size_t i = recipe.steps.size(); i-- > 0;)
         if (recipe.steps[i].filter->gives == static_cast<Kinds>(Kind::regions)) return i;
@@ -115,7 +115,7 @@ std::vector<std::shared_ptr<const LabelMap>> regions_of_recipe(Recipe recipe, Ar
     std::vector<std::shared_ptr<const LabelMap>> maps;
     std::size_t before = 0;
     for (const float level : region_levels()) {
-        // As they are: what thinning takes off at a corner would change sides.
+        // Unthinned: pixels that thinning removes at a corner would change sides.
         PixelSet kept{width, height, {}};
         for (std::size_t i = 0; i < lines.strength.size(); ++i)
             if (lines.strength[i] > 0 && lines.strength[i] >= level) kept.pixels.push_back(static_cast<std::uint32_t>(i));
@@ -193,11 +193,11 @@ extern const Study regions_study;
 constinit const Study regions_study{
     .name = "regions",
     .details =
-        "scores the regions that a recipe finds, those that its lines enclose, as the Berkeley benchmark does: covering is "
-        "how much of people's regions the best of the recipe's cover (intersection over union), PRI the Probabilistic Rand "
-        "Index, VI the Variation of Information in bits (less is better). Columns without a word are at the strength that is "
-        "best for all pictures together (ODS), OIS lets each picture have its own, best each region. What a line covers "
-        "belongs to the nearest region.",
+        "scores the regions enclosed by a recipe's lines, as the Berkeley benchmark does: covering is how well the recipe's "
+        "best regions cover people's regions (intersection over union), PRI the Probabilistic Rand Index, VI the Variation of "
+        "Information in bits (less is better). Unmarked columns use the strength that is best for all pictures together (ODS), "
+        "OIS the best strength for each picture, and best the best strength for each region. Pixels under a line belong to the "
+        "nearest region.",
     .refuses = kAsItIs,
     .without = kDots,
     .run = run_regions_study,

@@ -74,10 +74,11 @@ extern const Study repair_study;
 constinit const Study repair_study{
     .name = "repair",
     .details =
-        "makes the page of each picture, mends it as convert does, and tells how many pages broke a hard rule, at how many "
-        "places before and after, how many are not fit to be felt in this size (the user is told to split, to enlarge or to "
-        "describe the picture), R and F of all that is drawn before and after, the share of line that stays, and CPU seconds: "
-        "of a page from picture to PDF and of its repair, medians, and of the longest repair. --chart draws places against R.",
+        "makes the page of each picture, mends it as convert does, and counts the pages that broke a hard rule, the places "
+        "where they broke one before and after, and the pages that are not fit to be felt at this size (convert then advises "
+        "the user to split, enlarge or describe the picture). It also gives R and F of the whole drawing before and after, the "
+        "share of line that stays, and CPU seconds: the median for a page from picture to PDF, the median for its repair, and "
+        "the longest repair. --chart draws places against R.",
     .needs_maps = false,
     .refuses = kRefuses,
     .without = kDotsAndRegions,

@@ -73,7 +73,7 @@ Recipe started_at(Recipe recipe, int seed) {
     return recipe;
 }
 
-// What a recipe draws of a picture, as pixels of a map of that size.
+// A recipe's drawing of a picture, as pixels of a map of that size.
 class Draughtsman {
 public:
     Draughtsman(const StudyRequest& request, const Candidate& candidate) : request_(request), candidate_(candidate) {}
@@ -345,18 +345,18 @@ extern const Study stability_study;
 constinit const Study stability_study{
     .name = "stability",
     .details =
-        "asks how much of a drawing stays when its picture changes: F between what a recipe draws on the picture and on the "
-        "changed one, put back onto the picture, matched one to one within 0.75 percent of the diagonal; 1 if both are empty, "
-        "0 if one is. Columns are means over the pictures, each seen at 500 pixels at most: JPEG 70 and 50 (quality, colour "
-        "at half resolution), noise 10 (deviation in grey levels), shift (one pixel right and down), turn (one degree about "
-        "the middle), crop (a twentieth off each side; the rest keeps its scale), half (half as many pixels each way), gamma "
-        "0.8, low and very low (contrast times 0.5 and 0.2 about middle grey), dark 0.3 and 0.1 (grey values times that), "
-        "bright 1.2 (overexposed, cut off at white), start (four other seeds of each kmeans). Then pictures with nothing to "
-        "find, with the share of pixels that became line, and two discs, with the F of their circle: one 4 grey levels above "
-        "its ground with noise of 3, one that only its colour tells. --json has the worst picture of each column, too. Where "
-        "pictures of 500 pixels at most have contour maps, a second table tells by how much P3 (see --study page) changes "
-        "from the drawing of the picture to that of the changed one: in the mean, on the worst page, and on how many pages it "
-        "falls by 0.05 or more.",
+        "measures how much of a drawing stays the same when its picture changes: F between the recipe's drawings of the "
+        "original and of the changed picture, which is mapped back onto the original, matched one to one within 0.75 percent of "
+        "the diagonal; 1 if both are empty, 0 if one is. Columns are means over the pictures, each reduced to 500 pixels at "
+        "most: JPEG 70 and 50 (quality, colour at half resolution), noise 10 (deviation in grey levels), shift (one pixel right "
+        "and down), turn (one degree about the middle), crop (a twentieth off each side; the rest keeps its scale), half (half "
+        "as many pixels each way), gamma 0.8, low and very low (contrast times 0.5 and 0.2 about middle grey), dark 0.3 and 0.1 "
+        "(grey values times that), bright 1.2 (overexposed, cut off at white), start (four other seeds of each kmeans). After "
+        "these come pictures with nothing to find, with the share of pixels that became line, and two discs, with the F of "
+        "their circle: one 4 grey levels above its background with noise of 3, one that differs only in colour. --json also "
+        "names the worst picture of each column. Where pictures of 500 pixels at most have contour maps, a second table shows "
+        "how much P3 (see --study page) changes from the drawing of the original to that of the changed picture: the mean, the "
+        "worst page, and the number of pages where it falls by 0.05 or more.",
     .needs_maps = false,
     .refuses = kAsItIs,
     .without = kDots,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a study says of itself: a question that is asked of recipes on a folder of pictures. One file each, one line each in
-// list.inc; the help, the checks of the command line and its completion all read these descriptions.
+// The description of a study, which tests recipes on a folder of pictures. Each study has one file and one line in list.inc; the
+// help, the checks of the command line and its completion read these descriptions.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ struct Candidate {
     RecipeWish chain;
 };
 
-/// What is asked of a study: complete and checked before the first picture is opened.
+/// The request of a study, complete and checked before the first picture is opened.
 struct StudyRequest {
     std::vector<Subject> subjects;
     std::vector<std::string> problems;  ///< of the folders, one line each
@@ -36,10 +36,10 @@ struct StudyRequest {
     std::vector<std::string> charts;               ///< the files that its charts go to
     std::vector<std::string> allowed;              ///< of kAskedFormats: the pictures are trusted
     int workers = 0;                               ///< 0: as many as there are cores
-    bool quiet = false;                            ///< nothing is said besides the table but errors
+    bool quiet = false;                            ///< print only the table and errors
 };
 
-/// Who looks on while a study is at work. Called by any thread, one at a time.
+/// The observer of a running study. Called from any thread, one at a time.
 struct StudyWatch {
     std::function<void(std::size_t done, std::size_t all)> goes_on = {};  ///< at the beginning, and after each picture
     std::function<void(const std::string& problem)> tell = {};            ///< one line, as soon as it is known
@@ -52,7 +52,7 @@ struct StudyChart {
     std::string missing = {};  ///< what is said in place of the chart; empty: it is drawn
 };
 
-/// What came out, ready to be told.
+/// The results, ready for output.
 struct StudyFindings {
     std::string text = {};                  ///< tables to read
     std::string csv = {};                   ///< the table with commas, unless the study refuses it
@@ -69,7 +69,7 @@ struct Refusal {
     std::string_view why;
 };
 
-// What several of them say.
+// The common part of several studies.
 inline constexpr Refusal kAsItIs[] = {{"sweep", "this study tries each recipe as it is"}};
 inline constexpr std::string_view kDots[] = {"none"};                            ///< recipes without lines that could be compared
 inline constexpr std::string_view kDotsAndRegions[] = {"none", "kmeans"};        ///< recipes without lines that could be mended
@@ -77,16 +77,17 @@ inline constexpr std::string_view kRandomStart = "kmeans k=4 method=iterative"; 
 
 struct Study {
     std::string_view name = {};             ///< "matching"; empty: what evaluate does without --study
-    std::string_view details = {};          ///< what it asks and what its columns are; goes on from its name, "asks how much ..."
-    bool needs_maps = true;                 ///< else pictures that nobody drew contour maps of will do
+    std::string_view details = {};          ///< what it measures and what its columns mean; continues from its name, "measures
+                                            ///< how much ..."
+    bool needs_maps = true;                 ///< false: pictures without contour maps are enough
     std::span<const Option> options = {};   ///< whole numbers that it alone asks for; their summaries go on with the default
     std::string_view no_options = {};       ///< why the others have no use for them
     std::span<const Refusal> refuses = {};  ///< in the order in which they are told
     std::string_view paper = {};            ///< of its sheets, which have no margin; empty: as convert makes a page
-    std::span<const std::string_view> recipes = {};  ///< those it tries if none is named; empty: all, and auto
+    std::span<const std::string_view> recipes = {};  ///< default recipes; empty: all, and auto
     std::span<const std::string_view> without = {};  ///< of all recipes those that it can tell nothing of
     std::string_view besides = {};                   ///< a step that is a recipe of its own beside them
-    /// What has a name on its chart; nullptr: it has none.
+    /// The named items of its chart; nullptr: no chart.
     std::vector<std::string> (*charted)(std::span<const Candidate> candidates) = nullptr;
     /// The same with any number of workers, but for times and memory. Throws Error if the whole cannot be done.
     StudyFindings (*run)(const StudyRequest& request, const StudyWatch& watch) = nullptr;

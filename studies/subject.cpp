@@ -224,11 +224,11 @@ extern const Study subject_study;
 constinit const Study subject_study{
     .name = "subject",
     .details =
-        "points at the things that at least 3 people agree on (regions that overlap by 0.7, 2 to 50 percent of the picture, "
-        "not at all four sides), with a box around them and with a point deep inside, and tells how well what is then found "
-        "covers them: IoU is intersection over union, found the share with 0.5 or more. A recipe with the filters nest and "
-        "outlines finds it as convert --subject does, others among the regions that their lines enclose. The row the box "
-        "alone takes all that is in the box.",
+        "points at the things that at least 3 people agree on (regions that overlap by 0.7, cover 2 to 50 percent of the "
+        "picture and do not touch all four sides), with a box around each and with a point deep inside, and measures how well "
+        "the thing found covers each: IoU is intersection over union, found the share with 0.5 or more. A recipe with the "
+        "filters nest and outlines finds things as convert --subject does; others choose among the regions that their lines "
+        "enclose. The row the box alone takes everything in the box.",
     .refuses = kAsItIs,
     .without = kDots,
     .run = run_subject_study,

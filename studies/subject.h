@@ -16,13 +16,13 @@
 
 namespace tactics {
 
-/// What a person says of the subject; one of both. In pixels of the picture as the annotators saw it.
+/// A person's hint about the subject: a box or a point, in pixels of the picture as the annotators saw it.
 struct SubjectHint {
     std::optional<std::array<int, 4>> box;    ///< around it: left, top, right, bottom, the last two exclusive
     std::optional<std::array<int, 2>> point;  ///< in it
 };
 
-/// What is taken for the subject, as a mask of the picture's size.
+/// The subject found, as a mask of the picture's size.
 using SubjectFinder = std::function<std::vector<std::uint8_t>(const SubjectHint& hint)>;
 /// Looks at a picture with a recipe, once for all hints; width and height are those of the masks.
 using SubjectSearch = std::function<SubjectFinder(Recipe recipe, Image image, int width, int height)>;
@@ -30,7 +30,7 @@ using SubjectSearch = std::function<SubjectFinder(Recipe recipe, Image image, in
 /// The region that the point is in, or those that lie in the box for the greater part, of all that the recipe's lines enclose.
 SubjectFinder find_among_regions(Recipe recipe, Image image, int width, int height);
 
-/// What is found in the tree of regions that the recipe makes on its way; in a recipe without one as find_among_regions.
+/// The subject in the region tree that the recipe makes; for a recipe without one, as in find_among_regions.
 SubjectFinder find_subjects(Recipe recipe, Image image, int width, int height);
 
 /// The overlaps with the agreed objects of one picture.
@@ -47,7 +47,7 @@ struct SubjectRow {
 struct SubjectStudy {
     std::vector<std::string> pictures;
     std::size_t bare = 0;          ///< of these, without an agreed object
-    std::vector<SubjectRow> rows;  ///< the recipes, the simplest person, and the box by itself
+    std::vector<SubjectRow> rows;  ///< the recipes, the simplest person, and the box alone
     std::vector<std::string> problems;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What flows through a recipe: pixels, then edges or regions, then a drawing.
+// The data that pass through a recipe: pixels, then edges or regions, then a drawing.
 #pragma once
 
 #include <string_view>
@@ -13,7 +13,7 @@ namespace tactics {
 
 using Artwork = std::variant<Image, EdgeMap, RegionTree, Drawing>;
 
-/// Which of them, as a bit, so that a filter can say which it takes.
+/// The kinds as bits, so that a filter can list those it takes.
 enum class Kind : unsigned { picture = 1, edges = 2, drawing = 4, regions = 8 };
 using Kinds = unsigned;
 constexpr Kinds operator|(Kind a, Kind b) { return static_cast<Kinds>(a) | static_cast<Kinds>(b); }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// How sure something is that somebody else found.
+// How reliable a fact from somebody else is.
 #pragma once
 
 #include <string_view>
 
 namespace tactics {
 
-/// `good` stands in a published guideline, standard or manual, or several tools agree on it; `medium` is known at second hand;
-/// `uncertain` is one tool's or this project's own.
+/// `good`: a published guideline, standard or manual says so, or several tools agree; `medium`: known at second hand;
+/// `uncertain`: one tool's or this project's own choice.
 enum class Confidence { good, medium, uncertain };
 
 constexpr std::string_view name_of(Confidence confidence) {

@@ -36,7 +36,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return previous[b.size()];
 }
 
-// The name in `names` nearest to `word` by edit distance, or empty when none is near (over a third of the letters differ).
+// The name in `names` nearest to `word` by edit distance, or empty if none is near (over a third of the letters differ).
 std::string nearest_name(std::string_view word, const std::vector<std::string_view>& names) {
     constexpr std::size_t kLongestWord = 64;  // a longer word is not a slip of the keyboard
     if (word.empty() || word.size() > kLongestWord) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a filter says of itself. The filters are in filters/, one verb a file.
+// The description of a filter. The filters are in filters/, one file for each verb.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace tactics {
 
-/// How much of a picture's sides is left, each from 0 to 1.
+/// How much of a picture's width and height is left, each from 0 to 1.
 struct Kept {
     double width = 1;
     double height = 1;
@@ -20,29 +20,29 @@ struct Kept {
 struct Filter {
     std::string_view name = {};
     std::string_view summary = {};  ///< one line, lower case, no period
-    Kinds takes = 0;                ///< an edge map is also taken by a filter that takes pictures (as to_picture shows it)
-    Kinds gives = 0;                ///< one kind, or 0: the kind that it was given
-    /// Is better with a colour picture; the others keep a picture's colour or make it grey themselves. A filter that also
-    /// has a setting colour=no|yes uses it only when that is yes.
+    Kinds takes = 0;                ///< a filter that takes pictures also takes an edge map (as converted by to_picture)
+    Kinds gives = 0;                ///< one kind, or 0: the same kind as its input
+    /// Works better with a colour picture; other filters keep a picture's colour or convert it to grey themselves. A filter with
+    /// a setting colour=no|yes uses colour only if that is yes.
     bool uses_colour = false;
     std::span<const Option> options = {};
     /// Pure: same artwork and settings, same answer, on any thread. Artwork is of a kind in `takes`.
     Artwork (*apply)(Artwork artwork, const Settings& settings) = nullptr;
-    /// Puts numbers in place of settings that leave the choice to the filter (0), as `apply` would choose for that artwork, and
-    /// says what it chose and why: "k=3: 3 greys explain 94 % of ...". What `apply` leaves out by itself is such a choice, too.
-    /// An empty answer means that there was nothing to choose. nullptr: this filter never chooses.
+    /// Replaces settings that leave the choice to the filter (0) by the values that `apply` would choose for this artwork, and
+    /// says what it chose and why: "k=3: 3 greys explain 94 % of ...". Things that `apply` leaves out on its own are such a
+    /// choice, too. An empty answer means that there was nothing to choose. nullptr: this filter never chooses.
     std::string (*settle)(const Artwork& artwork, Settings& settings) = nullptr;
-    /// Fills in what a medium decides where the user has not, and takes back what it could not show.
+    /// Fills in values that the medium decides and the user has not set, and removes those that the medium could not show.
     void (*fit)(Settings& settings, const Medium& medium) = nullptr;
     Kept (*keeps)(const Settings& settings) = nullptr;  ///< of the picture; nullptr: all of it
-    std::string_view dpi = {};  ///< its option for the resolution of the page at which all that follows looks; empty: none
-    /// What a recipe ends in that cannot be printed is given to the filter that finishes that kind, at its defaults.
+    std::string_view dpi = {};  ///< name of its option for the page resolution of all later filters; empty: none
+    /// If a recipe ends in a kind that cannot be printed, the filter that finishes this kind follows with default settings.
     Kinds finishes = 0;
-    std::string_view budget = {};  ///< its option for how much line it leaves, which --detail turns; empty: none
-    /// The step that takes its place where every contour is wanted, as a recipe's line; it keeps what settings both have. "-":
-    /// none does. Empty: it stays.
+    std::string_view budget = {};  ///< name of its option for the amount of line to keep, which --detail changes; empty: none
+    /// The step, as a line of a recipe, that replaces it if every contour is wanted; settings that both have are kept. "-":
+    /// nothing replaces it. Empty: it stays.
     std::string_view in_full = {};
-    bool cuts_edges = false;  ///< an edge map that went through it has lines and ground only
+    bool cuts_edges = false;  ///< its output edge maps have only lines and background
 };
 
 using FilterList = std::span<const Filter* const>;

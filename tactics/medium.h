@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is printed on: papers and the media that make a drawing felt. Three visible lists: papers.inc, media.inc, cells.inc.
+// What pages are made on: papers, and the media that make a drawing tactile. Three visible lists: papers.inc, media.inc,
+// cells.inc.
 #pragma once
 
 #include <span>
@@ -35,25 +36,25 @@ struct NamedCell {
 enum class Swells : bool { no, yes };
 enum class FixedDots : bool { no, yes };
 
-/// Line widths and spacing that a finger can tell on one kind of page, in mm.
+/// Line widths and spacing that a finger can distinguish on one kind of page, in mm.
 struct Medium {
     std::string_view name;
     std::string_view summary;
-    double thin_line = 0;                  ///< width of LineClass::thin; also the least width of any line
+    double thin_line = 0;                  ///< width of LineClass::thin; also the minimum width of any line
     double line = 0;                       ///< LineClass::normal
     double thick_line = 0;                 ///< LineClass::thick
-    double gap = 0;                        ///< least distance between two things, edge to edge
-    double shortest = 0;                   ///< a line shorter than this is not felt as a line
-    double dpi = 0;                        ///< pixels per inch of a picture beyond which nothing more can be felt
+    double gap = 0;                        ///< minimum distance between two things, edge to edge
+    double shortest = 0;                   ///< a shorter line is not felt as a line
+    double dpi = 0;                        ///< a picture with more pixels per inch would not feel any finer
     double margin = 0;                     ///< default margin on every side
-    Swells swells = Swells::no;            ///< what is black rises by heat
-    FixedDots fixed_dots = FixedDots::no;  ///< dots at fixed places only: nothing can stand between them
+    Swells swells = Swells::no;            ///< black parts rise when heated
+    FixedDots fixed_dots = FixedDots::no;  ///< dots at fixed places only, with nothing between them
 };
 
 inline bool has_fixed_dots(const Medium& medium) { return medium.fixed_dots == FixedDots::yes; }
-/// There, two rows of dots from the middle of one line to the middle of another: one row for it, one that stays empty.
+/// With fixed dots, middles of lines are two rows of dots apart: one row for the line, one that stays empty.
 inline constexpr double kTwoRows = 2 * kMarburgMedium.dot_pitch;
-/// From the middle of a line of that width to the middle of one of this width, mm, so that a finger takes them for two.
+/// Distance between the middles of two lines of these widths, mm, at which a finger feels two.
 double least_apart(const Medium& medium, double width, double other_width);
 
 std::span<const Paper> papers();
@@ -62,7 +63,7 @@ std::span<const NamedCell> cells();
 
 /// A named paper, or a size such as 200x150mm, 8.5x11in (turned upright). Throws Error(usage) with the nearest name.
 Paper find_paper(std::string_view text, std::string_view place);
-/// These throw Error(usage) with the nearest name.
+/// Both throw Error(usage) with the nearest name.
 const NamedCell& find_cell(std::string_view name, std::string_view place);
 const Medium& find_medium(std::string_view name, std::string_view place);
 

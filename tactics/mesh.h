@@ -12,7 +12,7 @@
 
 namespace tactics {
 
-// What a mesh may have, whoever made it.
+// Limits of a mesh, from any source.
 inline constexpr std::size_t kMostMeshTriangles = 5'000'000;
 inline constexpr std::size_t kMostMeshVertices = 3 * kMostMeshTriangles;
 inline constexpr std::size_t kMostMeshParts = 10'000;
@@ -25,12 +25,12 @@ struct MeshPart {
     std::uint32_t count = 0;
 };
 
-/// As it stands in the world: x to the right, y away from the reader, z upwards, all in mm and finite. What else its maker left
-/// open is so here, too: vertices may lie in the same place, and triangles may have no area, be there twice and face either way.
+/// In world coordinates: x to the right, y away from the reader, z upwards, all in mm and finite. Nothing else is guaranteed:
+/// vertices may coincide, and triangles may have no area, occur twice and face either way.
 struct Mesh {
     std::vector<Point3> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< places in `vertices`, counter-clockwise seen from outside
-    std::vector<MeshPart> parts;                          ///< one after another; none, or all triangles
+    std::vector<MeshPart> parts;                          ///< in order; either no parts, or parts that cover all triangles
 };
 
 }  // namespace tactics

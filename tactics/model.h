@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model of things in space, as its maker told of them: objects with names, in a hierarchy, made of plane faces.
+// A model of things in space, as its file describes them: named objects in a hierarchy, made of plane faces.
 //
-// A Mesh (tactics/mesh.h) is what a fingertip meets; a Model still knows that this is a drawer, that it belongs to a desk, and
-// that the lamp on it is a cylinder.
+// A Mesh (tactics/mesh.h) is what a fingertip touches; a Model still knows that this is a drawer, that it belongs to a desk, and
+// that the lamp on the desk is a cylinder.
 #pragma once
 
 #include <cstddef>
@@ -15,22 +15,22 @@
 
 namespace tactics {
 
-// What a model may have, whoever made it.
+// Limits of a model, from any source.
 inline constexpr std::size_t kMostModelCorners = 15'000'000;
 inline constexpr std::size_t kMostModelObjects = 10'000;
 inline constexpr std::size_t kMostModelName = 200;  ///< bytes of a name
 
-/// What an object was made as; its faces are there in any case.
+/// The primitive that an object was made as; it has faces in any case.
 enum class Primitive : std::uint8_t { none, box, cylinder, cone, sphere };
 
-/// Of a primitive, in the world: its middle, and from there half of each of its three edges; of what is round the radius across
-/// (a, b) and half the height (c, from the bottom to the top or the tip). Oblique and squeezed ones keep what they are.
+/// The frame of a primitive, in the world: its middle, and from there half of each of its three edges; for round ones, the radii
+/// (a, b) and half the height (c, from the bottom to the top or the tip). Oblique and squeezed primitives keep their shape.
 struct PrimitiveFrame {
     Point3 middle, a, b, c;
 };
 
-/// A plane polygon without holes: corners one after another in Model::corners, counter-clockwise seen from outside. What a file
-/// calls a face may still be bent, cross itself, or have no area.
+/// A plane polygon without holes: corners one after another in Model::corners, counter-clockwise seen from outside. A face from a
+/// file may still be bent, cross itself, or have no area.
 struct ModelFace {
     std::uint32_t first = 0;  ///< place in Model::corners
     std::uint32_t count = 0;  ///< at least 3
@@ -38,32 +38,32 @@ struct ModelFace {
 
 struct ModelObject {
     std::string name;  ///< UTF-8, one line; empty: the file gives none
-    int line = 0;      ///< of the file, for messages; 0: it has no lines
-    int parent = -1;   ///< place in Model::objects, always before its own; -1: it stands for itself
+    int line = 0;      ///< line in the file, for messages; 0: the file has no lines
+    int parent = -1;   ///< index in Model::objects, always before its own; -1: it has no parent
     Primitive primitive = Primitive::none;
     PrimitiveFrame frame = {};           ///< of a primitive
-    bool one_sided = true;               ///< its faces are seen from outside only; false: a sheet, or a file that does not say
-    std::uint32_t first = 0, count = 0;  ///< its own faces in Model::faces; those of its children are not among them
+    bool one_sided = true;               ///< its faces are visible from outside only; false: a sheet, or a file that does not say
+    std::uint32_t first = 0, count = 0;  ///< its own faces in Model::faces, without those of its children
 };
 
-/// As it stands in the world: x to the right, y away from the reader, z upwards, all in mm and finite.
+/// In world coordinates: x to the right, y away from the reader, z upwards, all in mm and finite.
 struct Model {
-    std::string title;                   ///< what the file calls all of it; UTF-8, one line; may be empty
-    std::vector<Point3> vertices;        ///< several may lie in the same place
+    std::string title;                   ///< the file's name for the whole model; UTF-8, one line; may be empty
+    std::vector<Point3> vertices;        ///< several may coincide
     std::vector<std::uint32_t> corners;  ///< places in `vertices`
     std::vector<ModelFace> faces;
     std::vector<ModelObject> objects;
 };
 
-/// The nearest object around it, or itself, that has a name; -1: none has.
+/// The object itself or its nearest ancestor that has a name; -1: none has.
 inline int named_around(const Model& model, int object) {
     while (object >= 0 && model.objects[static_cast<std::size_t>(object)].name.empty())
         object = model.objects[static_cast<std::size_t>(object)].parent;
     return object;
 }
 
-/// What a person calls it: the name of the thing whose shape it is, or else its own, or that of the nearest one around it which
-/// has a name; without marks of exporters, as words. Empty: none has a name.
+/// Its plain name: the name of the thing whose shape it is, else its own, else that of its nearest named ancestor; as words,
+/// without exporters' marks. Empty: none has a name.
 inline std::string spoken_name(const Model& model, std::size_t object) {
     const auto name_of = [&](int at) -> const std::string& { return model.objects[static_cast<std::size_t>(at)].name; };
     int thing = named_around(model, static_cast<int>(object));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An option of a filter or a format, described once: checking, help, completion, man page and fuzzing all read this.
+// An option of a filter or a format, described once; checking, help, completion, man page and fuzzing all read this description.
 #pragma once
 
 #include <span>
@@ -17,9 +17,9 @@ struct Option {
         whole,   ///< an integer in [min, max]
         length,  ///< mm in [min, max]; read with mm, cm, in or pt
         choice,  ///< one of `choices`; its value is the index
-        spots,   ///< boxes and points of the picture, as parse_spots reads them; none by default
-        words,   ///< a line of text, empty by default; formats alone have it: the words of a recipe's step end at spaces
-        date,    ///< a day of 1980 to 2107 as 2026-03-31; none by default
+        spots,   ///< boxes and points in the picture, as parse_spots reads them; none by default
+        words,   ///< a line of text, empty by default; only for formats, because words in a recipe's step end at spaces
+        date,    ///< a day from 1980 to 2107 as 2026-03-31; none by default
     };
     std::string_view name = {};
     Type type = Type::number;
@@ -29,7 +29,7 @@ struct Option {
     std::string_view unit = {};     ///< for the help: "mm", "grey levels", "dpi"; empty if it has none
     std::string_view summary = {};  ///< one line
     std::string_view choices =
-        {};  ///< names separated by one space, only for Type::choice; kBoxesOnly for Type::spots that takes no points
+        {};  ///< for Type::choice: names separated by one space; for Type::spots: kBoxesOnly if it takes no points
 };
 
 inline constexpr std::string_view kBoxesOnly = "boxes";
@@ -40,8 +40,8 @@ public:
     /// All defaults. `options` must outlive the settings (they are static descriptions).
     explicit Settings(std::span<const Option> options);
 
-    /// Sets `name` from text. Throws Error(usage) at `place` on an unknown name (nearest named), a bad number, a value out
-    /// of range (range told). `owner` is the filter's or format's name for the message.
+    /// Sets `name` from text. Throws Error(usage) at `place` on an unknown name (nearest named), a bad number, a value out of
+    /// range (names the range). `owner` is the filter's or format's name for the message.
     void set(std::string_view name, std::string_view text, std::string_view place, std::string_view owner);
 
     double number(std::string_view name) const;                   ///< number, length (mm)
@@ -65,8 +65,8 @@ private:
     std::size_t index_of(std::string_view name) const;
     std::span<const Option> options_;
     std::vector<double> values_;
-    std::vector<std::vector<Spot>> spots_;  // of those options that are spots
-    std::vector<std::string> words_;        // of those that are words or dates
+    std::vector<std::vector<Spot>> spots_;  // of the options of type spots
+    std::vector<std::string> words_;        // of the options of type words or date
 };
 
 /// "0.1 to 20 mm, default 0.5 mm" or "median, bilateral; default median" or "a box ...".

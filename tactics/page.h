@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page: a drawing on a sheet of a medium, fully resolved. Every output format draws this and nothing else.
+// The page: a drawing on a sheet of a medium, fully resolved. Every output format draws this page and nothing else.
 //
-// After lay_out there are none of these: a position off the paper; a line thinner than the medium's thinnest; a line
-// class, a unit or a scale still to be worked out; text still to be translated into braille, or text that is not one line
-// of valid UTF-8 without control characters; grey.
+// lay_out guarantees that no position is off the paper; no line is thinner than the medium's thinnest; line classes, units and
+// scale are resolved; text is translated into braille, and all text is one line of valid UTF-8 without control characters;
+// nothing is grey.
 #pragma once
 
 #include <cstdint>
@@ -24,13 +24,13 @@ struct Rect {
     bool holds(Point p) const { return p.x >= left && p.x <= left + width && p.y >= top && p.y <= top + height; }
 };
 
-/// Where a machine can raise dots on its sheet. Its braille cells are the page's.
+/// Where a machine can raise dots on its sheet. Its braille cells are those of the page.
 struct DotBed {
-    Point first;        ///< centre of the first dot, from the left top corner of the sheet
-    double raster = 0;  ///< dots stand so far apart, mm, all over; 0: in its cells only
+    Point first;        ///< centre of the first dot, from the top left corner of the sheet
+    double raster = 0;  ///< distance between dots all over the sheet, mm; 0: dots stand in cells only
     int dots_down = 3;  ///< of a cell; 4 with dots 7 and 8
 
-    /// From one place where a cell can begin to the next, mm.
+    /// Distance from one possible start of a cell to the next, mm.
     double across(const CellSize& cell) const { return raster > 0 ? raster : cell.cell_pitch; }
     double down(const CellSize& cell) const { return raster > 0 ? raster : cell.line_pitch; }
     bool operator==(const DotBed& other) const {
@@ -38,7 +38,7 @@ struct DotBed {
     }
 };
 
-/// A row of braille cells. Dots are drawn from it in mm; text formats take the cells.
+/// A row of braille cells. Graphic formats draw its dots in mm; text formats write the cells.
 struct BrailleLine {
     Point first_dot;                  ///< centre of dot 1 of the first cell
     std::vector<std::uint8_t> cells;  ///< bit 0 = dot 1 ... bit 5 = dot 6 (bits 6, 7 = dots 7, 8)
@@ -58,7 +58,7 @@ struct PageStroke {
     Role role = Role::line;
 };
 
-/// A black-and-white picture: 1 bit a pixel, rows packed to bytes, most significant bit left, 1 = black.
+/// A black-and-white picture: 1 bit per pixel, rows padded to bytes, most significant bit left, 1 = black.
 struct Bitmap {
     int width = 0;
     int height = 0;
@@ -67,23 +67,23 @@ struct Bitmap {
     std::size_t row_bytes() const { return (static_cast<std::size_t>(width) + 7) / 8; }
 };
 
-/// What is darker than half of a grey picture is black.
+/// Converts a grey picture: pixels darker than mid-grey become black.
 Bitmap to_bitmap(const Image& grey, const Rect& place);
 
-/// The name of a thing in the drawing, as it was set: its cells are among the page's braille.
+/// The name of a thing in the drawing, as it was placed; its cells are in the page's braille.
 struct PageName {
     std::string text;
-    std::string key;  ///< two letters that stand for it at its place, the words being in the key; empty: the words stand there
-    Point thing;      ///< what it names is there
-    Rect place;       ///< of the words, or of the two letters
+    std::string key;  ///< two letters that stand in its place if the words are in the key; empty: the words stand there
+    Point thing;      ///< a point on the named thing
+    Rect place;       ///< box of the words, or of the two letters
 };
 
-/// The scale bar: a line with a mark at each end, and what it stands for beside it.
+/// The scale bar: a line with a mark at each end, with the length that it represents beside it.
 struct PageScale {
     std::string text;   ///< "5 m"
     double length = 0;  ///< mm on the page
     double real = 0;    ///< mm in the world
-    Rect place;         ///< of bar and words
+    Rect place;         ///< box of bar and words
 };
 
 /// Origin top left, y down, everything in mm and pure black.
@@ -97,31 +97,32 @@ struct Page {
     std::vector<BrailleLine> braille;
     double braille_dot = 0;  ///< diameter in mm
     CellSize cell = kMarburgMedium;
-    std::optional<DotBed> bed;  ///< of the machine that it is for
+    std::optional<DotBed> bed;  ///< of the machine that the page is for
     std::vector<PrintLine> print;
     std::string title;
     std::string caption;
-    std::string braille_table;         ///< the liblouis table that the braille is in; empty = no braille was asked for
-    std::string description;           ///< a person's words, one line; empty = none (description.h has our own)
-    std::string language = "en";       ///< of the title and of those words
+    std::string braille_table;         ///< the liblouis table of the braille; empty = no braille was requested
+    std::string description;           ///< description by a person, one line; empty = none (description.h makes our own)
+    std::string language = "en";       ///< language of the title and of that description
     std::vector<PageName> names = {};  ///< in reading order
-    std::vector<Name> left_out = {};   ///< optional ones for which there was no room
-    /// Where patterns are, for words and rules; they themselves are among the strokes. Each has a texture of 1 or more.
+    std::vector<Name> left_out = {};   ///< optional names that had no room
+    /// The areas that have patterns, for descriptions and rules; the patterns themselves are among the strokes. Each has a
+    /// texture of 1 or more.
     std::vector<Area> textured = {};
     std::vector<Region> regions = {};       ///< as in the drawing
     std::vector<std::string> remarks = {};  ///< as in the drawing
-    bool is_key = false;                    ///< nothing is drawn on it: its names say what the letters on the drawing stand for
+    bool is_key = false;                    ///< a page without a drawing: its names explain the letters on the drawing
     std::optional<PageScale> scale = {};
 };
 
-/// How wide a line of that class is drawn, mm.
+/// Width of a line of that class, mm.
 double width_of(LineClass line, const Medium& medium);
 
-/// Nothing is on it, to be felt or to be seen.
+/// Whether nothing is on it, to be felt or seen.
 bool is_blank(const Page& page);
-/// Nothing on it yet: of the same size, with the same braille, in the same language.
+/// An empty page with the same size, braille and language.
 Page empty_like(const Page& page);
-void move_by(Page& page, double right, double down);  ///< all that is on it, mm
+void move_by(Page& page, double right, double down);  ///< moves everything on it, mm
 double total_stroke_length(const Page& page);         ///< mm, without patterns
 
 /// Centres of all raised dots of a line of braille.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A place or a direction in space.
+// A position or a direction in space.
 #pragma once
 
 #include <cmath>
 
 namespace tactics {
 
-/// On a map: x and y as a Point (x to the right, y downwards), z upwards. Millimetres, unless who has it says otherwise.
+/// On a map: x and y as in Point (x to the right, y downwards), z upwards. In mm unless its user states another unit.
 struct Point3 {
     double x = 0;
     double y = 0;
@@ -23,14 +23,14 @@ constexpr Point3 cross(const Point3& a, const Point3& b) {
 }
 inline bool is_finite(const Point3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 inline double length_of(const Point3& a) { return std::sqrt(dot(a, a)); }
-/// In the same direction, of length 1; of nothing, nothing.
+/// The unit vector in the same direction; zero stays zero.
 inline Point3 unit(const Point3& a) {
     const double length = length_of(a);
     return length > 0 ? 1 / length * a : Point3{};
 }
-/// The same way, and no longer than `most`.
+/// The same direction, and no longer than `most`.
 inline Point3 within(const Point3& a, double most) {
-    const double length = std::hypot(a.x, a.y, a.z);  // which is finite for all that are
+    const double length = std::hypot(a.x, a.y, a.z);  // finite for all finite points
     return length > most ? Point3{a.x / length * most, a.y / length * most, a.z / length * most} : a;
 }
 

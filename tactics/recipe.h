@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A chain of filters with their settings: what a command line spells and a recipe file keeps.
+// A chain of filters with their settings, from the command line or a recipe file.
 //
-// A recipe file is plain text, one filter a line, in the order in which they work:
+// A recipe file is plain text with one filter per line, in the order of application:
 //
 //     # edges first, then segmentation
 //     resample dpi=150
@@ -31,7 +31,7 @@ struct Recipe {
     std::string name;     ///< "photo", "my.recipe"
     std::string summary;  ///< one line, may be empty
     std::vector<Step> steps;
-    bool has_words = false;  ///< print in its pictures names things, and is read; of recipe files it is not known
+    bool has_words = false;  ///< print in its pictures names things and is read; unknown for recipe files
 };
 
 inline constexpr std::size_t kMaxRecipeBytes = 64 * 1024;
@@ -40,24 +40,24 @@ inline constexpr std::size_t kMaxRecipeSteps = 100;
 /// One line: "sobel blur=0.5mm". Throws Error(usage) at `place`.
 Step parse_step(std::string_view line, std::string_view place, FilterList filters);
 
-/// A whole file; `origin` is its name for the places. Throws Error(usage).
+/// A whole file; `origin` is the file name in error places. Throws Error(usage).
 Recipe parse_recipe(std::string_view text, std::string_view origin, FilterList filters);
 
 /// Text that parse_recipe reads back to the same steps.
 std::string to_text(const Recipe& recipe);
 
-/// Follows the kinds through the chain from a picture, before any pixel moves; gives the kind at the end.
-/// Throws Error(usage) at the step that cannot take what comes to it, saying which filter would make it.
+/// Checks the kinds through the chain, starting from a picture, before any work on pixels; returns the kind at the end. Throws
+/// Error(usage) at a step that cannot take its input, and names the filter to put before it.
 Kind check(const Recipe& recipe);
 
 bool uses_colour(const Recipe& recipe);
 
-/// Called before each step with its index: for progress and timing.
+/// Called before each step with its index, for progress and timing.
 using StepWatcher = std::function<void(std::size_t)>;
 
 Artwork run(const Recipe& recipe, Artwork artwork, const StepWatcher& watcher = {});
 
-/// The same; what filters choose is put into the recipe. Gives what they say of it, each with the filter's name in front.
+/// The same, but writes the filters' choices into the recipe. Returns their explanations, each after the filter's name.
 Artwork run_settling(Recipe& recipe, Artwork artwork, std::vector<std::string>& said);
 
 }  // namespace tactics

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A picture as regions that nest: whole boundaries by construction, from the finest regions up to the whole picture.
+// A picture as nested regions: closed boundaries by construction, from the finest regions up to the whole picture.
 //
-// Three things that know each other. *Faces*, the finest regions, are connected sets of pixels and cover the picture. *Arcs* are
-// the boundaries between two faces, from junction to junction along the edges of pixels; *junctions* are the corners of pixels
-// where three or four faces meet, or two faces and the picture's frame. *Nodes* are the tree: first the faces, then what is
-// merged of two nodes each, in order of the merging, last the whole picture. Any set of nodes of which none holds another is a
-// set of things with closed outlines.
+// It has three linked parts. *Faces*, the finest regions, are connected sets of pixels and cover the picture. *Arcs* are the
+// boundaries between two faces, from junction to junction along the edges of pixels; *junctions* are the corners of pixels where
+// three or four faces meet, or two faces and the picture's frame. *Nodes* are the tree: first the faces, then the nodes merged
+// from two others, in order of merging, last the whole picture. Any set of nodes in which none contains another is a set of
+// things with closed outlines.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace tactics {
 
-/// Beyond the picture's frame.
+/// The outside of the picture's frame.
 inline constexpr std::uint32_t kNoFace = 0xffffffff;
 
 struct RegionArc {
@@ -26,29 +26,29 @@ struct RegionArc {
         points;           ///< corners of pixels, in pixels, neighbours one pixel apart; a closed one does not repeat its first
     bool closed = false;  ///< a loop that meets no junction
     std::array<int, 2> junctions{-1, -1};                  ///< at its first and last point; -1 if it is closed
-    std::array<std::uint32_t, 2> faces{kNoFace, kNoFace};  ///< on the left and on the right of its course, y being down
-    float strength = 0;                                    ///< how sure the contour map is of it, 0 to 255: the mean along it
+    std::array<std::uint32_t, 2> faces{kNoFace, kNoFace};  ///< to the left and right of its direction, y pointing down
+    float strength = 0;                                    ///< strength of the contour map, 0 to 255: the mean along it
     float coarse = 0;                                      ///< the same in the coarse map
-    float weakest = 0;                                     ///< what a fifth of it does not reach
-    float level = 0;  ///< 0 to 255: it bounds something as long as nodes of a higher level are not merged
-    std::array<float, 3>
-        unlike{};  ///< what its two nodes differed by when it vanished, as the merging saw it: lightness, colour, texture; 0 to 1
+    float weakest = 0;                                     ///< a fifth of it is weaker than this
+    float level = 0;                ///< 0 to 255: it is a boundary until nodes of a higher level are merged
+    std::array<float, 3> unlike{};  ///< difference of its two nodes at their merging: lightness, colour, texture; 0 to 1
 };
 
 struct RegionNode {
     int parent = -1;                      ///< -1: the whole picture
     std::array<int, 2> children{-1, -1};  ///< -1: a face
-    float level = 0;                      ///< of the merging that made it, 0 for a face; never above its parent's
+    float level = 0;                      ///< of the merging that made it, 0 for a face; never above that of its parent
     double area = 0;                      ///< square pixels
     PixelBox box;
     std::array<float, 3> colour{};  ///< mean, CIELAB
 };
 
-/// A thin thing that bounds no region: a mast, a wire, a whisker; pixels as in RegionArc, but anywhere.
+/// A thin thing that bounds no region, such as a mast, a wire or a whisker; pixels as in RegionArc, but anywhere.
 struct RegionLine {
     std::vector<Point> points;
     float strength = 0;                      ///< as an arc's
-    std::array<std::size_t, 2> leads{0, 0};  ///< how many points at its beginning and end are no longer it, but lead on from it
+    std::array<std::size_t, 2> leads{0, 0};  ///< number of points at its beginning and end that are not part of it but lead on
+                                             ///< from it
 };
 
 struct RegionTree {
@@ -56,7 +56,7 @@ struct RegionTree {
     int height = 0;
     double mm_per_pixel = 0;
     PixelBox inside;                  ///< the picture within bars and borders
-    bool learned = false;             ///< made from a map that was fitted to people's contours
+    bool learned = false;             ///< made from a map fitted to people's contours
     std::vector<std::uint32_t> face;  ///< of each pixel
     std::vector<Point> junctions;
     std::vector<RegionArc> arcs;
@@ -66,16 +66,16 @@ struct RegionTree {
     std::size_t faces() const { return (nodes.size() + 1) / 2; }
 };
 
-/// The region of each pixel when everything below that level is merged, numbered from 0 in the order of their first pixels.
+/// The region of each pixel after everything below that level is merged, numbered from 0 in the order of their first pixels.
 std::vector<std::uint32_t> regions_at(const RegionTree& tree, float level);
 
-/// The boundaries as a map of lines: at the pixels beside each arc its level. Thinned: one pixel wide but at corners.
+/// The boundaries as an edge map: each arc's level at the pixels beside it. Thinned: one pixel wide except at corners.
 EdgeMap levels_of(const RegionTree& tree);
 
-/// Sides of pixels along an arc.
+/// Number of pixel sides along an arc.
 double steps_of(const RegionArc& arc);
 
-/// Calls visit(x, y) for each step of an arc with the pixel whose left or upper side it is.
+/// Calls visit(x, y) for each step of an arc, with the pixel whose left or upper side the step is.
 template <typename Visit>
 void for_each_side(const RegionArc& arc, Visit visit) {
     for (std::size_t i = 0; i + (arc.closed ? 0 : 1) < arc.points.size(); ++i) {

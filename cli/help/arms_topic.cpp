@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `tactics help arms`: for who has a haptic arm, and what each is asked and told.
+// `tactics help arms`: for owners of a haptic arm, and the communication with each.
 #include "cli/help/topics.h"
 #include "tactics/haptics/voice/plot_keys.h"
 #include "tactics/text/words.h"
@@ -40,77 +40,82 @@ std::string chosen_names() {
 }
 
 std::string key_text() {
-    return "Keys of an arm, by their numbers, and on the keyboard of the terminal while the\n"
-           "play goes by the clock:\n" +
+    return "Keys of an arm, by number, which also work on the terminal's keyboard while the\n"
+           "play runs in real time:\n" +
            keys() +
-           folded(
-               "With two keys everything is reached: 2 steps through " + chosen_names() + ", and says each (--speak); 1 does it.",
-               "") +
-           "Nothing is held down, and nothing depends on how long a key is pressed. For an\n"
-           "arm with one key the others are on the keyboard.\n"
-           "A finger that is led is let go when 2 is pressed, when it is there, when it\n"
-           "stands still against the pull for a second, or when it goes away by more than\n"
-           "5 mm. The pull is a quarter of what the arm gives at most, and never over 1 N.\n"
-           "Turns of a curve that are lower than 1 mm under the finger are passed over.\n";
+           folded("Two keys reach everything: 2 steps through " + chosen_names() + ", and says each (--speak); 1 carries it out.",
+                  "") +
+           "No key has to be held down, and it does not matter how long a key is pressed. If\n"
+           "the arm has one key, the others are on the keyboard.\n"
+           "The arm stops leading a finger when 2 is pressed, when the finger arrives, when\n"
+           "it stands still against the pull for a second, or when it moves away by more\n"
+           "than 5 mm. The pull is a quarter of the arm's largest force, never over 1 N.\n"
+           "Turns of a curve lower than 1 mm under the finger are skipped.\n";
 }
 
 std::string text() {
-    return "A haptic arm knows where the finger is and pushes it in space. Three kinds are\n"
-           "spoken with. Nobody has tried them on a real device yet: they follow what the\n"
-           "makers have published, and were tested against programs of our own.\n"
+    return "A haptic arm knows where the finger is and pushes it in space. tactics supports\n"
+           "three kinds. None has been tried on a real device yet: the code follows the\n"
+           "makers' publications, and was tested against programs of our own.\n"
            "\n"
            "inverse3: or inverse3:localhost:10001 or inverse3:localhost:10001/049D\n"
            "  Haply's Inverse3, Inverse3x and Minverse, by Haply's Inverse Service from\n"
            "  version 3.1 on, which must run on this machine (Haply Hub starts it, or\n"
-           "  systemctl start haply-inverse-service). Another machine is refused. Of several\n"
-           "  devices name one by its id. Keys are those of a VerseGrip: a, b, c. No force\n"
-           "  is given while the service says that the device is not ready, not calibrated\n"
-           "  or without power. Its events (port 10020) are not listened to.\n"
+           "  systemctl start haply-inverse-service). A service on another machine is\n"
+           "  refused. If there are several devices, name one by its id. Keys are those of\n"
+           "  a VerseGrip: a, b, c. There is no force while the service reports that the\n"
+           "  device is not ready, not calibrated or without power. Its events (port 10020)\n"
+           "  are ignored.\n"
            "dhd: or dhd:/opt/sdk/lib/libdhd.so\n"
            "  delta, omega, sigma and lambda of Force Dimension, and the Novint Falcon, by\n"
            "  the maker's own library, which is not part of tactics: get the SDK from\n"
-           "  forcedimension.com/software/sdk, which says how to be permitted the device.\n"
+           "  forcedimension.com/software/sdk, which explains how to get permission to use\n"
+           "  the device.\n"
            "openhaptics: or openhaptics:/usr/lib/libHD.so\n"
            "  The Touch and Phantoms of 3D Systems, by the maker's own library and driver:\n"
-           "  OpenHaptics for Linux, from support.3dsystems.com. It is the default device.\n"
-           "A library that is named by its path runs with your rights.\n"
+           "  OpenHaptics for Linux, from support.3dsystems.com. tactics uses the default\n"
+           "  device.\n"
+           "A library named by its path runs with your rights.\n"
            "\n"
-           "All tell and take x to the right, y upwards and z towards you. The origin of an\n"
-           "Inverse3 is the middle of what it reaches, that of the others their maker's.\n"
+           "All report positions and take forces with x to the right, y upwards and z\n"
+           "towards you. The origin of an Inverse3 is the middle of its reach; the others\n"
+           "have the maker's origin.\n"
            "\n"
-           "A force is at most 8 N whichever way, and holds for 10 ms: if tactics hangs, the\n"
-           "device is told that there is none. So it is at the end, before anything else is\n"
-           "done. Where a device says nothing for 3 ms the force goes; an Inverse Service\n"
-           "without an answer for 20 ms is told once more that there is none, and after half\n"
-           "a second it is gone. What an arm does by itself when tactics is killed is its\n"
-           "maker's affair; keep its stop button within reach.\n"
+           "A force is at most 8 N in any direction, and holds for 10 ms: if tactics hangs,\n"
+           "the device is sent zero force. The same happens at the end of a play, before\n"
+           "anything else. If a device is silent for 3 ms, the force is dropped. An Inverse\n"
+           "Service that does not answer for 20 ms is sent zero force once more, and after\n"
+           "half a second it counts as gone. What an arm does when tactics is killed\n"
+           "depends on its maker; keep its stop button within reach.\n"
            "\n"
-           "arm is one without a machine: a simulated Omni, Desktop or Phantom (--arm, or a\n"
-           "file of its numbers, such as arm.delay = 0.001 s), in which a finger is. What it\n"
-           "does is --hand: trace finds a curve from the axes, follows it to its end and\n"
-           "stops at a tick; points takes down where points are; sections how high a\n"
-           "surface is along two lines; to-and-fro goes through the middle; led lets itself\n"
-           "be led, by the keys that --guide names. It feels what a person could, a little\n"
-           "late, and play tells how right it was.\n"
+           "arm is a simulated Omni, Desktop or Phantom (--arm, or a file that describes it,\n"
+           "such as arm.delay = 0.001 s) with a finger in it; it needs no machine.\n"
+           "--hand chooses what the finger does: trace finds a curve from the axes, follows\n"
+           "it to its end and stops at a tick; points notes where points are; sections\n"
+           "notes how high a surface is along two lines; to-and-fro moves through the\n"
+           "middle; led lets itself be led, by the keys that --guide names. The finger\n"
+           "feels what a person could, a little late, and play reports how right it was.\n"
            "\n"
-           "A table becomes a plot in space: a wall, axes that hold the finger in, with a\n"
-           "bump at each tick, a grid that is passed like honey, curves that draw the finger\n"
-           "to them, points that push it away, surfaces that bear it (--feel names some).\n"
+           "A table becomes a plot in space: a wall, axes that hold the finger in and have\n"
+           "a bump at each tick, a grid that drags like honey, curves that attract the\n"
+           "finger, points that push it away, and surfaces that support it (--feel chooses\n"
+           "some).\n"
            "\n" +
            key_text() +
            "\n"
            "The weighting function of curves (--fixture) is lost from the papers; r1 and r2\n"
-           "are reconstructions. Stiffness and damping that the arm does not bear, with a\n"
-           "finger in it and with none, are refused with the nearest that it does; --arm\n"
-           "also tells the limits of a real arm.\n"
+           "are reconstructions. Stiffness and damping at which the arm would not be\n"
+           "stable, with or without a finger in it, are refused, and the nearest stable\n"
+           "values are named; --arm also gives the limits of a real arm.\n"
            "\n"
-           "recorded:FILE.csv (with --arm) repeats a way: time_s,x_mm,y_mm,z_mm a line,\n"
-           "named by the first line. What play --csv writes can be played again.\n";
+           "recorded:FILE.csv (with --arm) repeats a path: each line has\n"
+           "time_s,x_mm,y_mm,z_mm, and the first line names these columns. It also replays\n"
+           "files from play --csv.\n";
 }
 
 }  // namespace
 
 extern const Topic arms_topic;
-const Topic arms_topic{"arms", "haptic arms: which are spoken with, their axes and limits", text};
+const Topic arms_topic{"arms", "haptic arms: which are supported, their axes and limits", text};
 
 }  // namespace tactics

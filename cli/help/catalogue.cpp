@@ -32,14 +32,16 @@ std::vector<Entry> command_entries() {
 std::vector<Entry> recipe_entries() {
     std::vector<Entry> entries{
         {"auto", "looks at the picture and chooses one of the others (the default)", [] {
-             return std::string("The choice is told on standard error. It depends on the picture alone, not on the page.\n");
+             return std::string(
+                 "tactics reports the choice on standard error. It depends on the picture alone, not on the "
+                 "page.\n");
          }}};
     for (const NamedRecipe& recipe : named_recipes())
         entries.push_back({recipe.name, recipe.summary, [&recipe] { return describe_recipe(recipe); }});
     return entries;
 }
 
-// What is kept here, in words that live as long as the program.
+// The kept recipes, as strings that live as long as the program.
 std::vector<Entry> kept_recipe_entries() {
     struct Told {
         KeptRecipe recipe;
@@ -51,7 +53,7 @@ std::vector<Entry> kept_recipe_entries() {
             Told told{std::move(kept), "", ""};
             try {
                 const Recipe recipe = parse_recipe(real_disk().read_text(told.recipe.file), told.recipe.file, filters());
-                told.summary = recipe.summary.empty() ? "a recipe that is kept" : recipe.summary;
+                told.summary = recipe.summary.empty() ? "a recipe of your own, kept with the defaults" : recipe.summary;
                 told.text = to_text(recipe);
             } catch (const Error& error) {
                 told.summary = std::string("it cannot be used: ") + error.what();
@@ -115,7 +117,7 @@ std::vector<Entry> display_entries() {
         [](const Format& format) { return format.embosser != nullptr && format.embosser->display != nullptr; });
 }
 
-// Of things with a name and a summary that lie in an array.
+// Entries of an array of things with a name and a summary.
 template <class Thing>
 std::vector<Entry> entries_of(std::span<const Thing> things, std::string (*describe)(const Thing& thing)) {
     std::vector<Entry> entries;
@@ -128,7 +130,7 @@ std::vector<Entry> medium_entries() { return entries_of(media(), describe_medium
 std::vector<Entry> paper_entries() { return entries_of(papers(), describe_paper); }
 std::vector<Entry> cell_entries() { return entries_of(cells(), describe_cell); }
 
-// What liblouis has here, in words that live as long as the program.
+// The installed tables of liblouis, as strings that live as long as the program.
 std::vector<Entry> braille_entries() {
     struct Told {
         BrailleTable table;
@@ -164,7 +166,7 @@ std::vector<Entry> reader_entries() {
     for (const Reader* reader : readers())
         entries.push_back({reader->name, reader->summary, [reader] {
                                return "File names usually end in " + std::string(reader->extensions) +
-                                      "; what a file holds decides, not its name.\n";
+                                      "; the contents of a file decide, not its name.\n";
                            }});
     return entries;
 }
@@ -207,26 +209,27 @@ std::span<const Group> groups() {
          .begins_with_text = true},
         {.name = "recipes",
          .singular = "recipe",
-         .summary = "chains of filters that come with the program, then those that are kept",
+         .summary = "chains of filters that come with the program, then your own",
          .entries = recipe_entries,
          .kept = kept_recipe_entries},
-        {"filters", "filter", "steps from a picture to a drawing", filter_entries, in_manual},
-        {"formats", "format", "kinds of files that can be written", format_entries, in_manual},
-        {"embossers", "embosser", "machines whose bytes can be written: NAME:FILE", embosser_entries, listed},
-        {"displays", "display", "pin displays whose bytes can be written: NAME:FILE, or show", display_entries, listed},
-        {"media", "medium", "what is printed on; it decides how wide and how far apart lines are", medium_entries},
+        {"filters", "filter", "single steps from a picture to a drawing", filter_entries, in_manual},
+        {"formats", "format", "kinds of files that tactics writes", format_entries, in_manual},
+        {"embossers", "embosser", "braille embossers that tactics writes files for: NAME:FILE", embosser_entries, listed},
+        {"displays", "display", "pin displays that tactics writes files for: NAME:FILE, or shows pictures on", display_entries,
+         listed},
+        {"media", "medium", "what a page is made on; decides how wide and how far apart lines are", medium_entries},
         {"papers", "paper", "sizes of sheets", paper_entries},
         {"cells", "cell", "sizes of braille", cell_entries},
         {.name = "braille",
          .singular = "braille table",
-         .summary = "tables of braille that are installed, with language and grade: --braille NAME",
+         .summary = "installed braille tables, with language and grade: --braille NAME",
          .entries = braille_entries,
          .installed = true},
-        {"readers", "reader", "kinds of pictures that can be read", reader_entries},
-        {"rules", "rule", "what check measures on a page", rule_entries, in_manual},
+        {"readers", "reader", "kinds of pictures that tactics reads", reader_entries},
+        {"rules", "rule", "what check measures on a page, and the limits", rule_entries, in_manual},
         {.name = "topics",
          .singular = "topic",
-         .summary = "what help explains besides",
+         .summary = "other topics that help explains",
          .entries = topic_entries,
          .text_in_manual = true},
     };

@@ -28,7 +28,7 @@ int run(const Given& given) {
 extern const Command completion_command;
 const Command completion_command{
     .name = "completion",
-    .summary = "write a script that completes the command line in a shell",
+    .summary = "write a shell script that completes tactics command lines",
     .words = "bash|zsh|fish",
     .details =
         "An installed tactics has these scripts in place. For a program that was built but not installed, load the script as "

@@ -16,11 +16,14 @@ std::string describe_program() {
     for (const Command* command : commands())
         text += "  " + std::string(command->name) + ": " + std::string(command->summary) + "\n";
     text +=
-        "\nOptions:\n  -h, --help: show this text\n  -V, --version: show the version\n"
-        "\nMore: tactics help NAME, for any command, recipe, filter, format, medium, paper, rule or topic; tactics list shows "
+        "\n"
+        "Options:\n"
+        " -h, --help: show this text\n"
+        " -V, --version: show the version\n\n"
+        "More: tactics help NAME, for any command, recipe, filter, format, medium, paper, rule or topic; tactics list shows "
         "their names.\n"
-        "Exit codes: 0 done, 1 wrong use, 2 something could not be done, 3 done, but --strict found a hard rule broken, "
-        "4 to 7 emboss: see its help.\n";
+        "Exit codes: 0 done, 1 wrong use, 2 something could not be done, 3 done, but --strict found a hard rule broken; 4 to 7 "
+        "come from emboss, see its help.\n";
     return text;
 }
 

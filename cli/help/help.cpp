@@ -13,7 +13,7 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--man", "", "", "write a man page (roff): that of the command you name, or tactics(1)", false, ""},
+    {"--man", "", "", "write a man page (roff), for the command that you name or for tactics(1)", false, ""},
     {"--man-pages", "", "FOLDER",
      "write all man pages into a folder: tactics.1 and one for each command, such as tactics-convert.1", false, "folders"},
 };
@@ -59,7 +59,7 @@ int run(const Given& given) {
 extern const Command help_command;
 const Command help_command{
     .name = "help",
-    .summary = "explain a command, recipe, filter, format, medium, paper, table of braille, reader, rule or topic",
+    .summary = "explain a command, recipe, filter, format, medium, paper, braille table, reader, rule or topic",
     .words = "[NAME...]",
     .details = "A name that stands in several lists is explained in each: sobel may be a filter and a recipe.",
     .example =

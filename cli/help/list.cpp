@@ -13,7 +13,7 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--json", "", "", "one JSON object a line: group, name, summary, settings", false, ""},
+    {"--json", "", "", "one JSON object per line: group, name, summary, settings", false, ""},
 };
 
 std::string options_json(std::span<const Option> options) {
@@ -86,14 +86,12 @@ extern const Command list_command;
 const Command list_command{
     .name = "list",
     .summary =
-        "list the commands, recipes, filters, formats, embossers, displays, media, papers, cells, tables of braille, readers, "
-        "rules and topics of "
-        "help",
+        "list the commands, recipes, filters, formats, embossers, displays, media, papers, cells, braille tables, readers, "
+        "rules and help topics",
     .words = "[GROUP...]",
     .details =
-        "Each line is a name and what it is. Without GROUP all groups are listed: commands, recipes, filters, formats, "
-        "embossers, displays, "
-        "media, papers, cells, braille, readers, rules, topics.",
+        "Each line gives a name and says what it is. Without GROUP, all groups are listed: commands, recipes, filters, formats, "
+        "embossers, displays, media, papers, cells, braille, readers, rules, topics.",
     .example = "tactics list filters\ntactics list formats papers --json",
     .flags = kFlags,
     .offers = "groups",

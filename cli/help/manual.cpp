@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-// Text that roff shows as it is: a hyphen that can be copied, no control line.
+// Text that roff shows unchanged: a hyphen that can be copied, no control line.
 std::string plain(std::string_view text) {
     std::string safe;
     for (const char c : text) {
@@ -69,7 +69,7 @@ std::string commands_part() {
 
 std::string exit_part(bool strict) {
     return section("EXIT STATUS") + item("0", "done") + item("1", "wrong use of the command line or of a recipe") +
-           item("2", "something could not be done; in a batch the rest is written") +
+           item("2", "something could not be done; in a batch, the rest is written") +
            (strict ? item("3", "done, but --strict found a hard rule broken") : "");
 }
 
@@ -102,7 +102,7 @@ std::string manual() {
         head("tactics", "tactile graphics from pictures") + bold("tactics") + " COMMAND [WORDS] [OPTIONS]\n" +
         section("DESCRIPTION") +
         plain(
-            "From photographs and other pictures tactics makes line drawings that can be felt: for microcapsule paper, "
+            "tactics turns photographs and other pictures into line drawings to be read by touch: on microcapsule paper, "
             "thermoform, braille embossers and height maps.\n");
     roff += commands_part();
     for (const Group& group : groups())
@@ -119,8 +119,7 @@ std::string manual_of(const Command& command) {
         std::any_of(command.flags.begin(), command.flags.end(), [](const Flag& flag) { return flag.name == "--strict"; });
     for (const Flag& flag : all_flags(command)) roff += item(spelling(flag), flag.summary);
     roff += section("EXAMPLES") + literal(command.example) + exit_part(strict);
-    return roff + section("SEE ALSO") + bold("tactics") + "(1), " +
-           plain("for the lists of recipes, filters, formats and rules") + "\n";
+    return roff + section("SEE ALSO") + bold("tactics") + "(1), " + plain("to list recipes, filters, formats and rules") + "\n";
 }
 
 }  // namespace tactics

@@ -8,7 +8,7 @@
 
 namespace tactics {
 
-/// tactics(1): what there is, and all lists.
+/// tactics(1): an overview, and all lists.
 std::string manual();
 
 /// tactics-convert(1): a command with its options.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `tactics help mouse`: for who builds a haptic mouse, or describes one for --lever.
+// `tactics help mouse`: for people who build a haptic mouse, or describe one for --lever.
 #include <algorithm>
 #include <cstdio>
 
@@ -35,7 +35,7 @@ std::string layout(std::span<const ReportField> fields) {
     return text;
 }
 
-// HID 1.11, 6.2.2: what an item is by its first byte, whose two lowest bits tell how long it is.
+// HID 1.11, 6.2.2: the kind of an item by its first byte, whose two lowest bits give its length.
 std::string_view name_of_item(std::uint8_t first) {
     switch (first & 0xFC) {
         case 0x04: return "usage page";
@@ -62,7 +62,7 @@ std::string descriptor() {
     return text;
 }
 
-// Too long for one line; udev goes on behind a backslash.
+// Too long for one line; in udev rules a backslash continues the line.
 std::string rule() {
     std::string text = udev_rule("0003:00001209:00000005");
     const auto second = text.find("ATTRS{idProduct}");
@@ -95,27 +95,23 @@ const std::string& hold() {
 std::string reports_text() {
     const ReportBytes example = bytes_of(ForceReport{true, 1, 1.5, kForceHold});
     const std::span<const std::uint8_t> bytes(example);
-    return "Anyone can build a haptic mouse: it sends one report and takes another, of 64\n"
-           "bytes each, a thousand times a second. Numbers of several bytes begin with the\n"
-           "lowest; numbers ending in h are hexadecimal.\n"
-           "\n"
-           "On USB it is a HID device of full speed with one interrupt endpoint each way,\n"
-           "64 bytes, interval 1. Reports have no ids. It is known by its report descriptor;\n"
-           "its vendor and product numbers do not matter.\n"
-           "\n"
-           "Report to the computer, one every millisecond, whatever it is told:\n" +
+    return "Anyone can build a haptic mouse. A thousand times a second it sends one report\n"
+           "and receives another, of 64 bytes each. Numbers of several bytes begin with the\n"
+           "lowest byte; numbers ending in h are hexadecimal.\n\n"
+           "On USB it is a full-speed HID device with one interrupt endpoint each way,\n"
+           "64 bytes, interval 1. Reports have no ids. tactics recognises the mouse by its\n"
+           "report descriptor; its vendor and product numbers do not matter.\n\n"
+           "Report to the computer, one every millisecond, whatever the computer sends:\n" +
            layout(kMouseFields) +
-           "All counts of sensors are of that kind. x goes to the right and y towards the\n"
-           "hand, as on maps.\n"
-           "\n"
+           "All sensor counts are of that kind. x points to the right and y towards the\n"
+           "hand, as on maps.\n\n"
            "Report from the computer:\n" +
            layout(kForceFields) + "For example a force of 1.5 N for " + hold() + ":\n" + "  " + range_of(0, 7) + ": " +
            in_hexadecimal(bytes.first(8)) + "\n" + "  " + range_of(8, 61) + ": 00\n" + "  " + range_of(62, 63) + ": " +
            in_hexadecimal(bytes.last(2)) + "\n" +
            "\n"
-           "CRC-16: polynomial 1021h, begins with FFFFh, nothing turned round or added\n"
-           "(CRC-16/CCITT-FALSE; of the text 123456789 it is 29B1h).\n"
-           "\n";
+           "CRC-16: polynomial 1021h, initial value FFFFh, no reflection, no final XOR\n"
+           "(CRC-16/CCITT-FALSE; the text 123456789 gives 29B1h).\n\n";
 }
 
 std::string duties_text() {
@@ -125,40 +121,40 @@ std::string duties_text() {
            "  A force holds for the time in its report, of which tactics play gives " +
            hold() +
            ".\n"
-           "  When that has passed without a good report, it takes its force to zero\n"
-           "  within 2 ms and says fault, until the next.\n"
-           "  It gives no force while the motor is not on, or while it is too hot.\n"
+           "  When that time has passed without a good report, it takes its force to zero\n"
+           "  within 2 ms and reports a fault, until the next good report.\n"
+           "  It gives no force while the motor is off or too hot.\n"
            "What tactics play does:\n"
            "  It sends no force before the first good report, and none after 3 ms without\n"
-           "  one or while the mouse says fault; then it begins softly. The stop key ends\n"
-           "  it. At the end it switches the motor off.\n"
+           "  one or while the mouse reports a fault; after that it begins softly. The stop\n"
+           "  key ends the play. At the end it switches the motor off.\n"
            "\n"
            "The report descriptor, " +
-           std::to_string(kMouseDescriptor.size()) + " bytes in hexadecimal, an item a line:\n" + descriptor() + "\n";
+           std::to_string(kMouseDescriptor.size()) + " bytes in hexadecimal, one item per line:\n" + descriptor() + "\n";
 }
 
 std::string permission_text() {
-    return "To be permitted to use it, write a udev rule with its vendor and product numbers\n"
-           "(tactics devices prints yours; here 1209 and 0005) into\n"
+    return "To get permission to use it, write a udev rule with its vendor and product\n"
+           "numbers (tactics devices prints yours; here 1209 and 0005) into\n"
            "/etc/udev/rules.d/70-tactics-mouse.rules, and plug it in again:\n" +
            rule() +
-           "Until it is unplugged this permits it, too:\n"
-           "  sudo setfacl -m u:$USER:rw /dev/hidraw0\n"
-           "\n";
+           "Until it is unplugged, this command also gives permission:\n"
+           "  sudo setfacl -m u:$USER:rw /dev/hidraw0\n\n";
 }
 
 std::string lever_file_text() {
     return "The file for tactics play --lever FILE describes the machine, the finger on it\n"
-           "and its sensors: NAME = VALUE UNIT a line, # begins a comment. What is not named\n"
-           "keeps its default. These two take the numbers of a preset, and come first:\n"
+           "and its sensors. Each line is NAME = VALUE UNIT; # begins a comment. Settings\n"
+           "that are not named keep their defaults. These two choose a preset; put them\n"
+           "first:\n"
            "  lever = " +
            names_of(kLevers) + "\n  finger = " + names_of(kFingers) +
            "\n"
            "finger = none is a simulated lever that nobody touches.\n"
-           "All others with their defaults; behind # the least and the most, and what it is:\n" +
+           "All others with their defaults; after # come the range and the meaning:\n" +
            indented(to_text(MouseSettings{})) +
-           "A real mouse counts; lever.encoder and the sensors' numbers make mm of that.\n"
-           "With a real mouse a lever.delay of 0 is taken for " +
+           "A real mouse sends counts; lever.encoder and the sensors' numbers turn them into\n"
+           "mm. With a real mouse a lever.delay of 0 counts as " +
            to_text(kHidDelay) +
            " s.\n"
            "Example: tactics play relief.png --device hid: --lever mouse.txt\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scripts that complete the command line in a shell, made from all descriptions.
+// Shell scripts that complete command lines, made from all descriptions.
 #pragma once
 
 #include <string>

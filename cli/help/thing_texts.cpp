@@ -74,8 +74,8 @@ std::string describe_format(const Format& format) {
     const auto extensions = words_of(format.extensions);
     std::string endings;
     for (const auto extension : extensions) endings += (endings.empty() ? "." : ", .") + std::string(extension);
-    std::string text = "File names end in " + endings + ". It is made for medium " + std::string(format.medium) + " and paper " +
-                       std::string(format.paper) + ", if you name none.\n";
+    std::string text = "File names end in " + endings + ". By default it is made for medium " + std::string(format.medium) +
+                       " and paper " + std::string(format.paper) + ".\n";
     text += describe_options(format.options);
     return text + "Example: tactics convert photo.jpg -o page." + std::string(extensions.empty() ? format.name : extensions[0]) +
            "\n";
@@ -89,10 +89,10 @@ std::string describe_embosser(const Format& format) {
         text += "It takes sheets up to " + mm(embosser.widest) + " wide" +
                 (embosser.longest > 0 ? " and " + mm(embosser.longest) + " long" : "") + ".\n";
     if (!embosser.called.empty())
-        text += "One of them may stand for " + std::string(format.name) + ": " + std::string(embosser.called) + ".\n";
+        text += "These names also mean " + std::string(format.name) + ": " + std::string(embosser.called) + ".\n";
     text += where_dots_are(format);
     text += "\n" + describe_options(format.options) +
-            "What its bytes rely on (none of it was tried on the machine by this project):\n";
+            "Sources of its bytes (this project has not tried any of them on the machine):\n";
     for (const ProtocolFact& fact : embosser.facts)
         text += "  " + std::string(name_of(fact.confidence)) + ": " + std::string(fact.fact) + " (" + std::string(fact.source) +
                 ")\n";
@@ -112,20 +112,20 @@ std::string describe_medium(const Medium& medium) {
     const auto mm = [](double value) { return to_text(value) + " mm"; };
     return "Lines are " + mm(medium.thin_line) + " (thin), " + mm(medium.line) + " (normal) or " + mm(medium.thick_line) +
            " (thick) wide, at least " + mm(medium.gap) + " apart and " + mm(medium.shortest) + " long. The margin is " +
-           mm(medium.margin) + ", if you name none.\nExample: tactics convert photo.jpg -o page.pdf --medium " +
+           mm(medium.margin) + " by default.\nExample: tactics convert photo.jpg -o page.pdf --medium " +
            std::string(medium.name) + "\n";
 }
 
 std::string describe_paper(const Paper& paper) {
     return to_text(paper.width) + " x " + to_text(paper.height) +
-           " mm upright. Any other size may be given in numbers, such as 200x150mm or 8.5x11in.\n"
+           " mm upright. You can give any other size in numbers, such as 200x150mm or 8.5x11in.\n"
            "Example: tactics convert photo.jpg -o page.pdf --paper " +
            std::string(paper.name) + "\n";
 }
 
 std::string describe_rule(const Rule& rule) {
-    std::string text =
-        rule.hard ? "It is hard: a page that breaks it is not fit to be used.\n" : "It is not hard: a person should look.\n";
+    std::string text = rule.hard ? "It is a hard rule: a page that breaks it is not fit for use.\n"
+                                 : "It is not a hard rule: where a page breaks it, a person should look.\n";
     text +=
         "Limit:\n  " + spelling(rule.limit) + ": " + std::string(rule.limit.summary) + " (" + describe_range(rule.limit) + ")\n";
     std::string limits;
@@ -137,7 +137,7 @@ std::string describe_rule(const Rule& rule) {
     }
     text += "By medium: " + limits + ".\nWhat to do: " + std::string(rule.mend) + ".\nSource: " + std::string(rule.source) +
             ".\nConfidence in the number: " + std::string(name_of(rule.confidence)) + ".";
-    if (rule.confidence != Confidence::good) text += " Take it as a hint, and change it where your readers say otherwise.";
+    if (rule.confidence != Confidence::good) text += " Treat it as a hint, and change it if your readers prefer otherwise.";
     return text + "\nExample: tactics check page.svg --rule " + std::string(rule.name) + " --medium " + std::string(example) +
            " --set " + std::string(rule.name) + "." + example_setting(rule.limit) + "\n";
 }

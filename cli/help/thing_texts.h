@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What help tells of one thing of a list, below its line of name and summary.
+// The help text of one entry of a list, below its line with name and summary.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ namespace tactics {
 std::string describe_filter(const Filter& filter);
 std::string describe_recipe(const NamedRecipe& recipe);
 std::string describe_format(const Format& format);
-std::string describe_embosser(const Format& format);  ///< a display's, too
+std::string describe_embosser(const Format& format);  ///< also for a display
 std::string describe_braille_table(const BrailleTable& table);
 std::string describe_medium(const Medium& medium);
 std::string describe_paper(const Paper& paper);
@@ -32,6 +32,6 @@ std::string spelling(const Flag& flag);
 /// "blur=LENGTH" or "method=NAME"
 std::string spelling(const Option& option);
 
-std::string indent(std::string_view text);  ///< every line by two blanks
+std::string indent(std::string_view text);  ///< indents every line by two blanks
 
 }  // namespace tactics

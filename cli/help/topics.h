@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What help explains besides the entries of the lists: what somebody needs who builds or describes a machine.
+// Help topics besides the entries of the lists, for example for people who build or describe a machine.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 namespace tactics {
 
 struct Topic {
-    std::string_view name;  ///< as it is typed behind `tactics help`
+    std::string_view name;  ///< as typed after `tactics help`
     std::string_view summary;
     std::string (*text)();  ///< lines of at most 80 characters
 };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a long piece of work is, and how long it will take: one line that updates itself on a terminal, whole lines now
-// and then in a log.
+// Progress and remaining time of long work: one line that updates itself on a terminal, occasional whole lines in a log.
 #pragma once
 
 #include <chrono>
@@ -15,18 +14,18 @@ enum class ProgressWay { automatic, none, lines, bar };
 /// Not safe from two threads at once.
 class Progress {
 public:
-    /// Of one thing nothing is shown. A bar, which is a line that updates itself, is one on a terminal only, and there not if
-    /// TERM=dumb or NO_COLOR (https://no-color.org) says that it is to be plain; whole lines stand for it.
+    /// Shows nothing for a single thing. A bar (a line that updates itself) appears only on a terminal, and not if TERM=dumb or
+    /// NO_COLOR (https://no-color.org) asks for plain output; whole lines replace it.
     Progress(std::size_t all, ProgressWay way);
 
     void show(std::size_t done);
-    /// Takes the updating line away.
+    /// Removes the updating line.
     void clear();
-    /// Says a line in place of the updating one.
+    /// Prints a line in place of the updating one.
     void say_line(const std::string& line);
 
-    bool updates() const { return updates_; }  ///< there is a line that updates itself
-    double seconds() const;                    ///< since the beginning
+    bool updates() const { return updates_; }  ///< whether it uses an updating line
+    double seconds() const;                    ///< since the start
 
 private:
     using Clock = std::chrono::steady_clock;

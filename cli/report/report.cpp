@@ -105,7 +105,7 @@ std::string words_json(const ToldWords& words) {
     return json.text();
 }
 
-// Of an empty page; empty if there is something to feel on every page.
+// The note on an empty page; empty if every page has something to feel.
 std::string nothing_words(const Outcome& outcome) {
     const std::string paths = paths_of(outcome, [&](std::size_t layout) { return outcome.layouts[layout].empty; });
     if (paths.empty()) return "";
@@ -178,7 +178,7 @@ std::vector<std::string> choice_lines(const Outcome& outcome) {
     if (!outcome.reason.empty())
         lines.push_back(start + "recipe " + outcome.recipe + " (" + outcome.reason + "); change with --recipe");
     for (const std::string& choice : outcome.chosen) {
-        // "outlines subject: found, ..." tells what was found and is no setting.
+        // "outlines subject: found, ..." reports a result and is no setting.
         if (choice.find(':') < choice.find('=')) {
             lines.push_back(start + choice.substr(choice.find(' ') + 1));
             continue;

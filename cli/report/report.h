@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What became of a picture, in words for a person and in JSON for a script.
+// The result of a picture, in words for a person and in JSON for a script.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,16 @@ namespace tactics {
 
 /// "photo.jpg: photo.pdf, photo.svg: 12 lines of 830 mm together; 0.12 s"
 std::string result_line(const Outcome& outcome);
-/// What was chosen from the picture and why, and how to change it: "photo.jpg: recipe photo (continuous tones: 31 % flat, 47 %
-/// soft,
-/// ...); change with --recipe", "photo.jpg: kmeans k=3: 3 colours explain 94 % of its variance; change with --set
+/// The choices made from the picture, the reasons, and how to change them: "photo.jpg: recipe photo (continuous tones: 31 % flat,
+/// 47 % soft, ...); change with --recipe", "photo.jpg: kmeans k=3: 3 colours explain 94 % of its variance; change with --set
 /// kmeans.k=NUMBER".
 std::vector<std::string> choice_lines(const Outcome& outcome);
-/// What else there is to know, and what a person must act on: what was changed in the drawing for the rules, a page that is not
-/// fit to be felt or has nothing on it, words that are left out, rules that are broken, files that are left of an earlier run.
+/// Further notes, and everything that a person must act on: changes to the drawing for the rules, pages that are empty or not fit
+/// to be felt, words left out, broken rules, files left from an earlier run.
 Notes further_lines(const Outcome& outcome);
-/// One of its pages is not fit to be felt or to be handed out, and was told so.
+/// Whether one of its pages was reported as not fit to be felt or to be handed out.
 bool needs_a_look(const Outcome& outcome);
-/// A page breaks a hard rule; known only if the wishes asked for it.
+/// Whether a page breaks a hard rule; known only if the wishes ask for the check.
 bool breaks_a_rule(const Outcome& outcome);
 /// One object, one line.
 std::string result_json(const Outcome& outcome);

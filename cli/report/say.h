@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the program says: lines for the person on standard error, answers on standard output.
+// Output of the program: lines for the user on standard error, results on standard output.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace tactics {
 
-/// Names of files may hold anything; what steers a terminal (tactics/text/utf8.h) is shown as \x0a, byte for byte, so that a line
-/// stays a line.
+/// File names may hold anything; bytes that control a terminal (tactics/text/utf8.h) are shown as \x0a, byte for byte, so that a
+/// line stays one line.
 std::string one_line(std::string_view text);
 
 /// One whole line on standard error.
 void say(std::string_view line);
 
-/// Standard output. Throws Error(failed) if it cannot be written; a reader that has gone away is no error.
+/// Writes to standard output. Throws Error(failed) if that fails; a closed pipe is no error.
 void print_out(std::string_view text);
 
 }  // namespace tactics

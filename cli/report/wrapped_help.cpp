@@ -24,7 +24,7 @@ std::size_t letters_in(std::string_view text) {
     return letters;
 }
 
-// A paragraph goes on at the left; a line that tells of one thing, "name: what it is" or set in, goes on below that.
+// A paragraph continues at the left; an entry, "name: what it is" or an indented line, continues indented.
 std::size_t goes_on_at(std::string_view line, std::size_t indent) {
     return indent > 0 || line.substr(0, line.find(' ')).ends_with(':') ? indent + kGoesOn : 0;
 }

@@ -35,7 +35,7 @@ std::vector<ChartLevel> felt_levels(const Plot& levels, const PlotSurface& surfa
     return felt;
 }
 
-// As many as a finger tells, as on paper: no more than a third of the lines is near one of another level.
+// As many as a finger can tell apart, as on paper: at most a third of the lines is near one of another level.
 Plot chosen_levels(const Plot& plot, const PlotSurface& surface, int wanted, Point field) {
     if (wanted > 0) return levels_of(plot, surface, contour_levels(surface, wanted));
     Plot levels;

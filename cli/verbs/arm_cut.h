@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface felt on an arm by its lines: those of equal height, or those along which it is cut open.
+// A surface on an arm as lines: contours, or sections.
 #pragma once
 
 #include <optional>
@@ -14,16 +14,16 @@
 namespace tactics {
 
 struct CutWish {
-    std::optional<int> levels = {};           ///< at most; 0: as many as a finger tells
-    std::optional<SectionWish> section = {};  ///< or that
+    std::optional<int> levels = {};           ///< maximum number; 0: as many as a finger can tell apart
+    std::optional<SectionWish> section = {};  ///< alternatively, sections
     bool any() const { return levels || section; }
 };
 /// --levels and --section. Throws Error(usage).
 CutWish cut_wish(const Given& given);
 
-/// A plot of curves: the contours in the plane of x and y, or the sections upright over one of them. `field`: mm that x and y
-/// will have at most, by which the number of levels is chosen. `told` is told which there are. Throws Error(usage): there is no
-/// surface, nothing of it at that height or place.
+/// A plot of curves: the contours in the plane of x and y, or the sections upright over one of the axes. `field`: largest size of
+/// x and y, mm, which decides the number of levels. `told` receives a list of them. Throws Error(usage) if there is no surface,
+/// or nothing of it at that height or place.
 Plot cut_of(const Plot& plot, const CutWish& wish, Point field, const std::string& name, std::vector<std::string>& told);
 
 }  // namespace tactics

@@ -12,8 +12,8 @@
 
 namespace tactics {
 
-/// By --plane (that it stands on, a table if none is named), --width, --radius, --stiffness and --damping: as large as the
-/// workspace holds it, or as wide as is asked for if that is less; how large is told. Throws Error.
+/// Uses --plane (on which it stands; default: a table), --width, --radius, --stiffness and --damping. It is as large as the
+/// workspace holds, or has the requested width if that is less; a note gives its size. Throws Error.
 ArmScene model_on_arm(const Mesh& mesh, const std::string& name, const Given& given, const ArmFile& file,
                       std::vector<std::string>& told);
 

@@ -11,7 +11,7 @@
 
 namespace tactics {
 
-/// By --plane, --feel, --fixture, --stiffness and --damping; `told` is told what was left out. Throws Error.
+/// Uses --plane, --feel, --fixture, --stiffness and --damping; `told` receives the parts left out. Throws Error.
 ArmScene plot_on_arm(Plot plot, const Given& given, const ArmFile& file, std::vector<std::string>& told);
 
 }  // namespace tactics

@@ -18,7 +18,7 @@ namespace {
 struct Heights {
     double lowest = INFINITY, highest = -INFINITY;
 };
-// Of what is known; of nothing 0.
+// Of the known samples; 0 if there are none.
 Heights heights_of(const HeightMap& map) {
     Heights heights;
     for (const float height : map.heights) {
@@ -29,14 +29,14 @@ Heights heights_of(const HeightMap& map) {
     return heights.lowest <= heights.highest ? heights : Heights{0, 0};
 }
 
-// From 0 upwards, and so many times as large; holes stay holes.
+// Shifted to start at 0 and scaled; holes stay holes.
 void lift(HeightMap& map, double lowest, double scale) {
     map.pitch *= scale;
     for (float& height : map.heights)
         if (std::isfinite(height)) height = static_cast<float>((static_cast<double>(height) - lowest) * scale);
 }
 
-// The highest of each square of so many samples each way: for a finger that is much larger than that.
+// The highest sample of each square of that many samples: for a finger that is much larger than a square.
 HeightMap tops_of(const HeightMap& map, int block) {
     const auto blocks = [&](int count) { return (count + block - 1) / block; };
     HeightMap tops{blocks(map.columns), blocks(map.rows), map.pitch * block, {}};
@@ -49,8 +49,8 @@ HeightMap tops_of(const HeightMap& map, int block) {
     return tops;
 }
 
-// As a fingertip meets it. Samples closer than a twentieth of that only take time, which grows with the fourth power of their
-// number along a side.
+// As felt by a fingertip. Samples closer than a twentieth of its radius only cost time, which grows with the fourth power of
+// their number along a side.
 HeightMap met_by(HeightMap map, double radius) {
     constexpr double kFiner = 20;
     if (!(radius > 0)) return map;

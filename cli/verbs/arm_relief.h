@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A height map on an arm: whatever play lifts a finger over, felt from all directions above it.
+// A height map on an arm, felt from all directions above it.
 #pragma once
 
 #include <string>
@@ -13,13 +13,12 @@
 
 namespace tactics {
 
-/// Whatever is drawn first is drawn for all of the plane that the workspace has, upright if no --plane is named. Throws
-/// Error(usage).
+/// Files that are drawn first use the whole plane in the workspace, upright unless --plane is given. Throws Error(usage).
 void take_arm_as_paper(Wishes& drawing, const Given& given, const ArmFile& file);
 
-/// By --plane, --stiffness and --damping; its lowest place on the plane, and smaller than it is where it would not fit, which is
-/// told. Where no plane is named, what is drawn is upright, as a page on a wall, and heights are flat, or upright if they are
-/// larger so. `radius`: of the fingertip, mm. Throws Error.
+/// Uses --plane, --stiffness and --damping; the lowest place lies on the plane. A map that would not fit is scaled down, with a
+/// note. Without --plane, drawings are upright, like a page on a wall, and height maps flat, or upright if that makes them
+/// larger. `radius`: of the fingertip, mm. Throws Error.
 ArmScene relief_on_arm(FeltHeights felt, double radius, const Given& given, const ArmFile& file, std::vector<std::string>& told);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is felt on an arm, as it stands in the arm's workspace.
+// A scene in the workspace of an arm.
 #pragma once
 
 #include <memory>
@@ -14,21 +14,22 @@
 
 namespace tactics {
 
-/// A model without a width or a depth: what there is to see of it.
+/// The visible lines of a model without width or depth.
 struct SheetOutline {
     PlotCurve onto;   ///< in x and y
     PlotCurve along;  ///< in x and height
 };
 
 struct ArmScene {
-    Plot plot;                                  ///< it in values: what is spoken of it, drawn of it, and what a hand should find
-    PlotFrame frame;                            ///< where these are under the finger
-    Mounting mounting;                          ///< where that is in the workspace
-    ForceLaw law;                               ///< of what is firm
-    double resolution;                          ///< mm that the arm tells apart
-    std::optional<PlotSurface> contoured = {};  ///< that its curves are the contours of: a chart draws those with their heights
-    bool solid = false;                         ///< a relief or a model, of which a hand finds neither curves nor points
-    std::unique_ptr<const ReliefSurface> relief = {};  ///< that the scene feels; nothing of a plot or a model
+    Plot plot;                                  ///< the scene in values, for speech, drawings and the expected findings of a hand
+    PlotFrame frame;                            ///< position of these values under the finger
+    Mounting mounting;                          ///< position of the frame in the workspace
+    ForceLaw law;                               ///< of firm things
+    double resolution;                          ///< mm that the arm resolves
+    std::optional<PlotSurface> contoured = {};  ///< the surface whose contours its curves are: a chart draws them with their
+                                                ///< heights
+    bool solid = false;                         ///< a relief or a model, in which a hand finds neither curves nor points
+    std::unique_ptr<const ReliefSurface> relief = {};  ///< surface of the scene; null for a plot or a model
     std::unique_ptr<Scene> scene = {};
     std::optional<SheetOutline> sheet = {};
 };

@@ -112,7 +112,7 @@ std::vector<Plot> arm_views(const ArmScene& scene, const std::vector<TickRecord>
         onto.curves.push_back(curve_of(way, true));
         along.curves.push_back(curve_of(way, false));
     }
-    // What lies flat is seen along its plane from the front; before the person, from above.
+    // A flat thing is seen along its plane from the front; one in front of the person, from above.
     const bool flat = std::abs(scene.mounting.out.y) > std::abs(scene.mounting.out.z);
     along.y.downwards = !flat;
     Plot front = flat ? along : onto, above = flat ? std::move(onto) : std::move(along);

@@ -17,13 +17,14 @@ namespace {
 
 constexpr Flag kFlags[] = {
     {"--output", "-o", "OUT",
-     "where to write: FILE, whose ending names the format, or FORMAT:FILE, as in convert. May be given several times", true,
+     "where to write: FILE, whose ending chooses the format, or FORMAT:FILE, as in convert. May be given several times", true,
      "files formats"},
     kTableXFlag,
     kTableYFlag,
     kTableZFlag,
     kTableGroupFlag,
-    {"--label", "", "COLUMN", "a row with words in it is marked by a disc with a letter, and the key has the words", false, ""},
+    {"--label", "", "COLUMN", "column of words: each row that has some gets a disc with a letter, which the key explains", false,
+     ""},
     kTablePointsFlag,
     kTableStepsFlag,
     kTableHistogramFlag,
@@ -39,23 +40,22 @@ constexpr Flag kFlags[] = {
     kChartSectionFlag,
     {"--set", "-s", "FORMAT.OPTION=VALUE", "change a setting of an output format: png.width=800. May be given several times",
      true, "settings"},
-    {"--paper", "-p", "PAPER", "paper: a name or a size such as 200x150mm; each format has its own if none is named", false,
-     "papers"},
-    {"--medium", "-m", "MEDIUM", "what is printed on; each format has its own if none is named", false, "media"},
+    {"--paper", "-p", "PAPER", "paper: a name or a size such as 200x150mm; by default each format has its own", false, "papers"},
+    {"--medium", "-m", "MEDIUM", "what the page is made on; by default each format has its own", false, "media"},
     kMarginFlag,
     {"--orientation", "", "auto|portrait|landscape", "which way up the paper is", false, "auto portrait landscape"},
-    {"--title", "", "TEXT", "title; what is shown against what if none is named", false, ""},
+    {"--title", "", "TEXT", "title; by default it says which column is drawn against which", false, ""},
     kCaptionFlag,
     kNoPrintTitleFlag,
-    {"--braille", "", "TABLE|none", "liblouis table for all words; en-ueb-g2.ctb if none is named", false,
+    {"--braille", "", "TABLE|none", "liblouis table for all words; default: en-ueb-g2.ctb", false,
      "en-ueb-g1.ctb en-ueb-g2.ctb none"},
     {"--language", "", "TAG",
-     "language of the page, such as en-GB or de, which also says whether the axes write 0.5 or 0,5; en, and as in the table, if "
-     "none is named",
+     "language of the page, such as en-GB or de; it also decides whether the axes write 0.5 or 0,5. Default: en, with numbers "
+     "written as in the table",
      false, ""},
     {"--dpi", "", "NUMBER", "dots per inch of png and tiff", false, ""},
     {"--json", "", "",
-     "one JSON object on standard output: the files, and the chart with all its values, and where on the page its axes have them",
+     "one JSON object on standard output: the files, the chart with all its values, and where its axes place them on the page",
      false, ""},
     {"--quiet", "-q", "", "nothing but errors", false, ""},
 };
@@ -92,30 +92,22 @@ const Command chart_command{
     .words = "FILE.csv -o OUT",
     .details =
         "The first line of the file names the columns, with units in parentheses: dots a page,F or time (s),length (mm). Values "
-        "stand "
-        "between commas, tabs, semicolons or blanks; numbers are written 0.53 or, all of them, 0,53, dates 2024-02-29 or "
-        "2024-02-29T13:05:07Z. Where all values of the first line are numbers, columns are x and y, or \"column 1\". Rows of a "
-        "curve are joined in their order. Where nothing is known of y, an empty cell, NaN or NA, the curve has a gap; a row "
-        "without x "
-        "is left out. Up to 20 million rows are read.\n\n"
-        "JSON is read, too: [{\"time\": 1, \"F\": 0.5}, ...], [[1, 0.5], ...], {\"time\": [1, 2], \"F\": [0.5, 0.6]} or one "
-        "array of "
-        "numbers; null is a gap. Rows of x, y and z and {\"x\": [...], \"y\": [...], \"z\": [[...], ...]} are surfaces.\n\n"
-        "--bars draws a bar for each row over words. Each begins at 0, which the axis always shows; five textures tell columns "
-        "or "
-        "groups apart, and the key shows them. Names that have no room below the bars turn these to the right, and names that "
-        "have "
-        "none there either are letters that the key explains. A pie is drawn as bars of its shares, since a finger compares "
-        "lengths "
-        "and not angles. Where nothing is known there is no bar, and so it is where a value is 0.\n\n"
-        "--x and --y take a column's name with its unit or without. The axes have ticks with numbers. Up to five curves have a "
-        "kind "
-        "of line each: whole, dashed, thick, dotted and thick dashed, on an embosser, which has no thick lines, with dots "
-        "between "
-        "the dashes; more have a letter each. Groups of points have a symbol each, marked points a letter. The key below shows "
-        "lines and symbols as they are felt. Points that are too near to be told apart are drawn as one, and a curve that goes "
-        "up "
-        "and down faster than a finger can follow goes through fewer of its points; both is told.",
+        "stand between commas, tabs, semicolons or blanks; numbers are written 0.53 throughout or 0,53 throughout, dates "
+        "2024-02-29 or 2024-02-29T13:05:07Z. If all values in the first line are numbers, the columns are called x and y, or "
+        "\"column 1\" and so on. Rows of a curve are joined in file order. Where y is unknown (an empty cell, NaN or NA) the "
+        "curve has a gap; a row without x is left out. Up to 20 million rows are read.\n\n"
+        "JSON is also read: [{\"time\": 1, \"F\": 0.5}, ...], [[1, 0.5], ...], {\"time\": [1, 2], \"F\": [0.5, 0.6]} or one "
+        "array of numbers; null is a gap. Rows of x, y and z and {\"x\": [...], \"y\": [...], \"z\": [[...], ...]} are "
+        "surfaces.\n\n"
+        "--bars draws one bar for each row, named by its words. Bars begin at 0, which the axis always shows; five textures "
+        "distinguish columns or groups, and the key shows them. If the names have no room below the bars, the bars run to the "
+        "right; if they have no room there either, letters replace them and the key explains the letters. A pie is drawn as "
+        "bars of its shares, since a finger compares lengths, not angles. A missing value and a value of 0 have no bar.\n\n"
+        "--x and --y take a column's name with or without its unit. The axes have ticks with numbers. Up to five curves each "
+        "get a line style: solid, dashed, thick, dotted and thick dashed. An embosser has no thick lines and puts dots between "
+        "the dashes instead. With more curves, each gets a letter. Each group of points gets a symbol, each marked point a "
+        "letter. The key below shows lines and symbols as they feel. Points too close to be told apart are drawn as one, and a "
+        "curve that rises and falls faster than a finger can follow is drawn through fewer of its points; tactics reports both.",
     .example =
         "tactics chart results.csv -o chart.pdf\n"
         "tactics chart sales.csv --bars grouped --y 2023 --y 2024 -o sales.pdf -o sales.brf\n"

@@ -26,9 +26,9 @@ namespace {
 constexpr std::size_t kAll = ~std::size_t{0};
 
 constexpr Flag kFlags[] = {
-    {"--medium", "-m", "MEDIUM", "what the page is for; swell if none is named. Limits follow it", false, "media"},
-    {"--paper", "-p", "PAPER", "paper of a drawing whose file tells no size, and of pictures", false, "papers"},
-    {"--margin", "", "LENGTH", "margin that is to stay free; the medium's own if none is named", false, ""},
+    {"--medium", "-m", "MEDIUM", "what the page is made on; it decides the limits. Default: swell", false, "media"},
+    {"--paper", "-p", "PAPER", "paper of pictures, and of a drawing whose file gives no size", false, "papers"},
+    {"--margin", "", "LENGTH", "margin that must stay free; default: the medium's own", false, ""},
     {"--rule", "", "RULE", "check this rule only. May be given several times", true, "rules"},
     {"--set", "-s", "RULE.LIMIT=VALUE",
      "change a limit: gap.least=3mm, crossings.most=2; or for pictures a setting of a filter, as for convert. May be given "
@@ -36,10 +36,9 @@ constexpr Flag kFlags[] = {
      "times",
      true, "limits settings"},
     {"--strict", "", "", "exit code 3 if a hard rule is broken", false, ""},
-    {"--most", "", "NUMBER|all", "how many places are told of each rule; 10 if nothing is said. The others are counted", false,
-     "all"},
-    {"--format", "", "text|json|sarif|junit", "how the places are told; text if none is named", false, "text json sarif junit"},
-    {"--json", "", "", "short for --format json: one JSON object for each file, all places", false, ""},
+    {"--most", "", "NUMBER|all", "how many places to report for each rule; the rest are counted. Default: 10", false, "all"},
+    {"--format", "", "text|json|sarif|junit", "how to report the places; default: text", false, "text json sarif junit"},
+    {"--json", "", "", "short for --format json: one JSON object for each file, with all places", false, ""},
     {"--mark", "", "FILE",
      "write the page with the places marked, in the format that FILE ends in: .svg, .png, .pdf; for one file", false, "files"},
     kPdfPageFlag,
@@ -227,22 +226,16 @@ const Command check_command{
     .summary = "say where a page breaks the rules for tactile graphics",
     .words = "FILE...",
     .details =
-        "FILE is a page as SVG or PDF, whoever made it, or - for SVG on standard input. Of a PDF the first page is looked at, "
-        "with the "
-        "program pdftocairo. Any other picture is checked as the page that "
-        "convert would make of it; --recipe, --filter, --detail and --as-drawn are for those. That page is one sheet without "
-        "title, labels and binding, but with the words that are read in the picture; "
-        "pages that have more are checked as the SVG or PDF that convert makes.\n\n"
-        "Each rule measures one thing on the page, in mm, and has a number with a source: tactics list rules, tactics help gap. "
-        "A hard "
-        "rule is one that a page must keep to be used; for the others a person should look. The rules measure what can be "
-        "measured; "
-        "whether a drawing says what it should is for a reader's fingers to tell.\n\n"
-        "Each line tells the file, the place from the top left corner, what is there, what is asked for, what to do and the "
-        "rule. What "
-        "a file has and no rule looks at, such as letters of print, is told as a note. In SVG what is darker than half grey "
-        "counts as "
-        "black; white drawn over black is not taken as erasing.",
+        "FILE is a page in SVG or PDF, from any program, or - for SVG on standard input. Of a PDF, the first page is checked, "
+        "read by the program pdftocairo. Any other picture is checked as the page that convert would make of it; --recipe, "
+        "--filter, --detail and --as-drawn apply to these. That page is one sheet with the words that are read in the picture, "
+        "but without title, labels and binding; to check a page that has more, check the SVG or PDF that convert writes.\n\n"
+        "Each rule measures one thing on the page, in mm, against a limit with a source: tactics list rules, tactics help gap. "
+        "A page must keep the hard rules to be usable; where it breaks another rule, a person should look. The rules measure "
+        "only what can be measured; whether a drawing says what it should, only a reader's fingers can judge.\n\n"
+        "Each line gives the file, the place from the top left corner, what is there, the limit, what to do and the rule. "
+        "Contents that no rule measures, such as print letters, are reported as a note. In SVG, anything darker than mid-grey "
+        "counts as black, and white drawn over black does not erase it.",
     .example =
         "tactics check page.svg\n"
         "tactics check pages/*.pdf --strict --json\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page with the places marked where a rule is broken.
+// The page with marks where a rule is broken.
 #pragma once
 
 #include <string>
@@ -9,8 +9,7 @@
 
 namespace tactics {
 
-/// The page as it was understood, in that format, with a numbered ring at each place that text_report tells: red in SVG,
-/// black in all others.
+/// The page as understood, in that format, with a numbered ring at each place in text_report: red in SVG, black in other formats.
 std::string mark_page(const Checked& checked, std::size_t most, const Format& format);
 
 }  // namespace tactics

@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-// As convert makes it, for the medium's own size and without a title; its braille is of words in the picture.
+// The page as convert makes it, in the medium's own size and without a title; its braille comes from words in the picture.
 FoundPage page_of_picture(Source source, const PageWish& wish) {
     Job job{{source.name, {{find_format("text"), "", ""}}}, {}};
     job.chain = wish.chain;

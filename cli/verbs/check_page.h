@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page that is checked: read from a drawing, or made of a picture.
+// The page to check: read from a drawing, or made from a picture.
 #pragma once
 
 #include <optional>
@@ -13,10 +13,10 @@
 
 namespace tactics {
 
-/// What `check` needs to know to come to a page.
+/// The options of `check` that determine the page.
 struct PageWish {
     const Medium* medium = nullptr;
-    std::optional<Paper> paper;             ///< of a picture (A4 if none), or of a drawing that tells no size
+    std::optional<Paper> paper;             ///< of a picture (default: A4), or of a drawing that gives no size
     std::optional<double> margin;           ///< mm; the medium's if none
     RecipeWish chain;                       ///< how a picture becomes a drawing
     TableWish table = {};                   ///< how a table is drawn
@@ -24,8 +24,8 @@ struct PageWish {
     int pdf_page = 0;                       ///< of a PDF; 0: its first
 };
 
-/// SVG and PDF are read, whatever else is a picture and becomes a page as convert makes it. What the file holds decides, not
-/// its name; "-" is standard input. Throws Error.
+/// SVG and PDF are read as pages; everything else is a picture and becomes a page as convert makes it. The contents of the file
+/// decide, not its name; "-" is standard input. Throws Error.
 FoundPage page_of(const std::string& file, const PageWish& wish);
 
 }  // namespace tactics

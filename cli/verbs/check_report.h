@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `check` found, in words for a person and in three spellings for programs.
+// The findings of `check`, in words for a person and in three formats for programs.
 #pragma once
 
 #include <string>
@@ -26,15 +26,15 @@ struct Count {
 };
 Count count_of(const Checked& checked);
 
-/// "34.2 mm right, 80.1 mm down" of the top left corner, or "whole page".
+/// "34.2 mm right, 80.1 mm down" from the top left corner, or "whole page".
 std::string place_of(const Finding& finding);
 /// "a gap of 1.2 mm between two lines, where at least 3.2 mm is asked for; move them apart or join them"
 std::string what_is_wrong(const Verdict& verdict, const Finding& finding);
 
-/// A line a finding, at most `most` of a rule (the others are counted), notes and a last line. With `marks` each that is told has
-/// a number, as mark_page gives it.
+/// One line per finding, at most `most` for each rule (the rest are counted), notes and a summary line. With `marks`, each
+/// reported finding has the number that mark_page gives it.
 std::string text_report(const Checked& checked, std::size_t most, bool marks);
-/// One object, one line, everything.
+/// Everything in one object on one line.
 std::string json_report(const Checked& checked);
 /// SARIF 2.1.0 (OASIS): one file for all.
 std::string sarif_report(const std::vector<Checked>& all);

@@ -23,14 +23,12 @@ namespace {
 
 constexpr Flag kFlags[] = {
     {"--output", "-o", "OUT",
-     "where to write: FILE, whose ending names the format; FORMAT:FILE, such as pdf:- for standard output; or "
-     "FOLDER/. May be given several times",
+     "where to write: FILE, whose ending chooses the format; FORMAT:FILE, such as pdf:- for standard output; or FOLDER/. May be "
+     "given several times",
      true, "files formats"},
-    {"--to", "-t", "FORMAT", "format of the files in a folder; pdf if none is named. May be given several times", true,
-     "formats"},
-    {"--files-from", "", "FILE", "a list of pictures, one name a line, besides those that are named; - for standard input", false,
-     "files"},
-    {"--null", "-0", "", "names in the list of --files-from end in a zero byte, as find -print0 writes them", false, ""},
+    {"--to", "-t", "FORMAT", "format of the files in a folder; default: pdf. May be given several times", true, "formats"},
+    {"--files-from", "", "FILE", "a file that lists further pictures, one name per line; - for standard input", false, "files"},
+    {"--null", "-0", "", "names in the --files-from list end in a zero byte, as find -print0 writes them", false, ""},
     kPdfPagesFlag,
     kTextFlag,
     kAllowFlag,
@@ -43,15 +41,15 @@ constexpr Flag kFlags[] = {
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",
-     "change a setting in every step of that filter, or of an output format: sobel.blur=0.5mm, "
-     "png.dpi=600. May be given several times",
+     "change a setting in every step of a filter, or of an output format: sobel.blur=0.5mm, png.dpi=600. May be given several "
+     "times",
      true, "settings"},
     kDetailFlag,
     kAsDrawnFlag,
-    {"--save-recipe", "", "FILE", "write the recipe that was used", false, "files"},
-    {"--paper", "-p", "PAPER",
-     "paper of every output: a name or a size such as 200x150mm; each format has its own if none is named", false, "papers"},
-    {"--medium", "-m", "MEDIUM", "what is printed on; each format has its own if none is named", false, "media"},
+    {"--save-recipe", "", "FILE", "write the recipe that was used to this file", false, "files"},
+    {"--paper", "-p", "PAPER", "paper of every output: a name or a size such as 200x150mm; by default each format has its own",
+     false, "papers"},
+    {"--medium", "-m", "MEDIUM", "what the page is made on; by default each format has its own", false, "media"},
     kMarginFlag,
     kBindingFlag,
     kDuplexFlag,
@@ -73,36 +71,37 @@ constexpr Flag kFlags[] = {
     kLabelsFlag,
     kWordsFlag,
     {"--describe", "", "TEXT",
-     "your own words for what is on the page, in place of those of tactics describe: the alternative text of pdf, svg and ebrl",
+     "your own description of the page, in place of the one from tactics describe; it becomes the alternative text of pdf, svg "
+     "and ebrl",
      false, ""},
     kLanguageFlag,
     kBareFlag,
     {"--dpi", "", "NUMBER", "dots per inch of png and tiff, short for --set png.dpi=NUMBER --set tiff.dpi=NUMBER", false, ""},
     kJobsFlag,
     {"--update", "-u", "",
-     "leave out pictures whose pages are all there and were made of the same picture with the same settings, recipe, labels and "
-     "version, which is kept in .tactics beside them; of the others it is told why they are made anew. To go on with a batch "
-     "that was cut short, or after a change. One file of all pictures is made again if one of them is another",
+     "skip pictures whose pages are all there and were made from the same picture with the same settings, recipe, labels and "
+     "version; the folder .tactics beside the pages records these. For the others, say why they are made anew. Use it to resume "
+     "a batch that was cut short, or after a change. A file of several pictures is made anew if one of them has changed",
      false, ""},
     {"--no-sync", "", "",
-     "do not wait until pages are on the disk: quicker for many files, but a power cut may lose pages that were reported as done",
-     false, ""},
+     "do not wait until pages reach the disk: quicker for many files, but a power cut may lose pages reported as done", false,
+     ""},
     {"--strict", "", "",
-     "exit code 3 if a page breaks a hard rule, as tactics check --strict has it; the files are written, and the rules are told. "
-     "Pages that --update leaves out are not looked at",
+     "exit code 3 if a page breaks a hard rule, as with tactics check --strict; the files are still written, and the broken "
+     "rules reported. Pages that --update skips are not checked",
      false, ""},
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
     {"--warnings", "", "",
-     "say only what a person must act on, a line each: words that are left out, pages that are not fit to be felt or are empty, "
-     "hard rules broken, cells cut, pictures that failed",
+     "say only what a person must act on, one line each: words left out, pages that are empty or not fit to be felt, hard rules "
+     "broken, cells cut off, pictures that failed",
      false, ""},
-    {"--verbose", "-v", "", "say everything of each of several pictures, too: what was chosen, why, and what was changed", false,
-     ""},
+    {"--verbose", "-v", "", "say everything about each picture of a batch, too: what was chosen and why, and what was changed",
+     false, ""},
     {"--progress", "", "none|lines|bar",
-     "how it is told how far several pictures are: lines every five seconds, or a bar, one line that updates itself; a bar on a "
-     "terminal if none is named, else lines. Never a bar where TERM is dumb or NO_COLOR is set",
+     "how to report the progress of several pictures: a line every five seconds, or a bar, one line that updates itself. "
+     "Default: a bar on a terminal, else lines. Never a bar if TERM is dumb or NO_COLOR is set",
      false, "none lines bar"},
-    {"--json", "", "", "tell the results on standard output instead, one JSON object for each picture", false, ""},
+    {"--json", "", "", "write the results to standard output instead, one JSON object for each picture", false, ""},
 };
 
 // The folders of the outputs, made if they are missing. One that is made and stays empty, as no picture could be
@@ -136,7 +135,7 @@ private:
     std::vector<std::filesystem::path> made_;
 };
 
-// An unknown table is told once, before any work; also one that no title needs, if it was asked for.
+// Reports an unknown table once, before any work, even if no title needs it.
 void check_braille(const Request& request, bool named) {
     const Sheet& sheet = request.sheet;
     if (sheet.braille_table.empty()) return;
@@ -164,40 +163,33 @@ const Command convert_command{
     .words = "INPUT... -o OUT [-o OUT]...",
     .details =
         "INPUT is a picture, a figure (SVG, a page of a PDF), a table of numbers (CSV, drawn as chart draws it) or a model "
-        "(VRML, "
-        "X3D, STL, OBJ, PLY, glTF, COLLADA), seen from above: a file, or - for standard input. What it holds decides, not its "
-        "name. Each -o is a file to write; the "
-        "picture is laid out afresh for "
-        "the paper and the medium of each. Several pictures go into one file in their order, if its format holds many pages, as "
-        "a pdf does, whose outline names them; or "
-        "into a folder, where each page takes the name of its picture. A folder "
-        "that ends in / is made if it is missing. Two pictures that would get one name are refused before work starts; a file "
-        "that is there already is replaced as a whole, and of a picture that fails no file is written.\n\n"
-        "Of a PDF a page without pixels keeps its lines and its text; with them, or with --recipe or --filter, it is a picture. "
-        "A page "
-        "that is text is refused, unless --text lays it out in braille.\n\n"
-        "Labels that have no room get two letters, and the key to them a page of its own if it has no room either. A pdf, ps, "
-        "tiff, brf, ebrl or txt holds all pages; of others page 2 goes to a file beside the first, such as page-2.png.\n\n"
-        "A recipe without the filter resample gets it put in front. No picture is looked at finer than its medium shows (150 "
-        "dots per inch, embossers 30), or at more than 4,000 pixels a side. The recipe auto looks at the picture alone, so all "
-        "pages of a picture are made in the same way, and says what it chose and why.\n\n"
-        "--detail best tries nine amounts of line, from a quarter to four times the usual, for each medium. Each line of recipes "
-        "photo, portrait and others that end in outlines has a chance that people would draw it. What counts is how many bits "
-        "the "
-        "page, mended for its medium, tells of where people would draw, to a reader who follows as much line as the recipe "
-        "usually allows: the mutual information, not the bits of the page, of which clutter has most. Of the amounts that break "
-        "fewest hard rules the one that loses least is taken, or the nearest to the usual that loses at most 2 % more of the "
-        "bits. "
-        "Its size is not chosen: a drawing is as large as its sheet allows, of which a medium never carries less (tactics help "
-        "measure).\n\n"
-        "What was made is told on standard error. A page that has nothing to feel is written and told, as is one that is not fit "
-        "to be "
-        "felt or, as far as recipe photo can tell, to be handed out; a batch lists these at its end. The exit code stays 0, "
-        "unless "
-        "--strict finds a hard rule broken. Of one picture everything is told, of each of several a line and what a person must "
-        "act on. "
-        "In a batch a picture that fails does not stop the others; failures are told at once and again at the end. Ctrl-C "
-        "leaves no half-written file.",
+        "(VRML, X3D, STL, OBJ, PLY, glTF, COLLADA), seen from above: a file, or - for standard input. Its contents decide what "
+        "it is, not its name. Each -o is a file to write; the picture is laid out afresh for the paper and medium of each. "
+        "Several pictures go in order into one file, if its format holds many pages, as a pdf does, whose outline names them; "
+        "or into a folder, where each page takes the name of its picture. A folder whose name ends in / is made if it is "
+        "missing. Two pictures that would get the same file name are refused before work starts. An existing file is replaced "
+        "as a whole, and a picture that fails leaves no file.\n\n"
+        "A PDF page without pixels keeps its lines and its text; a page with pixels, or with --recipe or --filter given, is a "
+        "picture. A page of text is refused, unless --text lays it out in braille.\n\n"
+        "A label that has no room is replaced by two letters, which a key explains; a key that has no room gets a page of its "
+        "own. A pdf, ps, tiff, brf, ebrl or txt file holds all pages; other formats write page 2 to a file beside the first, "
+        "such as page-2.png.\n\n"
+        "A recipe without the filter resample gets it as its first step. No picture is processed at a finer resolution than its "
+        "medium shows (150 dots per inch, embossers 30), or at more than 4,000 pixels a side. The recipe auto decides from the "
+        "picture alone, so all pages of a picture are made in the same way; it says what it chose and why.\n\n"
+        "--detail best tries nine amounts of line for each medium, from a quarter to four times the usual one. Each line of the "
+        "recipes photo, portrait and others that end in outlines has a chance that people would draw it. The measure is how many "
+        "bits the page, mended for its medium, tells about where people would draw, to a reader who follows as much line as the "
+        "recipe usually allows: the mutual information, not the bits of the page, which clutter has most of. Of the amounts that "
+        "break the fewest hard rules, the one that loses the least is taken, or the one nearest to the usual that loses at most "
+        "2 % more of the bits. The size is not chosen: a drawing is as large as its sheet allows, and a medium never carries "
+        "less "
+        "of a larger one (tactics help measure).\n\n"
+        "The report goes to standard error. A page that is empty, not fit to be felt or, as far as recipe photo can judge, not "
+        "fit to be handed out is written and reported; a batch lists these pages at its end. The exit code stays 0, unless "
+        "--strict finds a hard rule broken. One picture gets a full report; each of several gets one line, and what a person "
+        "must act on. In a batch, a picture that fails does not stop the others; failures are reported at once and again at the "
+        "end. Ctrl-C leaves no half-written file.",
     .example =
         "tactics convert photo.jpg -o photo.pdf\n"
         "tactics convert photo.jpg -o page.pdf -o page.svg -o page.brf --title \"Hot air balloon\"\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program as a driver of CUPS: called as tacticsdriver it lists the embossers and gives their PPD files, so that lpinfo -m
-// and lpadmin -m know them and nobody handles files.
+// The program as a CUPS driver: called as tacticsdriver, it lists the embossers and prints their PPD files, so that lpinfo -m and
+// lpadmin -m offer them and users need no files.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace tactics {
 
-/// The name that CUPS starts it by, and the scheme of its URIs: "tacticsdriver://index-v4".
+/// The name under which CUPS starts it, and the scheme of its URIs: "tacticsdriver://index-v4".
 inline constexpr std::string_view kCupsDriverName = "tacticsdriver";
 
 /// `words` are "list", or "cat" and a URI, as cups-driverd passes them. Throws Error(usage) for anything else.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program as a filter of CUPS: called as tacticstoembosser it makes the bytes of an embosser of a print job.
+// The program as a CUPS filter: called as tacticstoembosser, it converts a print job to the bytes of an embosser.
 #pragma once
 
 #include <span>
@@ -8,14 +8,14 @@
 
 namespace tactics {
 
-/// The program was started by that name, kCupsFilterName. (Its first word tells nothing: CUPS puts the name of the queue there.)
+/// Whether the program was started by the name kCupsFilterName. (Its first word does not show this: CUPS puts the name of the
+/// queue there.)
 bool is_started_as(std::string_view name);
 
-/// `words` are what CUPS gives a filter (filter(7)): job, user, title, copies, options and, if there is one, the file; else the
-/// job is on standard input. The PPD file that the variable PPD names says which embosser it is for. Bytes go to standard output,
-/// messages to standard error as CUPS reads them. Gives the exit code.
-/// Nothing of the job is trusted: root's rights are given up before it is read (transport/lesser_rights.h), the environment is
-/// put away, and its options are those of print_options.h.
+/// `words` are the arguments of a CUPS filter (filter(7)): job, user, title, copies, options and, optionally, the file; otherwise
+/// the job is on standard input. The PPD file in the variable PPD names the embosser. Bytes go to standard output, messages to
+/// standard error in CUPS's format. Returns the exit code. The job is not trusted: root's rights are given up before it is read
+/// (transport/lesser_rights.h), the environment is cleared, and its options are limited to those of print_options.h.
 int run_cups_filter(std::span<const std::string> words);
 
 }  // namespace tactics

@@ -24,12 +24,12 @@ namespace {
 
 constexpr Flag kFlags[] = {
     {"--output", "-o", "OUT",
-     "where to write: .csv for a recording; .png, .tif, .exr, .stl or .felt for heights; only what it holds is told if none is "
-     "named",
+     "where to write: .csv for a recording; .png, .tif, .exr, .stl or .felt for heights. Without it, tactics only says what the "
+     "file holds",
      false, "files"},
     {"--part", "", "FROM,TO|LEFT,TOP,RIGHT,BOTTOM",
-     "only this: of a recording from here to there, s; of heights a rectangle, mm from the upper left corner. No more "
-     "is unpacked than that takes",
+     "unpack only this part: of a recording, from one time to another, in s; of heights, a rectangle in mm from the upper left "
+     "corner. Nothing else is unpacked",
      false, ""},
     {"--json", "", "", "one JSON object on standard output", false, ""},
     {"--quiet", "-q", "", "nothing but errors", false, ""},
@@ -160,14 +160,13 @@ int run(const Given& given) {
 extern const Command decode_command;
 const Command decode_command{
     .name = "decode",
-    .summary = "unpack heights or a recording that encode has packed, or a part of it",
+    .summary = "unpack heights or a recording that encode packed, or a part of them",
     .words = "IN.felt [-o OUT]",
     .details =
-        "A recording comes out as the table that play writes, and can be played as the way of a hand without being "
-        "unpacked: tactics play MAP --device recorded:ticks.felt. Heights come out as any file of heights; convert, "
-        "check, relief and play read them as they are.\n\n"
-        "A file that is cut off or changed is refused: the head and each part have a sum of their own (tactics help "
-        "felt).",
+        "A recording becomes the table that play writes. To replay it as the path of a hand, there is no need to unpack it: "
+        "tactics play MAP --device recorded:ticks.felt. Heights become any file of heights; convert, check, relief and play "
+        "also read them packed.\n\n"
+        "A truncated or altered file is refused: the head and each part have their own checksum (tactics help felt).",
     .example =
         "tactics decode ticks.felt -o ticks.csv\n"
         "tactics decode ticks.felt --part 20,25 -o five-seconds.csv\n"

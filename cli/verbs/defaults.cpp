@@ -16,7 +16,9 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--json", "", "", "one JSON object a line for each word: name, and of what is kept value, place and what gives way to it",
+    {"--json", "", "",
+     "one JSON object per line for each choice: its name and, if it is kept, its value, its place and what it "
+     "overrides",
      false, ""},
 };
 
@@ -80,7 +82,7 @@ void set(const std::string& name, const std::string& value) {
     write_file(file, with_choice(text_of_kept(file), name, value));
 }
 
-// A word that there is not, too: it may stand in the file, where it is told as an error.
+// Also accepts an unknown word, because the file may hold it, which is an error there.
 void unset(const std::string& name) {
     const std::string file = own_kept_file();
     const std::string before = text_of_kept(file), after = without_choice(before, name);
@@ -117,23 +119,20 @@ int run(const Given& given) {
 extern const Command defaults_command;
 const Command defaults_command{
     .name = "defaults",
-    .summary = "show and change what is kept for all jobs: language, paper, machine and others",
+    .summary = "show and change the choices kept for all jobs: language, paper, machine and others",
     .words = "[set NAME VALUE | unset NAME]",
     .details =
-        "Without words it shows what holds and in which file and line it stands, and of the rest what it is. convert, describe, "
-        "show, "
-        "chart, check, emboss and preview take what is kept wherever the command line says nothing else and the output can have "
-        "it: a kept paper is not that of an embosser, a kept size of braille not that of a machine that has its own. With "
-        "--no-defaults "
-        "they leave it out, as a script should whose pages are to be the same everywhere.\n\n"
-        "The file is $XDG_CONFIG_HOME/tactics/defaults, ~/.config/tactics/defaults if that variable is not set; behind it come "
-        "tactics/defaults in the folders of $XDG_CONFIG_DIRS, /etc/xdg/tactics/defaults if that is not set, for everybody on a "
-        "machine. Each line is a name and a value, such as paper a4; # begins a comment. A line that is wrong is an error, with "
-        "its "
-        "file and number.\n\n"
-        "Recipe files NAME.recipe in the folder recipes beside it are found by name: --recipe NAME; tactics list recipes shows "
-        "them. "
-        "Print jobs read none of this.",
+        "Without words it shows the choices that are kept, each with its file and line, and describes the others. convert, "
+        "describe, show, chart, check, emboss and preview use a kept choice wherever the command line does not say otherwise "
+        "and the output allows it: a kept paper does not apply to an embosser, and a kept braille size does not apply to a "
+        "machine that has its own. With --no-defaults they use none; give it in scripts whose pages must be the same "
+        "everywhere.\n\n"
+        "The file is $XDG_CONFIG_HOME/tactics/defaults, or ~/.config/tactics/defaults if that variable is not set. After it, "
+        "for all users of the machine, come tactics/defaults in the folders of $XDG_CONFIG_DIRS, or /etc/xdg/tactics/defaults "
+        "if that variable is not set. Each line is a name and a value, such as paper a4; # begins a comment. A wrong line is an "
+        "error that names the file and the line number.\n\n"
+        "Recipe files called NAME.recipe in the folder recipes beside that file are found by name, --recipe NAME; tactics list "
+        "recipes shows them. Print jobs use none of these choices.",
     .example =
         "tactics defaults\ntactics defaults set language de\ntactics defaults set paper letter\n"
         "tactics defaults set machine index-v4\ntactics defaults unset paper",

@@ -19,7 +19,7 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--output", "-o", "FILE", "write the words to this text file instead of standard output", false, "files"},
+    {"--output", "-o", "FILE", "write the description to this text file instead of standard output", false, "files"},
     kPdfPageFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
@@ -31,11 +31,11 @@ constexpr Flag kFlags[] = {
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",
-     "change a setting in every step of that filter, such as sobel.blur=0.5mm. May be given several times", true, "settings"},
+     "change a setting in every step of a filter, such as sobel.blur=0.5mm. May be given several times", true, "settings"},
     kDetailFlag,
     kAsDrawnFlag,
-    {"--paper", "-p", "PAPER", "paper of the page: a name or a size such as 200x150mm; a4 if none is named", false, "papers"},
-    {"--medium", "-m", "MEDIUM", "what the page would be printed on; swell if none is named", false, "media"},
+    {"--paper", "-p", "PAPER", "paper of the page: a name or a size such as 200x150mm; default: a4", false, "papers"},
+    {"--medium", "-m", "MEDIUM", "what the page would be made on; default: swell", false, "media"},
     kMarginFlag,
     kBindingFlag,
     kDuplexFlag,
@@ -67,17 +67,17 @@ std::string text_of(const Outcome& outcome) {
         if (!text.empty()) text += "\n";
         for (const std::string& line : lines_of(describe(page))) text += line + "\n";
     }
-    // What the page has otherwise than the recipe drew it, as a transcriber's note would tell it.
+    // The differences between the page and the recipe's drawing, as in a transcriber's note.
     const MendingTold& mended = outcome.layouts.front().mended;
     if (!mended.notes.empty()) text += "Changed to be felt:\n";
     for (const std::string& note : mended.notes) text += note + "\n";
     return text;
 }
 
-// Of one picture; what went wrong is told on standard error.
+// The description of one picture; errors go to standard error.
 std::string alone(const Outcome& outcome) { return outcome.error.empty() ? text_of(outcome) : ""; }
 
-// Of several: under its name, an empty line behind.
+// For several pictures: below its name, followed by an empty line.
 std::string among_others(const Outcome& outcome) {
     return outcome.error.empty() ? outcome.input + ":\n" + text_of(outcome) + "\n" : "";
 }
@@ -137,14 +137,16 @@ int run(const Given& given) {
 extern const Command describe_command;
 const Command describe_command{
     .name = "describe",
-    .summary = "say in words what is on the page of a picture and where",
+    .summary = "describe in words what is on a picture's page and where",
     .words = "INPUT... [-o FILE.txt]",
     .details =
-        "The words tell the size of the page, how much is on it, and the main lines and areas from top to bottom: what each is "
-        "to a finger, how long or wide, and in which ninth of the drawing it lies. They do not guess what is depicted. The page "
-        "is the one that tactics convert makes with the same options. Of a model they name its parts: where each lies, what was "
-        "done with it, and which are not drawn; the members of --json are in tactics help model.\n\n"
-        "The same words are the alternative text of pdf, svg and ebrl, unless you give your own with tactics convert --describe.",
+        "The description gives the size of the page, how much is on it, and the main lines and areas from top to bottom: how "
+        "each feels to a finger, how long or wide it is, and in which ninth of the drawing it lies. It does not guess what is "
+        "depicted. The page is the one that tactics convert makes with the same options. The description of a model names its "
+        "parts: where each lies, what was done with it, and which are not drawn; tactics help model lists the members of "
+        "--json.\n\n"
+        "The same description is the alternative text of pdf, svg and ebrl, unless you give your own with tactics convert "
+        "--describe.",
     .example =
         "tactics describe photo.jpg\n"
         "tactics describe photo.jpg --paper letter --title \"Hot air balloon\"\n"

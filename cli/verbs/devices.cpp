@@ -14,7 +14,7 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--json", "", "", "one JSON object a line: address, id, embosser, note", false, ""},
+    {"--json", "", "", "one JSON object per line: address, id, embosser, note", false, ""},
 };
 
 int run(const Given& given) {
@@ -57,11 +57,10 @@ const Command devices_command{
     .name = "devices",
     .summary = "list what is attached: embossers, braille displays, haptic mice, touch overlays",
     .details =
-        "Each line is an address for the --to of tactics emboss, what the device says it is (its IEEE-1284 id), and the "
-        "embossers that it may be. "
-        "Printers on USB, serial adapters, print queues and braille displays of the HID standard (hid:, which no emboss sends "
-        "to) are listed, then haptic mice and "
-        "touch overlays with what to write for tactics play. Nothing is opened or sent.",
+        "Each line gives an address for tactics emboss --to, what the device says it is (its IEEE-1284 id), and the embossers "
+        "that it may be. The list has USB printers, serial adapters, print queues and braille displays of the HID standard "
+        "(hid:, to which emboss does not send), then haptic mice and touch overlays with what to write for tactics play. "
+        "Nothing is opened or sent.",
     .example = "tactics devices\ntactics devices --json",
     .flags = kFlags,
     .run = run,

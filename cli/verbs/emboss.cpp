@@ -30,32 +30,31 @@ namespace {
 
 constexpr Flag kFlags[] = {
     {"--to", "-t", "ADDRESS",
-     "where: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, usb: (the only printer on USB; or usb:VID:PID[:SERIAL], usb:BUS-PORT), "
-     "/dev/ttyUSB0@9600 "
-     "(,xonxoff or ,none behind it without RTS and CTS), or a file; see tactics devices",
+     "where to send: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, usb: (the only USB printer; or usb:VID:PID[:SERIAL], "
+     "usb:BUS-PORT), /dev/ttyUSB0@9600 (append ,xonxoff or ,none for a line without RTS and CTS), or a file; see tactics "
+     "devices",
      false, "files"},
-    {"--embosser", "-e", "NAME", "the machine that the files were written for: then pages are counted, and --from-page is known",
-     false, "embossers"},
-    {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as it was given to convert. May be given several times", true,
+    {"--embosser", "-e", "NAME", "the machine that the files were written for; needed to count pages and for --from-page", false,
+     "embossers"},
+    {"--set", "-s", "NAME.OPTION=VALUE", "a setting of the machine, as given to convert. May be given several times", true,
      "settings"},
-    {"--paper", "-p", "PAPER",
-     "the sheet, for files of text (.brf); with --embosser; what convert takes for the machine if none is named", false,
-     "papers"},
-    {"--from-page", "", "NUMBER", "begin with that page: to go on where a job ended", false, ""},
-    {"--wait", "", "SECONDS",
-     "how long the machine may take nothing, with or without paper, before the job is ended; 300 if none is named", false, ""},
-    {"--any-device", "", "", "send even to a printer whose id is of no embosser known here", false, ""},
+    {"--paper", "-p", "PAPER", "the sheet for text files (.brf), with --embosser; default: what convert uses for the machine",
+     false, "papers"},
+    {"--from-page", "", "NUMBER", "begin with this page, to resume a job that ended early", false, ""},
+    {"--wait", "", "SECONDS", "how long the machine may accept nothing, with or without paper, before the job ends; default: 300",
+     false, ""},
+    {"--any-device", "", "", "send even to a printer whose id matches no known embosser", false, ""},
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
-    {"--json", "", "", "tell the end on standard output, as a JSON object", false, ""},
+    {"--json", "", "", "report how the job ended on standard output, as a JSON object", false, ""},
 };
 
-// Ctrl-C ends the job behind the page that was begun, the second one at once.
+// Ctrl-C ends the job after the current page, a second one at once.
 DeliveryWish::Cancel cancel_by_key() {
     const int count = interrupts();
     return count == 0 ? DeliveryWish::Cancel::no : count == 1 ? DeliveryWish::Cancel::behind_page : DeliveryWish::Cancel::at_once;
 }
 
-// What is no text and no bytes for an embosser is told before a machine punches it letter by letter.
+// Refuses files that are neither text nor embosser bytes, before a machine punches them letter by letter.
 void refuse_others(const std::string& name, std::string_view bytes, const Format* format) {
     bytes = bytes.substr(0, 16);
     if (bytes.starts_with("\x89PNG")) {
@@ -81,7 +80,7 @@ struct EmbossJob {
     std::string bytes;
     std::vector<std::size_t> files;  // where each ends
     std::vector<std::size_t> pages;
-    std::string end;         // what ends a job of the machine, to be sent if it is cancelled behind a page
+    std::string end;         // the bytes that end a job of the machine, sent if it is cancelled after a page
     std::size_t packet = 0;  // of the machine
     std::size_t first = 0;   // pages before it, which are left out
     bool by_driver = false;  // they are pictures that the machine's own driver raises dots from
@@ -150,7 +149,7 @@ void ask_lp(const std::string& queue, std::vector<std::string> words, std::strin
                         queue + ", or see tactics devices for the names");
 }
 
-// Bytes go as they are, but for a picture that the queue's own driver raises dots from.
+// Bytes are sent unchanged, except for a picture from which the queue's own driver makes dots.
 Delivery send_to_queue(const std::string& queue, const EmbossJob& job) {
     if (job.by_driver) {
         std::size_t begin = 0;
@@ -231,12 +230,12 @@ std::string accepted_line(const EmbossJob& job, std::size_t accepted) {
     return line;
 }
 
-// What is to follow if so many bytes of it went.
+// The rest to send after that many bytes.
 std::string job_end(const EmbossJob& job, std::size_t accepted) {
     return job.end + std::string(packet_end(job.packet, accepted + job.end.size()));
 }
 
-// To a machine that answers. `place` is its name as it is told.
+// To a machine that answers. `place` is its name for messages.
 Delivery deliver_to(const Address& address, const std::string& place, const EmbossJob& job, std::chrono::milliseconds patience,
                     const Given& given) {
     const auto channel = open_channel(address, given);
@@ -258,7 +257,7 @@ Delivery deliver_to(const Address& address, const std::string& place, const Embo
         told = complete;
     };
     Delivery delivery = deliver(*channel, job.bytes, wish);
-    // The machine is left as behind a whole job. A page is complete, so nothing is sent twice.
+    // The machine is left as after a whole job. The page is complete, so nothing is sent twice.
     if (delivery.ending == Ending::cancelled && std::binary_search(job.pages.begin(), job.pages.end(), delivery.accepted))
         if (const std::string why = end_job(*channel, job_end(job, delivery.accepted),
                                             [] { return cancel_by_key() == DeliveryWish::Cancel::at_once; });
@@ -283,7 +282,7 @@ std::string json_of(const Delivery& delivery, const EmbossJob& job, const std::s
 int run(const Given& given) {
     if (given.words.empty()) throw Error(Fault::usage, "emboss", "name the files to send, in their order");
     const std::string to = given.value("--to");
-    const std::string place = to == "usb:" ? "usb" : to;  // a colon comes behind it
+    const std::string place = to == "usb:" ? "usb" : to;  // a colon follows
     const Address address = parse_address(to, "--to");
     const EmbossJob job = job_of(given);
     const std::chrono::milliseconds patience(std::lround(1000 * number_value(given, "--wait", 300, 0.1, 1e6)));
@@ -316,20 +315,17 @@ const Command emboss_command{
     .summary = "send files to an embosser: by print queue, USB, serial line or network",
     .words = "FILE... --to ADDRESS",
     .details =
-        "The files are sent in their order and as one job: pages of convert as they are, and text between them: with --embosser "
-        "a file "
-        "that ends in .brf (North American Braille Computer Code) is set as that machine sets text, on --paper; without it goes "
-        "as it is. With a print queue for the "
-        "machine, use the queue; CUPS and this program do not share a device. /dev/usb/lp0 is the kernel's driver; usb: needs "
-        "none: it takes the "
-        "printer from that driver while it sends and gives it back.\n\n"
-        "Nothing is ever sent twice. If the machine stops taking bytes you are told why, as far as it says: out of paper, gone, "
-        "or nothing; how "
-        "many bytes it accepted, which page is complete with them, and how to go on. Pages are known with --embosser NAME: then "
-        "Ctrl-C ends the job "
-        "behind the page that was begun, and a second Ctrl-C at once; without it the first does.\n\n"
-        "Exit codes: 0 all accepted, 1 wrong use, 2 failed, 4 out of paper, 5 gone, 6 took nothing for the time of --wait, 7 "
-        "cancelled.",
+        "The files are sent in order as one job. Pages from convert are sent unchanged. A file that ends in .brf (text in North "
+        "American Braille Computer Code) is formatted for the machine and --paper if --embosser is given, and is sent unchanged "
+        "otherwise. If the machine has a print queue, use the queue; CUPS and this program cannot share a device. /dev/usb/lp0 "
+        "is the kernel's driver. usb: needs no driver: it takes the printer from the kernel's while it sends, and then gives it "
+        "back.\n\n"
+        "Nothing is ever sent twice. If the machine stops accepting bytes, tactics reports the reason, as far as the machine "
+        "gives one (out of paper, gone, or none), how many bytes it accepted, which page they complete, and how to go on. With "
+        "--embosser NAME, tactics knows where pages end: Ctrl-C then ends the job after the current page, and a second Ctrl-C "
+        "ends it at once. Without it, the first Ctrl-C ends the job at once.\n\n"
+        "Exit codes: 0 all accepted, 1 wrong use, 2 failed, 4 out of paper, 5 gone, 6 nothing accepted for the time of --wait, "
+        "7 cancelled.",
     .example =
         "tactics emboss page.prn --to queue:Everest\n"
         "tactics emboss chapter.brf figure.prn rest.brf --to /dev/usb/lp0 --embosser index-v4\n"

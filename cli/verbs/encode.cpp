@@ -22,26 +22,28 @@ namespace tactics {
 
 namespace {
 
-// Below it no hand tells a force from another, whatever its share; ours, of the order of the least force that a fingertip feels.
+// Below it, a hand cannot distinguish forces, regardless of the share; our own choice, of the order of the smallest force that a
+// fingertip feels.
 constexpr double kFloor = 0.01;  // N
-// What 45 g, the fingertip's share of an arm (ArmSettings), has at 67 mm/s; ours.
+// The energy of 45 g, the mass of an arm at the fingertip (ArmSettings), at 67 mm/s; our own choice.
 constexpr double kAllowance = 0.1;  // N mm
 constexpr double kMostShare = 0.5;
 
 constexpr Flag kFlags[] = {
     {"--output", "-o", "OUT.felt", "where to write", false, "files"},
     {"--deadband", "", "SHARE",
-     "of a recording: tell a force only where the guess would miss it by more than so much of it (10%, at most 50%), or 0.01 N; "
-     "every force is kept exactly if nothing is said",
+     "of a recording: store a force only where the prediction would miss it by more than this share (10%, at most 50%), or by "
+     "0.01 N; by default every force is kept exactly",
      false, "5% 10% 15% 20%"},
     {"--predict", "", "hold|linear",
-     "with --deadband, how forces are guessed in between: as they were, or on a straight line; hold if none is named", false,
-     "hold linear"},
+     "with --deadband, how forces in between are predicted: hold repeats the last one, linear continues a straight line; "
+     "default: hold",
+     false, "hold linear"},
     {"--device", "", "omni|desktop|phantom",
      "soft encoding, for this arm alone: places and heights in steps of its resolution, forces in steps of 0.01 N and no larger "
-     "than it gives; as the source has them, for any device, if none is named",
+     "than it can give; by default as in the source, for any device",
      false, "omni desktop phantom"},
-    {"--json", "", "", "one JSON object on standard output: what was packed, how small, how exactly", false, ""},
+    {"--json", "", "", "one JSON object on standard output: what was packed, how small and how exactly", false, ""},
     {"--quiet", "-q", "", "nothing but errors", false, ""},
 };
 
@@ -178,18 +180,18 @@ int run(const Given& given) {
 extern const Command encode_command;
 const Command encode_command{
     .name = "encode",
-    .summary = "pack heights, or the forces and ways of a play, for storing and sending",
+    .summary = "pack heights, or the forces and paths of a play, for storing and sending",
     .words = "INPUT -o OUT.felt",
     .details =
-        "INPUT is a recording as play --csv writes it (time_s,x_mm,y_mm,finger_mm,force_n and, in space, "
-        "force_x_n,force_y_n), or heights: a height map, a picture or a model, as relief reads them (whose options are "
-        "told by relief, which writes .felt, too). decode gives it back.\n\n"
-        "Nothing is lost of heights in 65536 levels, and nothing of a recording, unless --deadband or --device are given. "
-        "--deadband leaves out forces that a hand cannot tell from those that are guessed (Weber's law): the decoded "
-        "force is within the share of the true one, or within 0.01 N, at every tick, in whatever direction it points; and "
-        "over no stretch of the recording does it give out over 0.1 N mm more work than the true one, so that no decoder "
-        "makes a device tremble. Both are measured when it is done, and told.\n\n"
-        "The file is described in tactics help felt.",
+        "INPUT is a recording as play --csv writes it (time_s,x_mm,y_mm,finger_mm,force_n and, in space, force_x_n,force_y_n), "
+        "or heights: a height map, a picture or a model, as relief reads them. relief has options for these, and also writes "
+        ".felt. decode unpacks the file.\n\n"
+        "Heights keep all of their up to 65536 levels, and a recording is kept exactly, unless --deadband or --device is given. "
+        "--deadband leaves out forces that a hand cannot tell from the predicted ones (Weber's law): at every tick, and "
+        "whatever its direction, the decoded force is within the given share of the true one, or within 0.01 N. Over no stretch "
+        "of the recording does it give out over 0.1 N mm more work than the true one, so that no decoder makes a device "
+        "tremble. tactics measures both afterwards and reports them.\n\n"
+        "tactics help felt describes the file.",
     .example =
         "tactics encode ticks.csv -o ticks.felt --deadband 10%\n"
         "tactics encode ticks.csv -o ticks.felt --deadband 10% --predict hold --device omni --json\n"

@@ -25,46 +25,44 @@ namespace {
 // Before the option that names a study and those of studies, and after them.
 constexpr Flag kBeforeStudies[] = {
     {"--recipe", "-r", "NAME|FILE",
-     "a recipe's name or a recipe file; all of them and auto if none is named. May be given several times", true,
-     "recipes files"},
+     "a recipe's name or a recipe file; default: all recipes, and auto. May be given several times", true, "recipes files"},
     {"--filter", "-f", "\"NAME SETTING=VALUE...\"",
-     "a step of your own. May be given several times: alone they are the whole recipe, with --recipe they come after the steps "
-     "of each",
+     "a step of your own. May be given several times: without --recipe the steps are the whole recipe, with it they follow the "
+     "steps of each",
      true, "filters"},
-    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of that filter. May be given several times", true,
+    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of a filter. May be given several times", true,
      "settings"},
-    {"--truth", "", "FOLDER", "the folder of the contour maps; gt in FOLDER if none is named", false, "folders"},
+    {"--truth", "", "FOLDER", "the folder of the contour maps; default: gt in FOLDER", false, "folders"},
     {"--sweep", "", "FILTER.OPTION=V1,V2...",
-     "run each recipe that has the filter once with each value; its F is that of the best value, the same for all pictures",
+     "run each recipe that has the filter once with each value; its F is that of the best value, which is the same for all "
+     "pictures",
      false, "settings"},
-    {"--detail", "", "touch|contours|NUMBER", "as in convert; of all recipes, those that keep the strongest lines follow it",
-     false, "touch contours"},
+    {"--detail", "", "touch|contours|NUMBER", "as in convert; only recipes that keep the strongest lines follow it", false,
+     "touch contours"},
 };
 
 constexpr Flag kAfterStudies[] = {
-    {"--paper", "-p", "PAPER",
-     "paper that the drawing would be printed on, which says how large it is; that of pdf if none is named", false, "papers"},
-    {"--medium", "-m", "MEDIUM", "what it would be printed on; that of pdf if none is named", false, "media"},
-    {"--margin", "", "LENGTH", "margin on every side; the medium's own if none is named", false, ""},
+    {"--paper", "-p", "PAPER", "paper of the drawing, which decides its size; default: that of pdf", false, "papers"},
+    {"--medium", "-m", "MEDIUM", "what the page would be made on; default: that of pdf", false, "media"},
+    {"--margin", "", "LENGTH", "margin on every side; default: the medium's own", false, ""},
     kAllowFlag,
     {"--half", "", "even|odd|all",
-     "every second picture in the order of their names, counted from 1: tune on one half and measure on the other", false,
+     "use every second picture in the order of names, counted from 1, to tune on one half and measure on the other", false,
      "even odd all"},
-    {"--jobs", "-j", "NUMBER", "how many pictures are worked on at a time; as many as there are cores if none is named", false,
-     ""},
-    {"--csv", "", "FILE", "write the table with commas, too; - is standard output, and then instead", false, "files"},
+    {"--jobs", "-j", "NUMBER", "how many pictures to work on at a time; default: the number of cores", false, ""},
+    {"--csv", "", "FILE", "also write the results as CSV; - writes them to standard output instead of the table", false, "files"},
     {"--chart", "", "FILE",
-     "draw F against time, to be felt: a page whose ending names the format, as in convert. May be given several times", true,
+     "draw F against time as a tactile page, whose ending chooses the format, as in convert. May be given several times", true,
      "files"},
     {"--orientation", "", "auto|portrait|landscape", "which way up the paper of a chart is", false, "auto portrait landscape"},
     {"--title", "", "TEXT", "title of a chart in place of its own", false, ""},
-    {"--no-print-title", "", "", "the words of a chart in braille only", false, ""},
-    {"--braille", "", "TABLE|none", "liblouis table for the words of a chart; en-ueb-g2.ctb if none is named", false,
+    {"--no-print-title", "", "", "write the words of a chart in braille only", false, ""},
+    {"--braille", "", "TABLE|none", "liblouis table for the words of a chart; default: en-ueb-g2.ctb", false,
      "en-ueb-g1.ctb en-ueb-g2.ctb none"},
     {"--dpi", "", "NUMBER", "dots per inch of a chart in png and tiff", false, ""},
-    {"--quiet", "-q", "", "no progress, and nothing besides the table but errors", false, ""},
+    {"--quiet", "-q", "", "print only the table and errors, no progress", false, ""},
     {"--json", "", "",
-     "the results as one JSON object a line instead of the table: each recipe with all its pictures, people, and the whole",
+     "the results as one JSON object per line instead of the table: each recipe with all its pictures, people, and the whole",
      false, ""},
 };
 
@@ -79,13 +77,13 @@ std::span<const Flag> flags() {
         std::erase_if(without_maps, [](std::string_view name) { return find_study(name)->needs_maps; });
         all.push_back(
             {"--study", "", kept(joined(names, "|", "|")),
-             kept("another question than F, see below; " + joined(without_maps, ", ", " and ") + " need no contour maps"), false,
-             kept(joined(names, " ", " "))});
+             kept("ask another question than F, see below; " + joined(without_maps, ", ", " and ") + " need no contour maps"),
+             false, kept(joined(names, " ", " "))});
         for (const Study* study : studies())
             for (const Option& option : study->options)
                 all.push_back({kept("--" + std::string(option.name)), "", "NUMBER",
-                               kept("of --study " + std::string(study->name) + ": " + std::string(option.summary) + "; " +
-                                    to_text(option.fallback) + " if none is named"),
+                               kept("for --study " + std::string(study->name) + ": " + std::string(option.summary) +
+                                    "; default: " + to_text(option.fallback)),
                                false, ""});
         all.insert(all.end(), std::begin(kAfterStudies), std::end(kAfterStudies));
         return all;
@@ -94,23 +92,25 @@ std::span<const Flag> flags() {
 }
 
 constexpr std::string_view kDetails =
-    "FOLDER holds pictures in images/ and, in gt/, the contour maps that people drew of them: NAME_gt1.png, NAME_gt2.png and "
-    "so on for picture NAME, of the same size, white lines on black. Without images/ the pictures are in FOLDER itself; "
-    "--truth names another place for the maps. A figure (SVG), a table or a model among them is drawn as convert draws it, "
-    "stretched over its maps and scored beside the rest: so a page drawn by hand is measured, too.\n\n"
+    "FOLDER holds pictures in images/ and, in gt/, the contour maps that people drew of them: NAME_gt1.png, NAME_gt2.png and so "
+    "on for picture NAME, in the same size, as white lines on black. Without images/ the pictures are in FOLDER itself; --truth "
+    "names another folder for the maps. A figure (SVG), a table or a model among them is drawn as convert draws it, stretched "
+    "over its maps and scored like the rest, so a page drawn by hand can be measured, too.\n\n"
     "Scores are those of the Berkeley benchmark: lines are thinned to one pixel and matched one to one with each person's "
-    "pixels within 0.75 percent of the diagonal. P (precision) is the share of the lines that anybody drew, R (recall) the "
-    "share of what all of them drew that was found, F their harmonic mean. F, P and R are at the dial that is best for all "
-    "pictures together (ODS); OIS F lets each picture have its own. The row people scores each person against the others, the "
-    "row simplest person the one whose map of a picture has the fewest regions.\n\n"
-    "The dial is the strength below which lines are left out, where a recipe gives strengths, and the value of --sweep. "
-    "Scored are the strokes and the outlines of areas of a drawing; of an edge map all pixels as strong as the dial says; of "
-    "a picture the borders between parts of different value. An edge map is not cut before it is scored.\n\n"
-    "Line mm and strokes are means of a drawing as the recipe makes it; crowded is the share of its line that runs closer to "
-    "another line than the medium's gap. CPU ms is the median time of a picture for the recipe alone, then with choosing and "
-    "reading. Nothing counts the pictures on which no line was drawn; they are scored.\n\n";
+    "pixels within 0.75 percent of the diagonal. P (precision) is the share of the recipe's lines that at least one person "
+    "drew; R (recall) is the share of all people's lines that the recipe found; F is the harmonic mean of the two. F, P and R "
+    "are taken at the dial that is best for all pictures together (ODS); OIS F takes the best dial for each picture. The row "
+    "people scores each person against the others, the row simplest person the one whose map of a picture has the fewest "
+    "regions.\n\n"
+    "The dial is the strength below which lines are left out, for a recipe that gives strengths, and the value of --sweep. In a "
+    "drawing, the strokes and the outlines of areas are scored; in an edge map, all pixels at least as strong as the dial; in a "
+    "picture, the borders between parts of different value. An edge map is not cut before it is scored.\n\n"
+    "Line mm and strokes are the mean length of line and number of strokes in the drawings as the recipe makes them; crowded is "
+    "the share of the line that runs closer to another line than the medium's gap. CPU ms is the median time for a picture: "
+    "first of the recipe alone, then with choosing and reading. The column nothing counts the pictures on which no line was "
+    "drawn; they are scored, too.\n\n";
 constexpr std::string_view kEndOfDetails =
-    "What cannot be scored is named and left out, the rest is reported, and the exit code is 2.";
+    "Files that cannot be scored are named and left out; the rest are reported, and the exit code is 2.";
 
 std::string_view details() {
     static const std::string kText = [] {

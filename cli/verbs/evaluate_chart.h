@@ -12,10 +12,10 @@ namespace tactics {
 /// Checked as the outputs of convert are. Throws Error(usage).
 std::vector<ChartFile> plan_charts(const Given& given, const Disk& disk);
 
-/// That things of these names will have room on each sheet, before any work starts. Throws Error(usage).
+/// Checks before any work that the names of these things have room on each sheet. Throws Error(usage).
 void check_charts(const std::vector<std::string>& names, const std::vector<ChartFile>& charts);
 
-/// Lays the plot out on each sheet. Throws Error: nothing in it, no room on the paper, or a file that cannot be written.
+/// Lays the plot out on each sheet. Throws Error if it is empty, has no room on the paper, or a file cannot be written.
 void write_charts(const Plot& plot, const std::vector<ChartFile>& charts);
 
 }  // namespace tactics

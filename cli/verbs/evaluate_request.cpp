@@ -56,7 +56,7 @@ void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& dis
     const bool there = disk.is_folder(truth);
     if (!there && (request.study->needs_maps || given.has("--truth")))
         throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
-    // Studies that need no maps tell more where there are some.
+    // Studies that need no maps report more if there are some.
     Pairing pairing = pair_up(files_in(pictures), there ? files_in(truth) : std::vector<std::string>{});
     request.subjects = std::move(pairing.subjects);
     request.problems = std::move(pairing.problems);
@@ -155,7 +155,7 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
         Given one = given;
         if (!name.empty()) one.add("--recipe", name);  // the last one counts
         RecipeWish chain = read_chain(one, disk);
-        // Of all recipes those that have a dial are turned; one that was named must have it.
+        // By default, all recipes that have the dial are used; a named recipe must have it.
         if (everything && chain.base && !has_filter(*chain.base, "strongest")) chain.detail.clear();
         request.candidates.push_back(make_candidate(name, std::move(chain), sweep));
     }
@@ -219,7 +219,7 @@ void plan_sheet(EvaluateRequest& request, const Given& given) {
     place_on(request.sheet, 1);
 }
 
-// What is written last is checked first, so that no work is lost.
+// Outputs written last are checked first, so that no work is lost.
 void check_csv(const EvaluateRequest& request, const Disk& disk) {
     if (request.csv.empty() || request.csv == "-") return;
     if (disk.is_folder(request.csv)) throw Error(Fault::usage, "--csv", request.csv + " is a folder; name a file");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `evaluate` was asked to do: complete and checked before the first picture is opened.
+// The request of `evaluate`, complete and checked before the first picture is opened.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 namespace tactics {
 
 struct EvaluateRequest : StudyRequest {
-    const Study* study = nullptr;        ///< which of them is asked
+    const Study* study = nullptr;        ///< the chosen study
     std::vector<ChartFile> chart_files;  ///< --chart
     std::string csv;                     ///< file, or empty
     bool json = false;

@@ -5,7 +5,7 @@ namespace tactics {
 
 namespace {
 
-// Who cancels a job does not want to wait as long as for a page.
+// A user who cancels a job does not want to wait as long as for a page.
 constexpr std::chrono::seconds kPatience{5};
 
 }  // namespace

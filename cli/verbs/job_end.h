@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a machine is sent behind a job that was cancelled.
+// The end of a cancelled job, as sent to a machine.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@
 
 namespace tactics {
 
-/// Hands over the bytes that end a job, unless the user gives up waiting for that, too, or the machine takes nothing for 5 s.
-/// What to say if they did not go; empty: they did.
+/// Sends the bytes that end a job, unless the user cancels again or the machine accepts nothing for 5 s. Returns a message if
+/// they were not sent; empty: they were.
 std::string end_job(Channel& channel, std::string_view end, const std::function<bool()>& given_up);
 
 }  // namespace tactics

@@ -27,29 +27,28 @@ namespace {
 
 constexpr Flag kFlags[] = {
     {"--media", "", "all|NAME,NAME...",
-     "tell what comes through them: media, embossers, displays and files of heights of tactics list, mouse, omni, desktop, "
+     "say what each of these carries: media, embossers, displays and height formats from tactics list, or mouse, omni, desktop, "
      "phantom",
      false, "all media embossers displays"},
-    {"--paper", "-p", "PAPER", "of the media that are paper; a4, or what an embosser is made for, if none is named", false,
+    {"--paper", "-p", "PAPER", "paper of the media that use paper; default: a4, or what an embosser is made for", false,
      "papers"},
     {"--best", "", "",
      "for each of --media, look for the size, the smoothing and the compression of heights with which it loses least", false, ""},
-    {"--levels-of-detail", "", "", "tell how much of it is left with half as many cells each way, a quarter, and so on", false,
-     ""},
-    {"--pitch", "", "LENGTH", "from cell to cell, for a file that does not tell it", false, ""},
-    {"--width", "", "LENGTH", "instead of --pitch, from its left edge to its right", false, ""},
-    {"--low", "", "LENGTH", "height of black, for a file that does not tell it", false, ""},
-    {"--high", "", "LENGTH", "height of white, for a file that does not tell it", false, ""},
+    {"--levels-of-detail", "", "", "say how much is left with half as many cells each way, a quarter, and so on", false, ""},
+    {"--pitch", "", "LENGTH", "distance from cell to cell, for a file that does not give it", false, ""},
+    {"--width", "", "LENGTH", "instead of --pitch, the width from the left edge to the right", false, ""},
+    {"--low", "", "LENGTH", "height of black, for a file that does not give it", false, ""},
+    {"--high", "", "LENGTH", "height of white, for a file that does not give it", false, ""},
     kRecipeFlag,
     kFilterFlag,
-    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of that filter. May be given several times", true,
+    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of a filter. May be given several times", true,
      "settings"},
     kDetailFlag,
     kPdfPageFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
 #include "cli/table_flags_of_bars.inc"
-    {"--quiet", "-q", "", "no notes of what was taken where the file tells nothing", false, ""},
+    {"--quiet", "-q", "", "no notes about values assumed where the file gives none", false, ""},
     {"--json", "", "", "one JSON object on standard output", false, ""},
 };
 
@@ -67,7 +66,7 @@ std::vector<DetailLevel> levels_of_detail(MeasuredScene& scene) {
     }
 }
 
-// All that push back, of those that are asked for. Throws Error(usage): none of them does.
+// The requested media that push back. Throws Error(usage) if none does.
 std::vector<StreamMedium> media_of(const Recording& recording, const MeasuredStream& stream,
                                    const std::vector<MediumChannel>& channels) {
     std::vector<StreamMedium> media;
@@ -137,22 +136,23 @@ int run(const Given& given) {
 extern const Command measure_command;
 const Command measure_command{
     .name = "measure",
-    .summary = "tell how much information is in a file, and how much of it each medium carries",
+    .summary = "measure how much information a file holds, and how much of it each medium carries",
     .words = "FILE [--media all|NAME,...]",
     .details =
-        "FILE is anything that convert or play reads. A height map, a model and a table of heights are their heights; a picture "
-        "is its lightness, black low and white high, or, with --recipe, --filter or --detail, the drawing that is made of it; "
-        "figures, pages and other tables are drawn. A recording (.felt, or the table of play --csv) is its forces, of which arms "
-        "and the mouse carry what they can push. Voxels (NRRD, raw, ascii or gzip) are their numbers, or forces of three "
-        "components each, between which the field is trilinear.\n\n"
-        "How much is in it is told as two numbers, since nobody knows it exactly: the bits that the shortest of several codes "
-        "needs that guess each cell from its neighbours, without and with what they cost to learn. The bits of the levels alone "
-        "do not know where they are; the topology index is 1 - code / levels alone: near 1 where neighbours tell everything, 0 "
-        "or a little below where they tell nothing, as in noise.\n\n"
-        "A medium is its workspace, the distance of its places and its heights. The scene is laid out as large as it holds it; "
-        "what differs by less than a place or a level is put together. Bits carried are C = min(capacity, what is left, all), "
-        "ratio is C / H and loss max(H - C, 0) / H (K. Moustakas, Handling haptics as a stand-alone medium, 2013). A finer "
-        "medium never counts as a poorer one. What a finger tells apart, where lines are to be felt as two, is told in words.",
+        "FILE is anything that convert or play reads. A height map, a model or a table of heights is measured by its heights; a "
+        "picture by its lightness, black low and white high, or, with --recipe, --filter or --detail, by the drawing made from "
+        "it; figures, pages and other tables are drawn first. A recording (.felt, or the table of play --csv) is measured by "
+        "its forces, of which arms and the mouse carry what they can push. Voxels (NRRD, raw, ascii or gzip) are measured by "
+        "their numbers, or as forces of three components each, between which the field is trilinear.\n\n"
+        "The amount cannot be known exactly, so two numbers are given. Several codes predict each cell from its neighbours; the "
+        "numbers are the bits that the shortest code needs, without and with the cost of learning it. The bits of the levels "
+        "alone ignore where each level is; the topology index is 1 - code / levels alone: near 1 where neighbours determine "
+        "everything, 0 or a little below where they determine nothing, as in noise.\n\n"
+        "A medium is described by its workspace, the distance between its places, and its heights. The scene is laid out as "
+        "large as the medium holds; details smaller than one place or level are merged. Bits carried are C = min(capacity, what "
+        "is left, all), ratio is C / H and loss max(H - C, 0) / H (K. Moustakas, Handling haptics as a stand-alone medium, "
+        "2013). A finer medium never counts as a poorer one. How far apart two lines must be for a finger to feel them as two "
+        "is stated in words.",
     .example =
         "tactics measure relief.png --media all\n"
         "tactics measure plan.svg --media swell,index-v4,graphiti\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `tactics measure` tells, in words and in JSON.
+// The report of `tactics measure`, in words and in JSON.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,18 @@
 
 namespace tactics {
 
-/// A medium and what comes through it.
+/// A medium and the information that it carries.
 struct MeasuredMedium {
     MediumChannel channel;
     Carried carried;
-    std::optional<LeastLoss> least;  ///< if it was asked for
+    std::optional<LeastLoss> least;  ///< if requested
 };
 
 /// A level of detail: the scene with fewer cells.
 struct DetailLevel {
     int columns = 0, rows = 0;
-    double bits = 0;    ///< which are also what it and the whole scene have in common, as it is made of that alone
-    double mutual = 0;  ///< bits a cell of the whole that its value tells of the scene's there (equation 8)
+    double bits = 0;    ///< also the information it shares with the whole scene, because it is computed from the scene alone
+    double mutual = 0;  ///< bits per cell of the whole that its value gives about the scene's value there (equation 8)
     double error = 0;   ///< mm, root mean square; of lines 0
 };
 

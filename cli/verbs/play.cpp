@@ -23,137 +23,141 @@ namespace {
 
 constexpr Flag kFlags[] = {
     {"--device", "-d", "DEVICE",
-     "the mouse: simulated, sensed (simulated, and it has to find its place by sensors that are wrong), recorded:FILE.csv "
-     "(time_s,x_mm,y_mm a line; a first line may name the columns, and finger_mm, the finger's own height, among them), hid: or "
-     "hid:/dev/hidraw0; or an arm: arm, a simulated one, or one of tactics help arms; simulated if none is named",
+     "the mouse: simulated, sensed (simulated, finding its place by imperfect sensors), recorded:FILE.csv (time_s,x_mm,y_mm per "
+     "line; a first line may name the columns, including finger_mm, the finger's own height), hid: or hid:/dev/hidraw0; or an "
+     "arm: arm, a simulated one, or one of tactics help arms. Default: simulated",
      false, ""},
-    {"--pitch", "", "LENGTH", "from sample to sample, for a map that does not tell it", false, ""},
-    {"--width", "", "LENGTH", "of the map from its left edge to its right, instead of --pitch; of a model on an arm, too", false,
-     ""},
-    {"--low", "", "LENGTH", "height of black, for a map that does not tell it", false, ""},
-    {"--high", "", "LENGTH", "height of white, for a map that does not tell it; of the lines of what is drawn, 0.5 mm", false,
-     ""},
+    {"--pitch", "", "LENGTH", "distance from sample to sample, for a map that does not give it", false, ""},
+    {"--width", "", "LENGTH", "width of the map from its left edge to its right, instead of --pitch; also of a model on an arm",
+     false, ""},
+    {"--low", "", "LENGTH", "height of black, for a map that does not give it", false, ""},
+    {"--high", "", "LENGTH",
+     "height of white, for a map that does not give it; or height of the lines of a drawing, by default "
+     "0.5 mm",
+     false, ""},
     kRecipeFlag,
     kFilterFlag,
-    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of that filter. May be given several times", true,
+    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of a filter. May be given several times", true,
      "settings"},
     kDetailFlag,
     kPdfPageFlag,
     kAllowFlag,
     {"--radius", "", "LENGTH",
-     "radius of the fingertip, which reaches no pit that is narrower; if none is named 0, and 2 mm of a map on an arm, where a "
-     "point would be caught at the side of each line",
+     "radius of the fingertip, which does not enter narrower pits. Default: 0, and 2 mm for a map on an arm, where a point "
+     "would catch at the side of each line",
      false, ""},
     {"--best", "", "",
-     "of heights: resample, smooth and compress them so that the machine loses least of them, and tell what was done (tactics "
-     "help measure)",
+     "resample, smooth and compress heights so that the machine loses the least of them, and report what was done (tactics help "
+     "measure)",
      false, ""},
     {"--wall", "", "METHOD",
-     "what is done where the height jumps: look-ahead if none is named; raw, steps (the paper's), rate-limit, governor, slope",
+     "how to treat jumps in height: look-ahead, raw, steps (the paper's), rate-limit, governor or slope; default: look-ahead",
      false, "raw steps rate-limit governor look-ahead slope"},
-    {"--stiffness", "", "NUMBER", "of the surface, N/mm; if none is named 1, or what the machine bears", false, ""},
-    {"--damping", "", "NUMBER", "of the surface, N s/m; if none is named 1, or more where the machine needs it", false, ""},
+    {"--stiffness", "", "NUMBER", "stiffness of the surface, N/mm; default: 1, or what the machine can hold stably", false, ""},
+    {"--damping", "", "NUMBER", "damping of the surface, N s/m; default: 1, or more if the machine needs it", false, ""},
     {"--damping-sign", "", "corrected|as_printed",
-     "as_printed has the sign of the paper's equation 1, which takes damping away: it is refused where the machine would tremble",
+     "as_printed uses the sign in the paper's equation 1, which removes damping; it is refused where the machine would tremble",
      false, "corrected as_printed"},
-    {"--edges", "", "NUMBER",
-     "strength of the short swing that is felt at edges, N at 100 mm/s; 0.5 if none is named, 0 for none", false, ""},
+    {"--edges", "", "NUMBER", "strength of the short vibration felt at edges, N at 100 mm/s; 0 for none, default: 0.5", false,
+     ""},
     {"--lever", "", "light|heavy|FILE",
-     "the machine: 30 g, 100 g, or a file of the numbers of its lever, finger and sensors; light if none is named", false,
+     "the machine: light (30 g), heavy (100 g), or a file that describes its lever, finger and sensors; default: light", false,
      "light heavy files"},
     {"--finger", "", "soft|nominal|stiff|none",
-     "the finger that is reckoned with, and simulated; if none is named that of the file, or nominal, or soft on a real mouse. "
-     "none: a simulated lever that nobody touches",
+     "the finger to simulate and to stay stable with; none is a simulated lever that nobody touches. Default: that of the file, "
+     "else nominal, or soft on a real mouse",
      false, "soft nominal stiff none"},
     {"--arm", "", "omni|desktop|phantom|FILE",
-     "the machine that pushes a fingertip in space: its workspace, resolution, force and stiffness; omni if none is named", false,
+     "the machine that pushes a fingertip in space: its workspace, resolution, force and stiffness; default: omni", false,
      "omni desktop phantom files"},
     {"--plane", "", "upright|flat|A,B,C,D",
-     "where in an arm's workspace a plot or a map is, or a model stands: on a wall before the person, on a table, or on the "
-     "plane Ax + By + Cz + D = 0 (x to "
-     "the right, y upwards, z towards the person, mm); if none is named upright, surfaces and models flat, and maps of heights "
-     "flat, or upright if they are larger so",
+     "where a plot, a map or a model stands in an arm's workspace: on a wall in front of the person (upright), on a table "
+     "(flat), or on the plane Ax + By + Cz + D = 0 (x to the right, y upwards, z towards the person, mm). Default: plots "
+     "upright, surfaces and models flat, and height maps whichever way is larger, flat if equal",
      false, "upright flat"},
 #include "cli/table_flags.inc"
     {"--feel", "", "PART,PART...",
-     "of a plot on an arm only these: wall, axes, grid, curves, points, surface; all if none is named", false,
+     "feel only these parts of a plot on an arm: wall, axes, grid, curves, points, surface; default: all", false,
      "wall axes grid curves points surface"},
     {"--levels", "", "NUMBER|auto",
-     "of a surface, a map of heights or a model on an arm, feel lines of equal height instead: so many at most, 3 to 20, at "
-     "round heights; auto: as many as a "
-     "finger tells, 3 to 8",
+     "feel lines of equal height instead of a surface, a height map or a model on an arm: at most this many, 3 to 20, at round "
+     "heights; auto: as many as a finger can tell apart, 3 to 8",
      false, "auto"},
     {"--section", "", "y=2,5,8|x=...",
-     "of the same, feel it cut open instead: curves of its height along lines across it, at most five", false, ""},
+     "feel the same things cut open instead: curves of their height along lines across them, at most five", false, ""},
     {"--fixture", "", "r2|r1|linear|rod",
-     "how a curve draws a finger to it: by one of two reconstructions of the paper's weighting function, whose formula is lost "
-     "(r2, r1), in straight lines, or not at all, as a thin solid rod; r2 if none is named",
+     "how a curve attracts a finger: by one of two reconstructions of the paper's weighting function, whose formula is lost "
+     "(r2, r1), linearly (linear), or not at all, as a thin solid rod (rod); default: r2",
      false, "r2 r1 linear rod"},
     {"--speak", "", "VOICE",
-     "speak when a key of an arm is pressed, and where the finger was led (tactics help arms has the keys). auto takes "
+     "speak when a key of an arm is pressed, and say where the finger was led (tactics help arms lists the keys). auto takes "
      "speech-dispatcher or espeak-ng, whichever is there; or speechd, espeak-ng, tcp:HOST:PORT (a text server), recording:FILE "
-     "(each utterance a line)",
+     "(one line per utterance)",
      false, "auto speechd espeak-ng"},
-    {"--language", "", "TAG", "of --speak, such as de; en if none is named", false, ""},
+    {"--language", "", "TAG", "language of --speak, such as de; default: en", false, ""},
     {"--tones", "", "alsa|FILE.wav",
-     "the height of the curve under the finger as a tone, through the loudspeaker or into a file; its side is where the finger "
-     "is",
+     "play the height of the curve under the finger as a tone, on the loudspeaker or into a file; its stereo position follows "
+     "the finger",
      false, "alsa files"},
     {"--hand", "", "to-and-fro|trace|points|sections|led",
-     "what the hand in a simulated arm does: through the middle, from side to side; or finds a curve, follows it to its end and "
-     "stops at a tick; or takes down where points are, or how high a surface is along two lines; or lets itself be led; "
-     "to-and-fro if none is named",
+     "what the hand on a simulated arm does: it moves through the middle, from side to side (to-and-fro); finds a curve, "
+     "follows it to its end and stops at a tick (trace); notes where points are (points), or how high a surface is along two "
+     "lines (sections); or lets itself be led (led). Default: to-and-fro",
      false, "to-and-fro trace points sections led"},
     {"--guide", "", "KEY,KEY...",
-     "the keys that a simulated hand presses, one after the other, and then lets itself be led: start, follow, extremum, "
-     "compare, "
-     "or another name in tactics help arms",
+     "the keys that a simulated hand presses in turn, after each of which it lets itself be led: start, follow, extremum, "
+     "compare, or another name in tactics help arms",
      false, "start follow extremum compare"},
-    {"--fusion", "", "learning|paper", "how overlay and optical sensors are put together", false, "learning paper"},
+    {"--fusion", "", "learning|paper", "how data from the overlay and the optical sensors are combined", false, "learning paper"},
     {"--learned", "", "FILE",
-     "what was learned of the mouse's sensors and overlay: read if it is there, and written at the end, so that the next play "
-     "knows it from its first stroke; of a real mouse kept in ~/.local/state/tactics if none is named; - for none",
+     "a file for what was learned about the mouse's sensors and overlay: it is read if it exists, and written at the end, so "
+     "that the next play knows it from the first stroke; - for none. Default for a real mouse: a file in ~/.local/state/tactics",
      false, "files"},
-    {"--speed", "", "NUMBER", "of a simulated hand, mm/s; 50 if none is named", false, ""},
+    {"--speed", "", "NUMBER", "speed of a simulated hand, mm/s; default: 50", false, ""},
     {"--seconds", "", "NUMBER",
-     "how long; 10 if none is named, a recorded way to its end, a real mouse until its stop key or Ctrl-C", false, ""},
-    {"--rate", "", "NUMBER", "ticks a second; 1000 if none is named", false, ""},
-    {"--real-time", "", "",
-     "by the clock on the wall for the simulated mouse, too, and before all other programs if that is permitted", false, ""},
+     "how long to play; default: 10, a recorded path to its end, a real mouse until its stop key or Ctrl-C", false, ""},
+    {"--rate", "", "NUMBER", "ticks per second; default: 1000", false, ""},
+    {"--real-time", "", "", "run in real time with the simulated mouse, too, and ahead of all other programs if permitted", false,
+     ""},
     {"--overlay", "", "FILE",
      "the touch overlay that sees the finger on a real mouse: its device, such as /dev/input/event5, or auto for the only one "
-     "that is there; during the play it belongs to the play alone, and moves no pointer",
+     "attached; during the play only tactics reads it, so it moves no pointer",
      false, "files"},
-    {"--overlay-size", "", "WIDTHxHEIGHT", "of the field that the overlay sees, such as 600x340mm, if it does not tell that",
+    {"--overlay-size", "", "WIDTHxHEIGHT",
+     "size of the field that the overlay sees, such as 600x340mm, if it does not report "
+     "that",
      false, ""},
     {"--map-at", "", "X,Y",
-     "where on the overlay the upper left corner of the map is, to the right and down, such as 50mm,30mm; its own corner if none "
-     "is named",
+     "where the map's upper left corner lies on the overlay, to the right and down, such as 50mm,30mm; default: the overlay's "
+     "own corner",
      false, ""},
-    {"--csv", "", "FILE", "write every tick: time, place, heights, force; until the end it is called FILE.part", false, "files"},
+    {"--csv", "", "FILE",
+     "write every tick to this file: time, place, heights, force; until the play ends it is called "
+     "FILE.part",
+     false, "files"},
     {"--plot", "", "FILE",
-     "draw the way of the fingertip, and the profile where the two can be told apart, as a page: .svg, .png, .pdf; of a "
-     "simulated hand, which goes to and fro, the first way. May be given several times",
+     "draw the fingertip's path, and the profile of the surface where the two can be told apart, as a page: .svg, .png, .pdf. "
+     "Of a simulated hand, which goes to and fro, only the first pass is drawn. May be given several times",
      true, "files"},
     {"--view", "", "both|front|above",
-     "of an arm, what --plot draws the way on: as it is seen from the front on one page and from above on another, in a format "
-     "of one page way.svg and "
-     "way-2.svg; or one of them; both if none is named",
+     "views in which --plot draws the path on an arm: from the front, from above, or each on its own page (both); a format of "
+     "one page writes way.svg and way-2.svg. Default: both",
      false, "both front above"},
     {"--part", "", "FROM,TO",
-     "of the way that --plot draws: only from here to there on the map, and so larger, such as 70mm,80mm", false, ""},
+     "let --plot draw only this stretch of the path, from one place on the map to another, and thus larger, such as 70mm,80mm",
+     false, ""},
     {"--track", "", "FILE",
-     "draw where the fingertip of a sensed mouse was and where it took it to be, on the last way, over time", true, "files"},
-    {"--stable", "", "FILE", "draw which stiffness and damping this machine bears; a MAP is not needed for it", true, "files"},
+     "draw over time where the fingertip of a sensed mouse was, and where the mouse assumed it, on the last pass", true, "files"},
+    {"--stable", "", "FILE", "draw which stiffness and damping this machine can hold stably; needs no MAP", true, "files"},
     {"--paper", "-p", "PAPER", "paper of --plot, --track and --stable", false, "papers"},
-    {"--medium", "-m", "MEDIUM", "what they are printed on", false, "media"},
+    {"--medium", "-m", "MEDIUM", "what these pages are made on", false, "media"},
     kMarginFlag,
     kOrientationFlag,
     {"--title", "", "TEXT", "title of them", false, ""},
     kBrailleFlag,
-    {"--dpi", "", "NUMBER", "dots per inch of their .png and .tif", false, ""},
+    {"--dpi", "", "NUMBER", "dots per inch of these pages as .png and .tif", false, ""},
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
-    {"--json", "", "", "tell the figures on standard output, as a JSON object", false, ""},
+    {"--json", "", "", "write the figures to standard output, as a JSON object", false, ""},
 };
 
 std::vector<FingerSettings> any_finger() {
@@ -173,7 +177,7 @@ void refuse_unstable(const ForceLaw& law, const StableCheck& check) {
                           (law.sign == DampingSign::as_printed ? " --damping-sign corrected" : ""));
 }
 
-// What nobody named is what the machine bears. `law` is left as it is where the user has named what it does not bear.
+// The default is the largest stable value. `law` is unchanged if the user named an unstable one.
 void take_what_is_borne(ForceLaw& law, StableCheck& check, const Given& given) {
     const bool fits = check.stiffness > 0 && (check.stiffness == law.stiffness || !given.has("--stiffness"));
     if (check.stable || !fits || given.has("--damping") || law.sign == DampingSign::as_printed) return;
@@ -192,7 +196,7 @@ HeightMap map_of(const PlayPlan& plan, bool quiet) {
     return radius > 0 ? dilated(felt.file.map, radius) : std::move(felt.file.map);
 }
 
-// What the user should know of a map before it is felt. Throws Error(usage) where nothing of it can be.
+// Notes on a map before it is felt. Throws Error(usage) if nothing of it can be felt.
 void check_map(const PlayPlan& plan, const ReliefSurface& surface, bool quiet) {
     const LeverSettings& lever = plan.machine.lever;
     if (!quiet && (surface.lowest() < lever.lowest || surface.highest() > lever.highest))
@@ -256,27 +260,25 @@ int run(const Given& given) {
 extern const Command play_command;
 const Command play_command{
     .name = "play",
-    .summary = "play data, a picture, a height map or a model on a haptic mouse or arm, real or simulated",
+    .summary = "let a finger feel data, a picture, a height map or a model on a haptic mouse or arm, real or simulated",
     .words = "[MAP] [--device DEVICE]",
     .details =
-        "The mouse lifts a finger as it is moved over the map. MAP is a height map of convert or relief, a model (VRML, X3D, "
-        "STL, OBJ, PLY, glTF, COLLADA) or a table of heights over x and y, which are played as they are; or a photograph, a "
-        "figure (SVG, PDF) or another table, which is drawn first as convert draws it, and its lines are raised. A picture with "
-        "--pitch, --width, --low or --high and no --recipe is played by its lightness.\n\n"
-        "A thousand times a second it is told a force: that of a surface that gives way by --stiffness, within 8 N, begun "
-        "softly, never faster "
-        "than 8 N in 2 ms, and none where anything is not a number, the mouse is silent for 3 ms or the stop key is pressed.\n\n"
-        "Stiffness and damping that would make the machine tremble, with any finger or with none on it, are refused before it is "
-        "switched on, with the nearest that do not; its friction is not counted on. A real mouse is taken to feel a force 1.5 ms "
-        "late, if its file (--lever) does not tell its delay. Without a "
-        "machine everything runs with a simulated lever, finger and hand, or with the ways of a recorded hand, as quickly as the "
-        "processor can.\n\n"
-        "On an arm a table is felt in space as its plot (--feel), on a wall or a table; a height map or a picture as a relief, "
-        "by the same options as "
-        "on a mouse; and a model as a solid, from all sides, as large as the workspace holds it. What is larger is felt smaller, "
-        "and told. To feel a model as a map, make "
-        "one first (tactics relief).\n\n"
-        "What a mouse must send and take, and the file for --lever, is in tactics help mouse; anyone can build one.",
+        "The mouse lifts a finger as it moves over the map. MAP may be a height map from convert or relief, a model (VRML, X3D, "
+        "STL, OBJ, PLY, glTF, COLLADA) or a table of heights over x and y; these are played as they are. It may also be a "
+        "photograph, a figure (SVG, PDF) or another table; these are first drawn as convert draws them, with raised lines. A "
+        "picture with --pitch, --width, --low or --high and without --recipe is played by its lightness.\n\n"
+        "A thousand times a second, tactics sends the mouse a force: that of a surface that gives way by --stiffness. The force "
+        "stays within 8 N, begins softly and changes no faster than 8 N in 2 ms. It is zero if any value is not a number, if "
+        "the mouse is silent for 3 ms or when the stop key is pressed.\n\n"
+        "Stiffness and damping that would make the machine tremble, with any finger on it or with none, are refused before it "
+        "is switched on, and the nearest stable values are named; the machine's friction is not relied on. A real mouse is "
+        "assumed to apply a force 1.5 ms late, unless its file (--lever) gives its delay. Without a machine, everything runs "
+        "with a simulated lever, finger and hand, or with the path of a recorded hand, as fast as the processor allows.\n\n"
+        "On an arm, a table of data is felt in space as its plot (--feel), on a wall or on a table; a height map or a picture "
+        "as a relief, with the same options as on a mouse; and a model as a solid, from all sides, as large as the workspace "
+        "holds. Anything larger is scaled down, and tactics says so. To feel a model as a map, make the map first (tactics "
+        "relief).\n\n"
+        "tactics help mouse describes what a mouse must send and receive, and the file for --lever; anyone can build one.",
     .example =
         "tactics play photo.jpg\n"
         "tactics play relief.png --csv ticks.csv --plot way.svg\n"

@@ -95,7 +95,7 @@ ArmScene scene_in(const std::string& path, const Given& given, const ArmFile& ar
     return whole_or_cut(plot_of_map(felt.file.map, kMostSamples));
 }
 
-// What is asked for, as far as it can be checked before anything is read.
+// Checks the request as far as possible before anything is read.
 struct ArmPlan {
     std::string device, path, csv;
     const DeviceKind* kind;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is played on an arm, felt with a fingertip in space: the plot of a table, a relief, a model.
+// Play on an arm, with a fingertip in space: the plot of a table, a relief, a model.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@
 
 namespace tactics {
 
-/// The options of play that are about arms alone, and are refused with a mouse.
+/// The options of play that apply only to arms, and are refused with a mouse.
 std::span<const std::string_view> arm_flags();
 
-/// Throws Error. Gives the exit code.
+/// Throws Error. Returns the exit code.
 int play_on_arm(const Given& given);
 
 }  // namespace tactics

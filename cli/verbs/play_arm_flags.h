@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a play on an arm was asked for, flag by flag. Each function throws Error(usage) where its flag is not understood.
+// The options of a play on an arm. Each function throws Error(usage) if its option is invalid.
 #pragma once
 
 #include <optional>
@@ -17,16 +17,16 @@ namespace tactics {
 
 /// --arm, --finger, --rate.
 ArmFile arm_of(const Given& given);
-/// --plane; nothing where it is not given.
+/// --plane; nothing if it is not given.
 std::optional<ScenePlane> plane_of(const Given& given);
-/// --feel; all parts where it is not given.
+/// --feel; all parts if it is not given.
 std::vector<const PlotPart*> parts_of(const Given& given);
 /// --fixture.
 FixtureSettings fixture_of(const Given& given);
 /// --hand.
 const HandKind& hand_of(const Given& given);
-/// --stiffness, --damping: what nobody named is what the arm bears, or `share` of that where several things may push the same
-/// way. Throws Error(usage) with the nearest that it does.
+/// --stiffness, --damping. The defaults are the largest stable values of the arm, or `share` of them if several things may push
+/// the same way. Throws Error(usage) with the nearest stable values.
 ForceLaw arm_law_of(const Given& given, const ArmFile& file, double share);
 
 }  // namespace tactics

@@ -115,7 +115,7 @@ const DeviceKind& kind_of_device(const std::string& name) {
 MouseSettings machine_of(const Given& given) {
     const bool real = device_of(given).real;
     MouseSettings machine;
-    // A softer finger than is reckoned with flies past the top of a wall; a stiffer one is lifted a little late.
+    // A finger softer than assumed overshoots the top of a wall; a stiffer one is lifted a little late.
     machine.finger = finger_of(real ? "soft" : "nominal");
     const std::string name = given.value("--lever", "light");
     const auto preset = std::find_if(kLevers.begin(), kLevers.end(), [&](const NamedLever& one) { return one.name == name; });
@@ -138,7 +138,7 @@ MouseSettings machine_of(const Given& given) {
     }
     if (real && machine.lifted)
         throw Error(Fault::usage, "--finger", "a real mouse has a finger on it, or will have; it is soft, nominal or stiff");
-    // What is reckoned with where nobody is there is the finger that will come.
+    // Without a finger, the calculation uses the finger to come.
     if (machine.lifted) machine.finger = finger_of("soft");
     if (real && machine.lever.encoder_step == 0)
         throw Error(Fault::usage, name,

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPassed = 3;  // mm from a place of the curve: the finger has been there
 constexpr double kSame = 10;   // mm between two findings of one point
-constexpr double kStride = 1;  // mm along the curve, from one place to the next that is asked for
+constexpr double kStride = 1;  // mm along the curve between examined places
 
 const HandFinding* find(const std::vector<HandFinding>& findings, std::string_view what) {
     const auto found = std::find_if(findings.begin(), findings.end(), [&](const HandFinding& one) { return one.what == what; });
@@ -151,8 +151,8 @@ void tell_points(const std::vector<HandFinding>& findings, const Plot& plot, con
     json.add("highest_right", static_cast<double>(right));
 }
 
-// What a section does from its beginning to its end: +1 up to the middle and down again, -1 the other way, 0 neither; and which
-// way it slopes.
+// The shape of a section from its beginning to its end: +1 up to the middle and down again, -1 the opposite, 0 neither; and its
+// slope.
 struct Course {
     int bend = 0, slope = 0;
 };
@@ -179,7 +179,7 @@ std::string shape_of(const Course& across, const Course& down) {
     return across.slope != 0 || down.slope != 0 ? "slope" : "flat";
 }
 
-// What is there, from the numbers themselves: the row and the column in the middle.
+// The truth, from the numbers themselves: the row and the column in the middle.
 std::string true_shape(const PlotSurface& surface, double whole) {
     std::vector<double> across, down;
     for (std::size_t i = 0; i < surface.x.size(); ++i) across.push_back(surface.at(i, surface.y.size() / 2));

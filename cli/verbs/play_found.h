@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a simulated hand took to be there, beside what is.
+// Compares the findings of a simulated hand with the truth.
 #pragma once
 
 #include <string>
@@ -17,9 +17,8 @@ struct HandReport {
     std::string json;  ///< members of an object; empty: the hand found nothing
 };
 
-/// Of a curve that was followed: how far from it the finger was, and how much of it was passed. Of points: which there are, and
-/// the three highest. Of a tick: which it is. Of two
-/// sections of a surface: its shape in a word.
+/// For a followed curve: the distance of the finger from it, and the share that was traced. For points: those that exist, and the
+/// three highest. For a tick: its value. For two sections of a surface: its shape in a word.
 HandReport report_of(const std::vector<HandFinding>& findings, const std::vector<TickRecord>& records, const Plot& plot,
                      const PlotFrame& frame);
 

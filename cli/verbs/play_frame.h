@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a plot is in the workspace of an arm.
+// The position of a plot in the workspace of an arm.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ namespace tactics {
 /// The axes that a plot has under a finger, in a field with `room` mm over it.
 PlotFrame frame_of(const Plot& plot, const MountedField& field, double room);
 
-/// mm of the workspace round what is felt: an axis is pushed at, and a curve left.
+/// mm of free workspace around the plot, for pushing at an axis and leaving a curve.
 inline constexpr double kArmMargin = 8;
-inline constexpr double kLeastField = 30;  ///< mm; on less nothing is found
+inline constexpr double kLeastField = 30;  ///< mm; on a smaller field a hand finds nothing
 
 /// mm that the workspace has over the plane, on the finger's side, less the margin.
 double room_over(const MountedField& field, const ArmSettings& arm);
@@ -27,17 +27,17 @@ Point most_of_plane(const ScenePlane& plane, const ArmSettings& arm);
 /// Throws Error(usage): a side is under kLeastField.
 void check_field(Point size);
 
-/// How many times as large a box is where it just fits.
+/// The scale at which a box just fits.
 struct FittedBox {
-    Mounting axes;     ///< its origin is the place of the plane that is nearest to the middle of the workspace
+    Mounting axes;     ///< its origin is the point of the plane nearest to the middle of the workspace
     double scale = 0;  ///< infinite for a box without a size
 };
-/// A box of that size (mm) whose middle is over that place: `under` of its z is under the plane. Throws Error(usage) where the
+/// A box of that size (mm) with its middle over that place; `under` of its z lies below the plane. Throws Error(usage) if the
 /// plane leaves no room.
 FittedBox fit_box(const ScenePlane& plane, const ArmSettings& arm, const Point3& size, double under);
-/// Where its upper left corner of the lower side is, then; `size` is as it is felt.
+/// The upper left corner of its lower side in that case; `size` is the felt size.
 Mounting mounting_of(const FittedBox& box, const Point3& size, double under);
-/// From `low` to `high` in values, which are felt so many mm each; without ticks.
+/// An axis from `low` to `high`, with that many mm per unit; without ticks.
 PlotFrame frame_of_box(const Point3& low, const Point3& high, double mm_each);
 /// "is 300 x 200 x 12 mm, of which 0.4 times is felt: 120 x 80 x 4.8 mm".
 std::string told_scale(const Point3& size, double scale);

@@ -24,7 +24,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kUnlimited = 3600;  // s of tones that are kept where nobody said how long
+constexpr double kUnlimited = 3600;  // s of tones kept if no duration is given
 
 struct OffCurve {
     double rms = 0, p95 = 0;

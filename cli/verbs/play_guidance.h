@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What answers a finger in a plot besides force: keys, on the arm and on the keyboard; where they lead it; speech and tones.
+// Everything besides force that responds to a finger in a plot: keys on the arm and the keyboard, guidance, speech and tones.
 #pragma once
 
 #include <memory>
@@ -15,12 +15,12 @@
 
 namespace tactics {
 
-/// The hand that lets itself be led, which --guide wants.
+/// The led hand, required by --guide.
 inline constexpr std::string_view kLedHand = "led";
 /// The numbers of the keys that --guide names. Throws Error(usage).
 std::vector<unsigned> keys_to_press(const Given& given, const HandKind& hand);
 
-/// What is below the layers.
+/// The scene under the layers, and its limits.
 struct PlotLayersWish {
     Scene& scene;
     ForceLaw law;
@@ -28,22 +28,22 @@ struct PlotLayersWish {
     double resolution = 0;  ///< mm
 };
 
-/// --speak, --language and --tones, and the keys, over the scene of a plot. Absent or broken speech and sound are notes.
+/// --speak, --language, --tones and the keys, on top of the scene of a plot. Missing or broken speech and sound give notes.
 class PlotLayers {
 public:
-    /// `plot` and the scene must outlive it. Throws Error: what is asked for means nothing, or a file cannot be written.
+    /// `plot` and the scene must outlive it. Throws Error for invalid options, or a file that cannot be written.
     PlotLayers(const Given& given, const Plot& plot, const PlotFrame& frame, const PlotLayersWish& wish);
     ~PlotLayers();
     PlotLayers(const PlotLayers&) = delete;
     PlotLayers& operator=(const PlotLayers&) = delete;
 
     Scene& scene();
-    bool are_heard() const;  ///< by a loudspeaker, which wants the clock on the wall
-    /// Before the first tick. By the clock on the wall keys are taken from the terminal, too, if there is one.
+    bool are_heard() const;  ///< on a loudspeaker, which needs real time
+    /// Call it before the first tick. In real time, it also takes keys from the terminal, if there is one.
     void begin(bool by_wall);
-    /// After the last: what is spoken ends, the terminal is as it was, and the tones are written. Throws Error(failed).
+    /// Call it after the last tick: ends speech, restores the terminal, and writes the tones. Throws Error(failed).
     void finish();
-    /// The ways that the finger was led, beside those that its hand found.
+    /// The paths on which the finger was led, compared with those that its hand found.
     void tell_ways(const PlayedScene& played, HandReport& report) const;
 
 private:

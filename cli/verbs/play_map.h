@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a play feels of a file that is no plot: how its heights are made.
+// How a play makes heights from a file that is no plot.
 #pragma once
 
 #include <optional>
@@ -16,21 +16,21 @@ namespace tactics {
 
 struct MapWish {
     HeightWish heights;
-    Wishes drawing;                              ///< of what is drawn before it is felt
+    Wishes drawing;                              ///< for files that are drawn first
     std::optional<double> radius = {};           ///< mm, of the fingertip
-    std::optional<MediumChannel> best_for = {};  ///< heights are transformed so that it loses least of them
+    std::optional<MediumChannel> best_for = {};  ///< transform the heights so that this medium loses the least
 };
 
 /// --pitch, --width, --low, --high, --radius, --recipe, --filter, --set, --detail, --page, --allow, and those of tables. Throws
 /// Error(usage).
 MapWish map_wish(const Given& given, const Disk& disk);
 
-/// A length of those; nothing where the flag is not given. Throws Error(usage).
+/// The length of such an option; nothing if it is not given. Throws Error(usage).
 std::optional<double> length_of(const Given& given, std::string_view flag);
-/// --radius, mm; nothing where it is not given. Throws Error(usage).
+/// --radius, mm; nothing if it is not given. Throws Error(usage).
 std::optional<double> radius_of(const Given& given);
 
-/// A file as heights, with what should be known of them said.
+/// A file as heights; prints the notes about them.
 FeltHeights felt_map(Source source, const std::string& path, const MapWish& wish, bool quiet);
 
 }  // namespace tactics

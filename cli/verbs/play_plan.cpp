@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-// Of the pages of charts; handed on to convert.
+// Options for the pages of charts, passed on to convert.
 constexpr std::string_view kPageFlags[] = {"--paper", "--medium", "--margin", "--orientation", "--title", "--braille", "--dpi"};
 
 ForceLaw law_of(const Given& given) {
@@ -48,7 +48,7 @@ std::optional<Point> part_of(const Given& given) {
     return part;
 }
 
-// What would do nothing, and was surely meant to do something, is refused.
+// Refuses options that would have no effect but were certainly meant to have one.
 void check_company(const Given& given, const DeviceKind& kind) {
     const auto refuse = [&](std::span<const std::string_view> flags, const char* why) {
         for (const std::string_view flag : flags)
@@ -65,7 +65,7 @@ void check_company(const Given& given, const DeviceKind& kind) {
     if (!kind.knows_truth) refuse(kTrack, "this mouse knows its place; take --device sensed");
 }
 
-// Where programs keep what they would not lose between two runs (XDG Base Directory Specification 0.8). Empty: nobody has a home.
+// The folder for persistent state (XDG Base Directory Specification 0.8). Empty: there is no home folder.
 std::string own_learned_file() {
     const char* state = std::getenv("XDG_STATE_HOME");
     if (state != nullptr && state[0] == '/') return std::string(state) + "/tactics/learned-pointing";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a play was asked for, checked before anything moves.
+// The plan of a play, checked before anything moves.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@
 namespace tactics {
 
 struct PlayPlan {
-    std::string map;  ///< empty: only the chart of what is stable is wanted
+    std::string map;  ///< empty: only the chart of stability is wanted
     MapWish wish;
     std::string device;
     MouseSettings machine;
@@ -25,22 +25,23 @@ struct PlayPlan {
     PlaySettings settings;
     std::optional<OverlayWish> overlay;
     bool paper_fusion = false;
-    std::string learned;            ///< the file of what was learned; empty: none
-    bool own_learned = false;       ///< it was not named
+    std::string learned;            ///< the file with learned parameters; empty: none
+    bool own_learned = false;       ///< the user did not name it
     double speed = 50;              ///< mm/s, of a simulated hand
-    std::optional<double> seconds;  ///< nothing: until a real mouse is stopped, or a recorded way is over
+    std::optional<double> seconds;  ///< nothing: until a real mouse is stopped, or a recorded path ends
     std::string csv;
     std::vector<ChartFile> way, track, stable;
-    std::optional<Point> part;  ///< mm, from and to: what --plot draws of the way
+    std::optional<Point> part;  ///< mm, from and to: the part of the path that --plot draws
 };
 
-/// Throws Error: flags that do not fit, no such file of a machine, two outputs of one name.
+/// Throws Error for conflicting options, a missing machine file, or two outputs with one name.
 PlayPlan plan_play(const Given& given);
 
-/// No two outputs of one name ("-" is standard output), and none that is an input; those may be empty. Throws Error(usage).
+/// Checks that no two outputs have one name ("-" is standard output), and that none is an input; names may be empty. Throws
+/// Error(usage).
 void check_names(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs, bool json, const Disk& disk);
 
-/// --paper and the like go with a drawing. Throws Error(usage).
+/// Checks that --paper and similar options come with a drawing. Throws Error(usage).
 void check_page_flags(const Given& given);
 
 }  // namespace tactics

@@ -19,7 +19,7 @@ bool moves(const std::vector<TickRecord>& records, std::size_t i) {
     return i > 0 && distance(records[i].truth, records[i - 1].truth) > 0;
 }
 
-// Whether the truth of some record is known, and another than what was told.
+// Whether some record has a known truth that differs from the reported position.
 bool tells_truth(const std::vector<TickRecord>& records) {
     return std::any_of(records.begin(), records.end(),
                        [](const TickRecord& one) { return std::isfinite(one.truth.x) && distance(one.truth, one.at) > 0; });
@@ -170,7 +170,7 @@ Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, 
     std::vector<double> places;
     for (const TickRecord& one : records) places.push_back(across ? at(one).x : at(one).y);
     std::size_t end = first_turn(places);
-    // What comes back over itself is drawn one way behind the other.
+    // A path that returns over itself is drawn with one pass after another.
     if (!part && !repeats && end < records.size()) {
         plot.x.name = "way, mm";
         double way = 0;
@@ -181,7 +181,7 @@ Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, 
     // While the hand still rests the force begins softly, and the finger falls and comes back at one place.
     std::size_t begin = 0;
     while (begin + 1 < end && distance(at(records[begin]), at(records[begin + 1])) == 0) ++begin;
-    // Where the two are too near each other to be told apart the first is whole: it is what the play is asked about.
+    // Where the two are too close to be told apart, only the first is drawn, because it is the subject of the play.
     PlotCurve finger{"fingertip", {}}, surface{"surface", {}};
     const std::size_t step = part ? 1 : std::max<std::size_t>(1, (end - begin) / kMostPoints);
     for (std::size_t i = begin; i < end; i += step) {
@@ -209,7 +209,7 @@ Plot track_plot(const std::vector<TickRecord>& records) {
         while (from > 0 && moves(records, from - 1) == moving) --from;
         return from;
     };
-    // A way that was not ended does not show how it ends; behind one that was lies a rest.
+    // An unfinished pass does not show its end; a finished one is followed by a rest.
     if (const std::size_t rest = back(end, true); rest > 0 && back(rest, false) > 0) end = rest;
     begin = back(back(end, false), true);
     if (end - begin < 2) throw Error(Fault::usage, "--track", "no way was ended in that time; give it more with --seconds");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What came of a play, in figures and as a plot.
+// The results of a play, in figures and as a plot.
 #pragma once
 
 #include <optional>
@@ -21,38 +21,39 @@ struct PlayFigures {
     double way = 0;         ///< mm, of the finger over the map
     double touched = 0;     ///< share of the ticks with a force
     double most_force = 0;  ///< N
-    double most_over = 0;   ///< mm, of the fingertip over the surface that it was lifted by
-    double most_under = 0;  ///< mm, that it sank into it
-    bool real = false;      ///< by the clock on the wall: then lateness means something
+    double most_over = 0;   ///< greatest height of the fingertip over the surface, mm
+    double most_under = 0;  ///< greatest depth in the surface, mm
+    bool real = false;      ///< in real time, so that lateness is meaningful
     bool before_others = false;
     double late_p50 = 0, late_p99 = 0, late_p999 = 0;  ///< s
     std::uint64_t long_periods = 0;
-    double update_p50 = 0, update_p999 = 0;  ///< s that what is felt took to answer in a tick
+    double update_p50 = 0, update_p999 = 0;  ///< s that the scene took to answer in a tick
     std::optional<double> place_error;       ///< mm, root of the mean square while it moved, where the truth is known
     unsigned not_finite = 0, too_late = 0, resets = 0, gone = 0, reports_lost = 0;
 };
 
-/// `updates`: of each tick what its scene took.
+/// `updates`: the time of the scene in each tick.
 PlayFigures figures_of(const std::vector<TickRecord>& records, const PlayLoopReport& played, const Playing& play,
                        const ForceLaw& law, const Lateness& updates, unsigned resets, bool before_others, bool real);
 std::vector<std::string> figure_lines(const PlayFigures& figures, bool lost);
 std::string figures_json(const PlayFigures& figures);
 
-/// Height over place: the fingertip, whole, and the surface where it is not too near to that; over the length of the way where
-/// the hand turned round. Of a hand that `repeats` its way, the first from one side to the other; of any, that on a part of the
-/// map (from and to, mm). Throws Error(usage): nothing of the way is in that part.
+/// Height against place: the whole path of the fingertip, and the surface where it is not too close to that; against the length
+/// of the path if the hand turned round. For a hand that `repeats` its path, only the first pass; optionally only a part of the
+/// map (from and to, mm). Throws Error(usage) if no path is in that part.
 Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, std::optional<Point> part, bool repeats);
-/// Place over time on the last way: where the fingertip was, and where the mouse took it to be (1-DOF haptic mouse, figures 8 and
+/// Place against time on the last pass: the true place of the fingertip and the mouse's estimate (1-DOF haptic mouse, figures 8
+/// and
 /// 9).
 Plot track_plot(const std::vector<TickRecord>& records);
-/// What is asked for, and over damping the most stiffness that comes to rest with each of the fingers.
+/// The requested setting, and the largest stable stiffness against damping for each finger.
 struct StableFigures {
     ForceLaw law;
     LeverSettings lever;
     bool stable = false;
     std::vector<StablePoint> border;
 };
-/// `stable`: what check_stable says of the law.
+/// `stable`: the result of check_stable for the law.
 StableFigures stable_figures(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers,
                              bool stable);
 Plot stable_plot(const StableFigures& figures);

@@ -50,7 +50,7 @@ PlayedScene play_scene(Scene& scene, HapticDevice& device, Fusion* fusion, Scene
     const bool before_others = punctual && punctual->goes_before_others();
     punctual.reset();
 
-    // What there is to tell is told, whatever has become of the log.
+    // Reports the results even if the log failed.
     PlayedScene played;
     played.records = play.recorder().records();
     played.figures = figures_of(played.records, report, play, wish.law, timed.times(), fusion != nullptr ? fusion->resets() : 0,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene played on an open device, until it is over: the loop, its clock and its log.
+// Plays a scene on an open device to its end: the loop, its clock and its log.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,9 @@ namespace tactics {
 
 struct SceneWish {
     std::string device;             ///< as it was named, for messages
-    PlaySettings settings;          ///< with the rate; how many ticks are kept is worked out
+    PlaySettings settings;          ///< with the rate; the number of ticks to keep is computed
     std::optional<double> seconds;  ///< nothing: until it is over or stopped
-    bool by_wall = false;           ///< by the clock on the wall although nothing real moves
+    bool by_wall = false;           ///< in real time although nothing real moves
     std::string csv;                ///< the log; empty: none
     TickColumns columns;
     ForceLaw law;  ///< for the figures
@@ -30,7 +30,7 @@ struct PlayedScene {
     std::optional<Error> unlogged;  ///< the log could not be written
 };
 
-/// Says when the device is gone and when it is there again. Ctrl-C ends it. Throws Error: the log cannot be begun.
+/// Reports when the device is gone and when it is back. Ctrl-C ends it. Throws Error if the log cannot be created.
 PlayedScene play_scene(Scene& scene, HapticDevice& device, Fusion* fusion, SceneWish wish);
 
 /// The figures, as lines or as JSON with `more` in it.

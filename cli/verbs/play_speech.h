@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// --speak of a play on an arm.
+// --speak for a play on an arm.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace tactics {
 /// Nothing without --speak. Throws Error(usage).
 std::optional<Speaking> speaking_of(const Given& given, const Plot& plot, const PlotFrame& frame, bool quiet);
 
-/// Waits for the voice's end. Absent or broken speech is a note, and never a failure.
+/// Waits for the voice to end. Missing or broken speech gives a note, never a failure.
 void tell_voice(Speaking& speaking, bool quiet);
 
 }  // namespace tactics

@@ -40,7 +40,7 @@ std::string choice_block(const std::string& key, const std::string& words, const
 }
 
 constexpr Flag kFlags[] = {
-    {"--filter", "", "PATH", "the program as a filter, where it is not installed in CUPS's own folder", false, "files"},
+    {"--filter", "", "PATH", "path of the program as a filter, if it is not installed in CUPS's own folder", false, "files"},
 };
 
 int run(const Given& given) {
@@ -188,17 +188,16 @@ std::string ppd_of(const Format& format, std::string_view filter) {
 extern const Command ppd_command;
 const Command ppd_command{
     .name = "ppd",
-    .summary = "print the file that makes an embosser a printer of CUPS",
+    .summary = "print the PPD file that makes an embosser a CUPS printer",
     .words = "EMBOSSER",
     .details =
-        "With a queue of that file any program can print to the embosser: pages of PDF, SVG, PNG, JPEG and TIFF become tactile "
-        "drawings as convert "
-        "makes them. Its options are TacticsRecipe, TacticsDetail, TacticsWords, TacticsLanguage, TacticsBraille (auto: that of "
-        "the language), TacticsTitle (job: the name of the print job) and the machine's settings, such as TacticsPitch; "
-        "lpoptions -p QUEUE -l lists them with their choices. Besides, a print job may wish any words as TacticsTitle, and "
-        "labels of "
-        "its one page as TacticsLabels=\"30%,40%=City Park;60%,20%=Lake\". It names no file, and nothing else counts.\n\n"
-        "CUPS calls the program as tacticstoembosser, which is installed in its folder of filters.",
+        "With a queue made from that file, any program can print to the embosser: PDF, SVG, PNG, JPEG and TIFF pages become "
+        "tactile drawings as convert makes them. The options of the queue are TacticsRecipe, TacticsDetail, TacticsWords, "
+        "TacticsLanguage, TacticsBraille (auto: that of the language), TacticsTitle (job: the name of the print job) and the "
+        "machine's settings, such as TacticsPitch; lpoptions -p QUEUE -l lists them with their choices. A print job may also "
+        "give any words as TacticsTitle, and labels for its one page as TacticsLabels=\"30%,40%=City Park;60%,20%=Lake\". It "
+        "cannot name files, and any other option has no effect.\n\n"
+        "CUPS calls the program as tacticstoembosser, which is installed in CUPS's filter folder.",
     .example =
         "tactics ppd index-v4 > index-v4.ppd\n"
         "lpadmin -p Everest -E -v socket://192.168.1.20:9100 -P index-v4.ppd\n"

@@ -23,17 +23,17 @@ namespace tactics {
 namespace {
 
 constexpr Flag kFlags[] = {
-    {"--embosser", "-e", "NAME", "the machine that the bytes are for: of tactics list embossers or tactics list displays", false,
-     "embossers displays"},
+    {"--embosser", "-e", "NAME", "the machine that the bytes are for, from tactics list embossers or tactics list displays",
+     false, "embossers displays"},
     {"--output", "-o", "FILE",
-     "write a picture of the sheets, in the format that FILE ends in: .png, .svg, .pdf. May be given several times", true,
+     "write a picture of the sheets; the ending of FILE chooses the format: .png, .svg, .pdf. May be given several times", true,
      "files"},
     {"--unicode", "", "", "print the sheets as Unicode braille, for a braille display or an editor", false, ""},
-    {"--paper", "-p", "PAPER", "the sheet in the machine; what convert takes for it if none is named", false, "papers"},
-    {"--orientation", "", "auto|portrait|landscape", "how the sheet went in; auto: turned if a dot lies beside it upright", false,
-     "auto portrait landscape"},
+    {"--paper", "-p", "PAPER", "the sheet in the machine; default: what convert uses for it", false, "papers"},
+    {"--orientation", "", "auto|portrait|landscape", "how the sheet was fed; auto: turned if a dot lies off the upright sheet",
+     false, "auto portrait landscape"},
     {"--set", "-s", "NAME.OPTION=VALUE",
-     "a setting of the machine, as it was given to convert: index-v4.pitch=2.0. May be given several times", true, "settings"},
+     "a setting of the machine, as given to convert: index-v4.pitch=2.0. May be given several times", true, "settings"},
     {"--json", "", "", "one JSON object for each sheet: its dots in mm, and what the machine would not understand", false, ""},
 };
 
@@ -128,10 +128,10 @@ bool went_in_turned(const Preview& preview, const Punched& punched) {
            (preview.way == "auto" && std::any_of(punched.sheets.begin(), punched.sheets.end(), lies_beside));
 }
 
-// Of all pictures together: far more than anybody looks at. A page takes ten times the room of the dots that are on it.
+// For all pictures together: far more than anybody looks at. A page takes ten times the memory of its dots.
 constexpr std::size_t kMostDrawnSheets = 1000, kMostDrawnDots = 500'000;
 
-// The first sheets, as far as they are drawn; of one that is too much by itself its first dots.
+// The first sheets, up to the limit; if a single sheet exceeds it, its first dots.
 std::vector<PunchedSheet> drawn_sheets(const Punched& punched) {
     std::vector<PunchedSheet> drawn;
     std::size_t left = kMostDrawnDots;
@@ -212,14 +212,13 @@ int run(const Given& given) {
 extern const Command preview_command;
 const Command preview_command{
     .name = "preview",
-    .summary = "show what an embosser or a display makes of a file that was written for it",
+    .summary = "show what an embosser or a display makes of a file written for it",
     .words = "FILE --embosser NAME",
     .details =
-        "FILE holds the bytes that would be sent, of convert or of another program; - is standard input. They are read as the "
-        "machine reads them, "
-        "and not by what wrote them, so that one checks the other. Each sheet is told with the number and the extent of its "
-        "dots; what the "
-        "machine would not understand is told on standard error, with the number of the byte.",
+        "FILE holds the bytes that would be sent, from convert or from another program; - is standard input. preview reads them "
+        "as the machine would, with code independent of the writer, so that one checks the other. It reports each sheet with "
+        "the number and extent of its dots; bytes that the machine would not understand go to standard error, with their "
+        "position in the file.",
     .example =
         "tactics convert photo.jpg -o index-v4:page.prn\n"
         "tactics preview page.prn --embosser index-v4 -o preview.png\n"

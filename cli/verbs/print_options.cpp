@@ -60,7 +60,7 @@ void take_labels(Queue& queue, std::string_view text) {
     }
 }
 
-// A language whose table nobody named brings its own.
+// A language brings its own table unless one is named.
 void take_table_of(Wishes& wishes) {
     if (wishes.sheet.language == Sheet{}.language) return;
     if (const std::string table = table_for_tag(wishes.sheet.language, described_tables()); !table.empty())
@@ -69,7 +69,7 @@ void take_table_of(Wishes& wishes) {
 
 constexpr std::string_view kOfLanguage = "auto";
 
-// What is drawn and what stands beside it. False: it is none of these.
+// Options for the drawing and the words beside it. False: it is none of these.
 bool take_words(const PpdWords& ppd, Queue& queue, const std::string& name, const std::string& value, const std::string& job) {
     Wishes& wishes = queue.wishes;
     if (name == "TacticsLanguage") {
@@ -141,8 +141,8 @@ Queue queue_of(const PpdWords& ppd, const std::string& place, std::string_view o
     if (queue.embosser == nullptr || queue.embosser->embosser == nullptr)
         throw Error(Fault::failed, place, "names no embosser; set the queue up again with a PPD file of tactics ppd");
     queue.wishes.settings.push_back({queue.embosser, Settings(queue.embosser->options)});
-    // Of a language that the job wishes, its braille comes, too, unless the job names a table; the queue's own table is one for
-    // the queue's own language.
+    // A language in the job brings its braille table, unless the job names one; the queue's table applies only to the queue's
+    // language.
     std::string table(kOfLanguage);
     const auto take_all = [&](const auto& wishes) {
         for (const auto& [option, value] : wishes) {

@@ -28,22 +28,24 @@ namespace {
 
 constexpr Flag kFlags[] = {
     {"--output", "-o", "OUT",
-     "where to write, in the format that the name ends in: .png (16 bits), .tif, .exr, .felt, .stl. May be given several times",
-     true, "files"},
-    {"--pitch", "", "LENGTH", "distance of two samples; the file's own if none is named", false, ""},
-    {"--width", "", "LENGTH",
-     "width of the picture or the model, instead of --pitch for a picture; the file's own if none is named", false, ""},
-    {"--low", "", "LENGTH", "height of black, or of the lowest place of a model; the file's own, or 0", false, ""},
-    {"--high", "", "LENGTH", "height of white, or of the highest place; the file's own, or 10 mm over the lowest for a picture",
+     "where to write; the ending chooses the format: .png (16 bits), .tif, .exr, .felt, .stl. May be given several times", true,
+     "files"},
+    {"--pitch", "", "LENGTH", "distance between two samples; default: the file's own", false, ""},
+    {"--width", "", "LENGTH", "width of the picture or the model; for a picture, instead of --pitch. Default: the file's own",
      false, ""},
-    {"--invert", "", "", "low is high: a mould, or a drawing of black lines on white", false, ""},
+    {"--low", "", "LENGTH", "height of black, or of the lowest place of a model; default: the file's own, or 0", false, ""},
+    {"--high", "", "LENGTH",
+     "height of white, or of the highest place; default: the file's own, or for a picture 10 mm above "
+     "the lowest",
+     false, ""},
+    {"--invert", "", "", "swap low and high: for a mould, or a drawing of black lines on white", false, ""},
     {"--samples", "", "16|decimal",
-     "what a .tif holds: whole numbers from black to white, or 32-bit numbers in mm; 16 if nothing is said", false, "16 decimal"},
+     "what a .tif holds: 16-bit whole numbers from black to white, or 32-bit numbers in mm; default: 16", false, "16 decimal"},
     {"--for", "", "MEDIUM",
-     "resample, smooth and compress the heights so that this medium loses least of them, and tell what was done: a display, an "
-     "embosser, mouse, omni, desktop or phantom, as for measure --media",
+     "resample, smooth and compress the heights so that this medium loses the least of them, and report what was done: a "
+     "display, an embosser, mouse, omni, desktop or phantom, as for measure --media",
      false, "media embossers displays"},
-    {"--base", "", "LENGTH", "thickness of an STL's plate below the lowest place; 2 mm if none is named", false, ""},
+    {"--base", "", "LENGTH", "thickness of an STL's plate below the lowest place; default: 2 mm", false, ""},
     kTableXFlag,
     kTableYFlag,
     kTableZFlag,
@@ -199,21 +201,16 @@ int run(const Given& given) {
 extern const Command relief_command;
 const Command relief_command{
     .name = "relief",
-    .summary = "make a height map or a solid of a picture of heights, a height map, a model or a table of heights",
+    .summary = "make a height map or a solid from a picture, a height map, a model or a table of heights",
     .words = "INPUT -o OUT",
     .details =
-        "INPUT is a picture, whose black is low and whose white is high, evenly in the picture's own values; a height map that "
-        "says its pitch and "
-        "heights (16-bit PNG or TIFF, decimal TIFF or EXR, .felt, as convert and this command write them); or a model (VRML, "
-        "X3D, STL, "
-        "OBJ, PLY, glTF, COLLADA), which is seen straight from above, z towards the eye; or a table of heights over x and y "
-        "(--z, "
-        "or rows of heights), whose surface is 150 mm wide, 10 mm high and sampled every 0.5 mm if nothing is named. What the "
-        "file does not tell is taken from the options, or a default is taken "
-        "and told.\n\n"
-        "Lines to be raised are made by convert: tactics convert drawing.svg -o page.height.png, or -o page.stl.\n\n"
-        "--for NAME tries 30 ways to resample, smooth and compress the heights, and takes the one of which that medium carries "
-        "most "
+        "INPUT is one of these: a picture, whose black is low and white is high, linear in the picture's own values; a height "
+        "map that gives its pitch and heights (16-bit PNG or TIFF, floating-point TIFF or EXR, .felt, as convert and this "
+        "command write them); a model (VRML, X3D, STL, OBJ, PLY, glTF, COLLADA), seen straight from above, z towards the eye; "
+        "or a table of heights over x and y (--z, or rows of heights), whose surface is by default 150 mm wide, 10 mm high and "
+        "sampled every 0.5 mm. Options supply what the file does not give; otherwise a default is used and reported.\n\n"
+        "To make raised lines, use convert: tactics convert drawing.svg -o page.height.png, or -o page.stl.\n\n"
+        "--for NAME tries 30 ways to resample, smooth and compress the heights, and takes the one that this medium carries best "
         "(tactics help measure).\n\n"
         "An STL is a closed solid with a flat bottom and upright sides, as large as the map from edge to edge.",
     .example =

@@ -35,13 +35,15 @@ using Clock = std::chrono::steady_clock;
 
 constexpr Flag kFlags[] = {
     {"--on", "", "DISPLAY:PLACE",
-     "the display: dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0; brlapi: for that of the screen reader, brlapi:HOST:0 for one "
-     "elsewhere; hid: for a braille display of the HID standard, hid:/dev/hidraw0 if there are several",
+     "the display: dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0; brlapi: for the screen reader's braille display, brlapi:HOST:0 "
+     "for one on another machine; hid: for a braille display of the HID standard, hid:/dev/hidraw0 if there are several",
      false, ""},
-    {"--zoom", "", "NUMBER", "so many times as large as fits, from 1 to 8; the display shows a part of it at a time", false, ""},
-    {"--part", "", "NUMBER", "the part that is shown first, from left to right and from the top down; 1 if none is named", false,
-     ""},
-    {"--for", "", "SECONDS", "end after that time, without keys", false, ""},
+    {"--zoom", "", "NUMBER",
+     "enlarge the drawing this many times over the size that fits, from 1 to 8; the display shows one "
+     "part of it at a time",
+     false, ""},
+    {"--part", "", "NUMBER", "the part to show first, counted from left to right and from the top down; default: 1", false, ""},
+    {"--for", "", "SECONDS", "end after this time, without keys", false, ""},
     kPdfPageFlag,
     kAllowFlag,
 #include "cli/table_flags.inc"
@@ -53,7 +55,7 @@ constexpr Flag kFlags[] = {
     kRecipeFlag,
     kFilterFlag,
     {"--set", "-s", "NAME.OPTION=VALUE",
-     "change a setting in every step of that filter, or of the display: graphiti.pattern=1. May be given several times", true,
+     "change a setting in every step of a filter, or of the display: graphiti.pattern=1. May be given several times", true,
      "settings"},
     kDetailFlag,
     kAsDrawnFlag,
@@ -69,7 +71,7 @@ constexpr Flag kFlags[] = {
     kLabelsFlag,
     kWordsFlag,
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
-    {"--json", "", "", "tell the size of the display and the parts on standard output, as a JSON object", false, ""},
+    {"--json", "", "", "report the size of the display and the parts on standard output, as a JSON object", false, ""},
 };
 
 int whole_number(const Given& given, std::string_view name, int most, const std::string& words) {
@@ -78,7 +80,7 @@ int whole_number(const Given& given, std::string_view name, int most, const std:
     return static_cast<int>(*number);
 }
 
-// What the user wishes of a display; of those that tell all of themselves it would do nothing.
+// The user's settings for a display; no effect on displays that report everything about themselves.
 Settings settings_of(const Format& format, const Given& given, bool tells_all) {
     Settings settings(format.options);
     for (const std::string& text : given.all("--set")) {
@@ -126,7 +128,7 @@ std::optional<Clock::time_point> end_of(const Given& given) {
     return Clock::now() + milliseconds(std::lround(1000 * *seconds));
 }
 
-// The pages, as many times larger than the display as is wished; names and title keep their size.
+// The pages, enlarged beyond the display by the wished factor; names and title keep their size.
 std::vector<Page> pages_for(const Screen& screen, const Given& given, int zoom) {
     Request request = plan_pages({{given.words[0], {{&screen.format(), "", ""}}}}, given, real_disk());
     request.settings.front().second = screen.settings();
@@ -144,7 +146,7 @@ std::vector<Page> pages_for(const Screen& screen, const Given& given, int zoom) 
 
 enum class Next { forward, back, end };
 
-// What comes first: a line from the keyboard, a key of the display, the end of the time.
+// The first event: a line from the keyboard, a key of the display, or the end of the time.
 Next wait_for(Screen& screen, bool keyboard, std::optional<Clock::time_point> end) {
     constexpr milliseconds kStep{50};
     for (;;) {
@@ -219,13 +221,11 @@ const Command show_command{
     .summary = "show a picture on a tactile display: pins, or the braille display of a screen reader",
     .words = "PICTURE --on DISPLAY:PLACE",
     .details =
-        "The display is asked how large it is, the drawing is laid out for it as convert would, and shown. With --zoom, or with "
-        "names that "
-        "need a key, there are several parts. At a keyboard Enter goes on to the next, p back, q ends; a key of the display goes "
-        "on, too, and after "
-        "the last part the command ends. Without a keyboard the part of --part is shown; pins then stay as they are, and the "
-        "braille display of a "
-        "screen reader goes on at each key of it, until the last part or the time of --for is over.\n\n"
+        "tactics asks the display for its size, lays the drawing out for it as convert would, and shows it. With --zoom, or "
+        "with names that need a key, there are several parts. At a keyboard, Enter shows the next part, p the previous one, and "
+        "q ends; a key on the display also shows the next part, and after the last part the command ends. Without a keyboard, "
+        "the part given by --part is shown. Pins then stay up; the braille display of a screen reader moves on at each of its "
+        "keys, until the last part or until the time of --for is over.\n\n"
         "tactics convert writes the same to a file: -o dot-pad:FILE, -o graphiti:FILE, -o braille-display:FILE.",
     .example =
         "tactics show photo.jpg --on dot-pad:/dev/ttyUSB0 --title \"A bridge\"\n"

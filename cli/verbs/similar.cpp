@@ -36,22 +36,22 @@ constexpr std::size_t kMostFiles = 100000;
 constexpr int kUsualCount = 10, kMostCount = 1000;
 
 constexpr Flag kFlags[] = {
-    {"--count", "-n", "N", "tell so many, the nearest first; 10 if nothing is said", false, "5 10 20"},
-    {"--any-way-up", "", "", "compare it turned by quarters and as a mirror image, too", false, ""},
+    {"--count", "-n", "N", "how many to list, the nearest first; default: 10", false, "5 10 20"},
+    {"--any-way-up", "", "", "also compare the figure turned by quarters and as a mirror image", false, ""},
     kRecipeFlag,
     kFilterFlag,
-    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of that filter. May be given several times", true,
+    {"--set", "-s", "NAME.OPTION=VALUE", "change a setting in every step of a filter. May be given several times", true,
      "settings"},
     kDetailFlag,
     kPdfPageFlag,
     kAllowFlag,
-    {"--quiet", "-q", "", "no progress, and no word of what could not be compared", false, ""},
-    {"--json", "", "", "one JSON object a line, the nearest first", false, ""},
+    {"--quiet", "-q", "", "no progress, and no report of files that could not be compared", false, ""},
+    {"--json", "", "", "one JSON object per line, the nearest first", false, ""},
 };
 
 struct Plan {
     std::string figure;
-    std::vector<std::string> files, faults;  ///< what is looked at, and what cannot be
+    std::vector<std::string> files, faults;  ///< files to compare, and files that cannot be compared
     Wishes drawing;
     std::size_t count = kUsualCount;
     bool any_way_up = false;
@@ -108,7 +108,7 @@ Plan plan_similar(const Given& given) {
     return plan;
 }
 
-// The page is that of PDFs, whatever else is in the folder.
+// The page option applies to PDFs, whatever else is in the folder.
 Look look_of_file(const std::string& path, Wishes wishes) {
     Source source = open_source(path);
     source.allowed = wishes.allowed;
@@ -201,16 +201,14 @@ int run(const Given& given) {
 extern const Command similar_command;
 const Command similar_command{
     .name = "similar",
-    .summary = "find the drawings in a folder that are nearest to a figure, to use one again",
+    .summary = "find the drawings in a folder that are most like a figure, to reuse one",
     .words = "FIGURE FOLDER|FILE...",
     .details =
-        "Each file, whatever it holds, is drawn as convert would draw it on a bare page. Two drawings are compared wherever "
-        "and "
-        "however large they stand on their pages: what is told is the share of the figure's own bits that the other drawing "
-        "tells, "
-        "by the mutual information of where their lines are near. 100 % is the same drawing; drawings of different things share "
-        "some 5 to 20 %. Folders are searched with all that is in them, but for hidden files. What cannot be drawn is named and "
-        "left out.",
+        "Each file, whatever it holds, is drawn as convert would draw it on a bare page. Two drawings are compared regardless "
+        "of their position and size on their pages. The result is the share of the figure's own bits that the other drawing "
+        "gives, from the mutual information of where their lines are near. 100 % is the same drawing; drawings of different "
+        "things share some 5 to 20 %. Folders are searched with their subfolders, except for hidden files. Files that cannot be "
+        "drawn are named and left out.",
     .example =
         "tactics similar heart.png drawings/\n"
         "tactics similar map.svg atlas/ more/*.svg --any-way-up --count 5\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `tactics measure` tells of a recording, in words and in JSON.
+// The report of `tactics measure` on a recording, in words and in JSON.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ namespace tactics {
 
 namespace {
 
-// Of the one terminal, for a signal handler.
+// State of the one terminal, for a signal handler.
 termios before, single;
 volatile sig_atomic_t changed = 0, ending = 0;
 // Those that end or stop a program and are not counted by the play (interrupt_count.h).
@@ -100,7 +100,7 @@ TerminalKeys::~TerminalKeys() {
 void TerminalKeys::read_keys(TypedKeys& typed) {
     constexpr int kWait = 50;  // ms
     while (!over_) {
-        // A read from the background would stop the program, and whoever brings it back does not say so.
+        // Reading in the background would stop the program, and there is no notice when it comes to the foreground again.
         const bool here = in_foreground();
         if (here && changed == 0 && ending == 0) set_single();
         pollfd terminal{STDIN_FILENO, POLLIN, 0};

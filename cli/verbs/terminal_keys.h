@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Single keys of the terminal that a program was started from.
+// Single keys from the program's terminal.
 #pragma once
 
 #include <atomic>
@@ -9,12 +9,12 @@
 
 namespace tactics {
 
-/// While it lives a terminal on standard input gives each key as it is pressed, without showing it; Ctrl-C is what it was. A
-/// thread of its own reads and sets the bits of `typed` (plot_keys(): digits by number, letters in either case), so nobody waits
-/// for it.
+/// While this object lives, a terminal on standard input delivers each key when it is pressed, without echo; Ctrl-C works as
+/// usual. A separate thread reads and sets the bits of `typed` (plot_keys(): digits by number, letters in either case), so
+/// nothing waits for it.
 ///
-/// The terminal is as it was when this ends, when the program is stopped (Ctrl-Z) or ended by a signal, and is asked for single
-/// keys again when it goes on. In the background (`&`) nothing is read, and nothing changed.
+/// The terminal is restored when this ends and when the program is stopped (Ctrl-Z) or ended by a signal; it is set again when
+/// the program continues. In the background (`&`) nothing is read or changed.
 class TerminalKeys {
 public:
     explicit TerminalKeys(TypedKeys& typed);

@@ -33,7 +33,7 @@ bool is_file(const std::string& path) {
            (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
 }
 
-// Of a link the target is written.
+// Writes to the target of a link.
 std::string target_of(const std::string& path) {
     std::error_code fault;
     const auto target = std::filesystem::canonical(path, fault);
@@ -60,7 +60,7 @@ TickLog::TickLog(std::string path, const Recorder& recorder, const TickColumns& 
         throw Error(Fault::failed, path_,
                     std::string("cannot be written (") + std::strerror(errno) + "); name another file, or make its folder first");
     file_.emplace(number);
-    // A reader that has gone is told of by write.
+    // write reports a closed pipe.
     std::signal(SIGPIPE, SIG_IGN);
     write(csv_header(columns_));
 }
@@ -79,7 +79,7 @@ void TickLog::stop_writer() {
 void TickLog::write_beside() {
     writer_ = std::thread([this] {
         while (!done_) {
-            // What is nearly overwritten is let go, while another thread adds: it might be while it is read.
+            // Skips ticks that are nearly overwritten while another thread adds, because they might change while they are read.
             write_new(recorder_.most() - recorder_.most() / 8);
             std::this_thread::sleep_for(kPause);
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every tick of a play in a file, written while it goes on.
+// Writes every tick of a play to a file while it runs.
 #pragma once
 
 #include <atomic>
@@ -13,27 +13,28 @@
 
 namespace tactics {
 
-/// The lines go to FILE.part, which takes the name of FILE when all is over: a program that is killed leaves there what was felt
-/// until then. What is no file (-, a pipe, a device) gets them straight; a reader that goes away has what it wanted.
+/// The lines go to FILE.part, which is renamed to FILE at the end: a killed program leaves the ticks so far there. Anything that
+/// is no file (-, a pipe, a device) gets the lines directly; a closed pipe is no error.
 class TickLog {
 public:
-    /// Throws Error(failed): the file cannot be written, or its .part is there, with what was felt in a play that was killed.
+    /// Throws Error(failed) if the file cannot be written, or its .part exists, with the ticks of a play that was killed.
     /// `recorder` must outlive it.
     TickLog(std::string path, const Recorder& recorder, const TickColumns& columns);
-    /// What was felt until then is written to .part.
+    /// Writes the ticks so far to .part.
     ~TickLog();
     TickLog(const TickLog&) = delete;
     TickLog& operator=(const TickLog&) = delete;
 
-    /// From now on by a thread of its own, some times a second; else by whoever calls keep_up().
+    /// From now on, a separate thread writes a few times per second; otherwise call keep_up().
     void write_beside();
-    /// For a play that may wait: writes when half of what the recorder holds is not yet written.
+    /// For a play that may wait: writes when half of the recorder's ticks are unwritten.
     void keep_up();
-    /// The rest, and the name. Throws Error(failed) with what went wrong, also earlier; that was said at once, too.
+    /// Writes the rest and renames the file. Throws Error(failed) for any failure, including earlier ones, which were also
+    /// reported at once.
     void finish();
 
 private:
-    void write_new(std::size_t sure);  ///< ticks that the recorder surely has still
+    void write_new(std::size_t sure);  ///< ticks that the recorder certainly still holds
     void write(std::string_view text);
     void fail(const std::string& why);
     void stop_writer();
@@ -43,7 +44,7 @@ private:
     TickColumns columns_;
     std::optional<Descriptor> file_;
     std::size_t written_ = 0;  // ticks
-    bool closed_ = false;      // nobody reads any more
+    bool closed_ = false;      // the reader has closed the pipe
     std::string fault_;
     std::atomic<bool> done_ = false;
     std::thread writer_;

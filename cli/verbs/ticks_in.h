@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recording of what was felt, in whichever of its two forms.
+// A recording of a play, in either of its two forms.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,8 @@
 
 namespace tactics {
 
-/// A packed recording, or a table of ticks as play --csv writes it; nothing: the file is neither. Throws Error(failed): damaged.
+/// A packed recording, or a table of ticks as play --csv writes it; nothing: the file is neither. Throws Error(failed) if it is
+/// damaged.
 std::optional<TickTable> ticks_in(Source& source);
 
 }  // namespace tactics

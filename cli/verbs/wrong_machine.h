@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes that were written for another machine than they are to be sent to.
+// Detects bytes that were written for another machine.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 namespace tactics {
 
 /// Throws Error(usage) at `name`, that of the file, if `format` would not understand something in the bytes and another embosser
-/// understands all of them, with a set-up of its own: then they are clearly for that. `settings` are those of `format`. What both
-/// understand is not told apart.
+/// understands all of them, with a set-up of its own: then they are clearly for that one. `settings` are those of `format`. Bytes
+/// that both understand are accepted.
 void refuse_wrong_machine(const std::string& name, std::string_view bytes, const Format& format, const Settings& settings);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the net sees of a picture: its colours, evened out, and derivatives made by hand.
+// The input of the net: the normalised colours of a picture, and fixed derivatives.
 #pragma once
 
 #include <array>
@@ -11,14 +11,13 @@
 
 namespace tactics {
 
-/// For each level of a sample what the net gets: less the picture's mean luminance, times one gain that evens out its
-/// contrast within bounds; 8 bits of fraction, within 5100.
+/// The net's input for each sample level: minus the picture's mean luminance, times one gain that normalises contrast within
+/// bounds; 8 bits of fraction, within 5100.
 using NetLevels = std::array<std::int16_t, 256>;
 
 NetLevels net_levels(const Image& image);
 
-/// How far a sample of the input sees, in samples: the widest Gaussian before the derivatives, and the difference of two
-/// neighbours.
+/// The reach of an input sample, in samples: the widest Gaussian before the derivatives, and the difference of two neighbours.
 inline constexpr int kInputReach = 12 + 1;
 
 /// Fills `input`, 24 channels at half size, with the part of the picture that begins at pixel (left, top); what lies beyond the

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of convolutions, written once for each kind of machine. Every kernel gives the same bits: int16 times int16 is summed in
-// int32, and no sum can overflow, which ContourNet::from_bytes has made sure of.
+// Rows of convolutions, written once for each kind of processor. Every kernel gives the same bits: products of int16 are summed
+// in int32, and ContourNet::from_bytes has verified that no sum can overflow.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace tactics {
 
-/// What is handed from layer to layer: 8 bits of fraction, held within -kMostActivation and kMostActivation.
+/// The values between layers: 8 bits of fraction, clamped to -kMostActivation and kMostActivation.
 inline constexpr int kMostActivation = 8191;
 /// The channels of a pixel are computed in groups of 8.
 inline constexpr int kChannelGroup = 8;
@@ -20,13 +20,13 @@ inline constexpr int kMostChannels = 64;
 /// A convolution with its bias: sums are shifted right by `shift`, rounded half up.
 struct NetLayer {
     int inputs = 0;                  ///< channels, a multiple of 8
-    int outputs = 0;                 ///< channels, filled up with channels that are always 0 to a multiple of 8
+    int outputs = 0;                 ///< channels, padded to a multiple of 8 with channels that are always 0
     int side = 1;                    ///< of the kernel: 1, 3 or 5
     int shift = 0;                   ///< at least 1
-    bool each = false;               ///< depthwise: an output sees the input of its own number only
-    std::vector<std::int32_t> bias;  ///< one an output
-    /// Dense: [row][pair of (column, input)][output][2]. Depthwise: [pair of taps][channel][2], a last tap without a
-    /// partner beside a 0.
+    bool each = false;               ///< depthwise: each output sees only the input with the same number
+    std::vector<std::int32_t> bias;  ///< one per output
+    /// Dense: [row][pair of (column, input)][output][2]. Depthwise: [pair of taps][channel][2]; a last tap without a partner is
+    /// paired with 0.
     std::vector<std::int16_t> weights;
 };
 
@@ -62,7 +62,7 @@ struct NetKernel {
     void (*each)(const EachRow&);
 };
 
-/// Those that this machine can run, the fastest first, plain C++ last.
+/// The kernels that this processor can run, the fastest first, plain C++ last.
 std::span<const NetKernel* const> net_kernels();
 
 extern const NetKernel kPlainKernel;

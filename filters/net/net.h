@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The contour net: which pixels lie on a contour that people would draw. A small convolutional net (train/model.py) that was
+// The contour net: predicts which pixels lie on a contour that people would draw. A small convolutional net (train/model.py),
 // fitted to photographs with contours drawn by people, computed in integers: the same bits on every machine.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace tactics {
 /// The numbers of a net, as train/export.py wrote them.
 class ContourNet {
 public:
-    /// Throws Error(failed): not such a file, of another version, cut short, damaged, or with sums that could overflow.
+    /// Throws Error(failed) for a file that is no net, of another version, truncated, damaged, or with sums that could overflow.
     static ContourNet from_bytes(std::string_view bytes, const std::string& place);
 
     /// Channels and residual blocks at a half, a quarter, an eighth and a sixteenth of the picture's size.
@@ -37,15 +37,15 @@ private:
     std::uint64_t proof_ = 0;
 };
 
-/// How sure the net is: log(p / (1 - p)) with 8 bits of fraction, held within 32. Half the picture's size, rounded up; sample
-/// (x, y) lies at (2x + 0.5, 2y + 0.5), counted from the middle of the first pixel.
+/// The confidence of the net: log(p / (1 - p)) with 8 bits of fraction, clamped to 32. Half the picture's size, rounded up;
+/// sample (x, y) lies at (2x + 0.5, 2y + 0.5), counted from the middle of the first pixel.
 struct ContourLogits {
     int width = 0;
     int height = 0;
     std::vector<std::int16_t> values;
 };
 
-/// How the net is run. The answer does not depend on it.
+/// How to run the net. The result does not depend on it.
 struct NetRun {
     const NetKernel* kernel = nullptr;  ///< the fastest that this machine has
     /// Larger pictures are run in tiles that overlap by as much as the net sees, each up to this many pixels (or as many as

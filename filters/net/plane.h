@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers between two layers: pixels with their channels side by side, in a frame of zeros that kernels may read.
+// The values between two layers: pixels with interleaved channels, in a frame of zeros that kernels may read.
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace tactics {
 /// Each side times `scale`, rounded, at least 1.
 Size scaled_size(Size size, double scale);
 
-/// Of that size, which is not larger in one direction and smaller in the other.
+/// Resized; the new size must not be larger in one direction and smaller in the other.
 Image resized(const Image& image, Size size);
 
 /// Between two neighbours of a row (or column): the second's share in 256ths.
@@ -21,8 +21,8 @@ struct Between {
     int first, second, share;
 };
 
-/// What each of `count` samples lies between, of a row of `length` with span / per of them for each: sample x lies at
-/// (2x + 1) * span / (2 * per) - 1/2, held within the row.
+/// The neighbours of each of `count` samples in a row of `length`; each sample spans span / per of the row: sample x lies at (2x
+/// + 1) * span / (2 * per) - 1/2, held within the row.
 std::vector<Between> between(int count, int span, int per, int length);
 
 }  // namespace tactics

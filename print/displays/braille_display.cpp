@@ -16,14 +16,14 @@ constexpr Option kOptions[] = {
      .min = 4,
      .max = 1000,
      .unit = "cells",
-     .summary = "cells of a line"},
+     .summary = "number of cells in a line"},
     {.name = "lines", .type = Option::Type::whole, .fallback = 10, .min = 1, .max = 1000, .summary = "lines of cells"},
     {.name = "dots",
      .type = Option::Type::choice,
      .fallback = 1,
      .min = 0,
      .max = 1,
-     .summary = "dots of a cell; with 8 lines of dots are taken to stand as close to the next line's as to each other",
+     .summary = "dots per cell; with 8, rows of dots are assumed to be evenly spaced, within lines and from line to line",
      .choices = "6 8"},
 };
 
@@ -55,7 +55,7 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
 extern const Format braille_display_format;
 const Format braille_display_format{
     .name = "braille-display",
-    .summary = "Unicode braille text of the size of a braille display; show sends it there",
+    .summary = "Unicode braille text in the size of a braille display, to which show sends it",
     .medium = "embosser",
     .paper = "a5",
     .options = kOptions,

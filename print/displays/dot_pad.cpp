@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dot Pad: pins at equal distances, and mostly a line of braille cells below them, over a serial line on USB.
 //
-// A packet is AA 55, the count of bytes behind it (16 bits, high byte first), a destination, a command (16 bits), a number, data,
-// and a checksum: A5h XOR all bytes from the destination on. A row of cells (two pins across, four down) is a packet of its own.
+// A packet is AA 55, the count of the following bytes (16 bits, high byte first), a destination, a command (16 bits), a number,
+// data, and a checksum: A5h XOR all bytes from the destination on. Each row of cells (two pins across, four down) is a separate
+// packet.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -28,47 +29,49 @@ constexpr Option kOptions[] = {
      .min = 8,
      .max = 160,
      .unit = "pins",
-     .summary = "pins from left to right"},
+     .summary = "number of pins from left to right"},
     {.name = "rows",
      .type = Option::Type::whole,
      .fallback = 40,
      .min = 8,
      .max = 160,
      .unit = "pins",
-     .summary = "pins from top to bottom"},
+     .summary = "number of pins from top to bottom"},
     {.name = "pitch",
      .type = Option::Type::length,
      .fallback = 2.5,
      .min = 1,
      .max = 10,
      .unit = "mm",
-     .summary = "from pin to pin"},
+     .summary = "distance from pin to pin"},
     {.name = "text",
      .type = Option::Type::whole,
      .fallback = 20,
      .min = 0,
      .max = 80,
      .unit = "cells",
-     .summary = "of the line of braille that shows the title; 0: it has none, and the title stands among the pins"},
+     .summary = "cells in the braille line that shows the title; 0: it has no such line, and the pins show the title"},
     {.name = "first",
      .type = Option::Type::whole,
      .fallback = 1,
      .min = 0,
      .max = 8,
-     .summary = "number of the uppermost row of pins, behind the lines of text"},
+     .summary = "number of the uppermost row of pins, after the lines of text"},
 };
 
 constexpr ProtocolFact kFacts[] = {
-    {"packets, their checksum A5h XOR all from the destination on, and command 0200h: a zero, then the cells of the row that is "
-     "the destination",
+    {"packets with a checksum, A5h XOR all bytes from the destination on; command 0200h carries a zero, then the cells of the "
+     "row given as the destination",
      "BRLTTY, driver DotPad", Confidence::good},
     {"dots 1 2 3 7 of a cell are bits 0 to 3, dots 4 5 6 8 bits 4 to 7", "BRLTTY, driver DotPad", Confidence::good},
     {"the line of text is destination 0, pins follow", "BRLTTY, driver DotPad", Confidence::good},
-    {"60 by 40 pins, 2.5 mm apart, 20 cells of text; others say so in their board information (0110h)",
+    {"60 by 40 pins, 2.5 mm apart, 20 cells of text; other models report their size in the board information (0110h)",
      "BRLTTY; dot pad's software kit", Confidence::medium},
-    {"a row is answered by 0201h (0 taken, 1 refused, 2 wait, 3 wrong checksum), and by 0202h when its pins stand",
+    {"the display answers a row with 0201h (0 accepted, 1 refused, 2 wait, 3 wrong checksum), and with 0202h when its pins are "
+     "set",
      "BRLTTY, driver DotPad", Confidence::good},
-    {"keys are told by 0302h, 0312h, 0322h, 0332h with a bit for each that is down", "BRLTTY, driver DotPad", Confidence::good},
+    {"0302h, 0312h, 0322h and 0332h report keys, with a bit for each key that is down", "BRLTTY, driver DotPad",
+     Confidence::good},
 };
 
 // Numbers of commands.
@@ -223,7 +226,7 @@ constexpr PinDisplay kDisplay{
     .question = {kQuestion, sizeof kQuestion}, .farewell = {}, .thanks = {}, .next = next, .message = message, .row = row};
 
 constexpr Embosser kEmbosser{
-    .models = "Dot Pad 320, 832 and others that tell their size",
+    .models = "Dot Pad 320, 832 and others that report their size",
     .called = "dot-pad-320 dot-pad-832",
     .punch = punch_dot_pad,
     .facts = kFacts,

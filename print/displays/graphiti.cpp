@@ -28,7 +28,7 @@ constexpr Option kOptions[] = {
      .fallback = kHighest,
      .min = 1,
      .max = kHighest,
-     .summary = "of the pins of lines and braille, 4 the highest"},
+     .summary = "height of the pins of lines and braille; 4 is the highest"},
     {.name = "pattern",
      .type = Option::Type::whole,
      .fallback = 2,
@@ -41,20 +41,20 @@ constexpr Option kOptions[] = {
      .min = 1,
      .max = 10,
      .unit = "mm",
-     .summary = "from pin to pin; it says only how large words of mm are, as all pins are used"},
+     .summary = "distance from pin to pin; all pins are used, so this only scales what is given in mm"},
 };
 
 constexpr ProtocolFact kFacts[] = {
-    {"ESC, command, data with ESC twice, checksum; command 15h shows all pins, row by row from the top, a height of 0 to 4 and a "
-     "rate of blinking each",
+    {"ESC, command, data with each ESC doubled, checksum; command 15h shows all pins, row by row from the top, each with a "
+     "height of 0 to 4 and a blink rate",
      "Orbit Research, Graphiti API library", Confidence::good},
-    {"it answers ESC 53h with 0: done; 1 to 5: faults, 3 a wrong checksum; and wants ESC 51h behind each answer",
+    {"it answers ESC 53h with 0 for done or 1 to 5 for faults (3: wrong checksum), and expects ESC 51h after each answer",
      "Orbit Research, Graphiti API library", Confidence::good},
-    {"command 31h with 1: tell of keys, which ESC 31h answers and ESC 32h with the keys that are down does",
+    {"command 31h with 1 turns on key reports; ESC 31h acknowledges it, and ESC 32h reports the keys that are down",
      "Orbit Research, Graphiti API library", Confidence::good},
     {"60 by 40 pins", "Orbit Research, Graphiti API library", Confidence::good},
-    {"an ESC that is sent twice counts twice in the checksum", "Orbit Research, Graphiti API library", Confidence::medium},
-    {"pins 2.5 mm apart, for want of a source", "this project", Confidence::uncertain},
+    {"a doubled ESC counts twice in the checksum", "Orbit Research, Graphiti API library", Confidence::medium},
+    {"pins 2.5 mm apart (assumed; no source found)", "this project", Confidence::uncertain},
 };
 
 std::string twice_escaped(std::string_view data) {
@@ -103,7 +103,7 @@ constexpr char kQuestion[] = {kEscape, kKeys, 1, static_cast<char>(-(kKeys + 1))
 constexpr char kFarewell[] = {kEscape, kKeys, 0, static_cast<char>(-kKeys)};
 constexpr char kThanks[] = {kEscape, 0x51, static_cast<char>(-0x51)};
 
-// ESC, what it is, so many bytes, and the sum, all but the first twice where they are an ESC. Taken off with what stands before.
+// ESC, the kind, that many bytes, and the sum; every ESC after the first is doubled. Removed together with anything before it.
 std::optional<std::string> take_answer(std::string& heard) {
     for (std::size_t at = heard.find(kEscape); at != std::string::npos; at = heard.find(kEscape, at + 1)) {
         if (at + 1 >= heard.size()) break;

@@ -20,36 +20,34 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 2,
-     .summary = "the machine's: 17 or newer (Braillo 200, 400 S and SR, 600), 12 to 16 (Braillo 270; 200 and 400 of that age), "
-                "11 or older; each embosses the commands of another as text",
+     .summary = "the machine's firmware: 17 or newer (Braillo 200, 400 S and SR, 600), 12 to 16 (Braillo 270; 200 and 400 of "
+                "that age), 11 or older; each embosses another's commands as text",
      .choices = "17 16 11"},
     kSides,
 };
 
 constexpr ProtocolFact kFacts[] = {
-    {"firmware 17 and newer: ESC S1 form feeds, ESC C0 one side and C1 both, ESC J0 6 dots, ESC A nn half inches of the sheet "
-     "(08 "
-     "to 28), ESC B nn cells of a line (10 to 42), ESC H0 no z-fold, ESC N0 single lines, ESC R0 all lines",
+    {"firmware 17 and newer: ESC S1 form feeds, ESC C0 one side and C1 both, ESC J0 6 dots, ESC A nn sheet length in half "
+     "inches (08 to 28), ESC B nn cells per line (10 to 42), ESC H0 no z-fold, ESC N0 single lines, ESC R0 all lines",
      "dotify 1.0.9 AbstractBraillo200Embosser; libembosser 1.4.3 Braillo200DocumentHandler (the same in another order); ESC R "
      "and S "
      "also in Braillo's manual of the 200, Rev. 9705, page 29",
      Confidence::good},
-    {"firmware 12 to 16: ESC E form feeds, ESC S0 one side and S1 both, ESC 6 6 dots, ESC 1Fh n cells of a line (27 to 42 as 0 "
-     "to "
-     "F), ESC 1Eh n length of the sheet (4 to 14 inches as 0 to F), ESC A single lines, ESC Q0 no z-fold",
+    {"firmware 12 to 16: ESC E form feeds, ESC S0 one side and S1 both, ESC 6 6 dots, ESC 1Fh n cells per line (27 to 42 as 0 "
+     "to F), ESC 1Eh n sheet length (4 to 14 inches as 0 to F), ESC A single lines, ESC Q0 no z-fold",
      "dotify 1.0.9 Braillo200x270x400v12x16Embosser; libembosser 1.4.3 Braillo270DocumentHandler (the same in another order)",
      Confidence::good},
-    {"firmware 11 and older: ESC E, ESC 6, ESC 1Fh n and ESC A as these, ESC 1Eh n half inches over 10 of the sheet (0 to 8); no "
-     "command for its sides: set the machine to those of the job",
+    {"firmware 11 and older: ESC E, ESC 6, ESC 1Fh n and ESC A as firmware 12 to 16, ESC 1Eh n sheet length in half inches over "
+     "10 (0 to 8); no command for one or both sides: set the machine to those of the job",
      "dotify 1.0.9 Braillo200x270x400v1x11Embosser; libembosser 1.4.3 Braillo270DocumentHandler", Confidence::good},
-    {"a form feed stands behind the last line without CR LF, which could begin another page where the last line is the last that "
-     "fits (libembosser has CR LF there); a page without a line has CR LF, for a form feed alone is not taken; both sides end "
-     "with a back",
+    {"a form feed follows the last line without CR LF, which could begin another page if that line is the last that fits "
+     "(libembosser has CR LF there); a page without lines has CR LF, because the machine ignores a lone form feed; a job on "
+     "both sides ends with a back",
      "dotify 1.0.9 AbstractBraillo200Embosser", Confidence::medium},
     {"one side is sent as ESC C0 or S0, page after page (dotify sends both sides and empty backs)", "libembosser 1.4.3",
      Confidence::medium},
     {"a cell is 6.03 mm wide, a line 10 mm high", "dotify 1.0.9 BrailloEmbosser; libembosser", Confidence::medium},
-    {"letters are North American Braille Computer Code, which the machine must be set to",
+    {"letters are North American Braille Computer Code; set the machine to it",
      "dotify 1.0.9 BrailloEmbosserProvider; libembosser", Confidence::medium},
 };
 

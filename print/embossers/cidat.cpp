@@ -17,11 +17,12 @@ namespace {
 constexpr Option kOptions[] = {kSides};
 
 constexpr ProtocolFact kFacts[] = {
-    {"ESC ) is transparent mode: a byte is a cell, dot 1 its lowest bit; 1Bh is sent twice; ESC LF ends a line, ESC FF a page",
+    {"ESC ) is transparent mode: each byte is a cell, with dot 1 as its lowest bit; 1Bh is sent twice; ESC LF ends a line, ESC "
+     "FF a page",
      "dotify 1.0.9 CidatTableProvider, CidatLineBreaks, CidatPageBreaks", Confidence::medium},
     {"ESC * 6 dots, ESC . inches, ESC / line distance in tenths, ESC 0 cells, ESC 1 lines (a number n is the byte 30h + n), ESC "
-     "3 cuts words, "
-     "ESC P one side, ESC Q both; ESC XXn LF sets GU, IN, MB, ML, MR, MT, NC, SC, PM, PN, PI; ESC T ends a job, on a front, too",
+     "3 cuts words, ESC P one side, ESC Q both; ESC XXn LF sets GU, IN, MB, ML, MR, MT, NC, SC, PM, PN, PI; ESC T ends a job, "
+     "even on a front",
      "dotify 1.0.9 ImpactoEmbosser", Confidence::medium},
 };
 

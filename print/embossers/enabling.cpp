@@ -51,24 +51,24 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = std::size(kModels) - 1,
-     .summary = "the machine's, for how many cells a line has, how lines and jobs end and whether it embosses both sides: Romeo "
-                "Attache (and Pro), Romeo 25 and Pro 50, Thomas (and Pro), ET, Juliet Pro 60, Juliet Pro and Classic, BookMaker, "
-                "Braille Express, Phoenix, Cyclone, Trident; a Romeo 60 or Juliet 120 is an index-v4",
+     .summary = "the machine's model, which decides the cells per line, how lines and jobs end and whether it embosses both "
+                "sides: Romeo Attache (and Pro), Romeo 25 and Pro 50, Thomas (and Pro), ET, Juliet Pro 60, Juliet Pro and "
+                "Classic, BookMaker, Braille Express, Phoenix, Cyclone, Trident; a Romeo 60 or Juliet 120 is an index-v4",
      .choices = "any attache romeo thomas et juliet-pro60 juliet bookmaker express phoenix cyclone trident"},
     {.name = "cell",
      .type = Option::Type::choice,
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "size of its braille: Marburg Medium, or NLS for machines that know no other",
+     .summary = "size of its braille: Marburg Medium, or NLS for machines that have no other",
      .choices = "marburg nls"},
     {.name = "commands",
      .type = Option::Type::choice,
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "letters, as BrailleBlaster of the American Printing House sends them; control bytes, as dotify does, "
-                "for a machine that embosses the letters of the commands or takes sheets to be of another length",
+     .summary = "letters, as the American Printing House's BrailleBlaster sends them; or control bytes, as dotify does, for a "
+                "machine that embosses the letters of the commands or assumes another sheet length",
      .choices = "letters control"},
     kSides,
 };
@@ -77,24 +77,22 @@ constexpr ProtocolFact kFacts[] = {
     {"ESC A, K, W, i, s, L, R, T, Q set tables, 6 dots, wrapping, sides, size of the cell, margin, cells, inches and lines; a "
      "number n is the letter 40h + n, up to 59",
      "libembosser 1.4.3 EnablingTechnologiesDocumentHandler", Confidence::medium},
-    {"ESC i @ is both sides, ESC i A one; both sides end with a back", "libembosser 1.4.3", Confidence::medium},
+    {"ESC i @ selects both sides, ESC i A one; a job on both sides ends with a back", "libembosser 1.4.3", Confidence::medium},
     {"ESC s @ is NLS braille, ESC s H Marburg Medium", "libembosser 1.4.3", Confidence::medium},
-    {"a page ends with the end of a line and a form feed, one without a line, too; one that is full ends with the end of its "
-     "last "
-     "line alone, behind which the machine feeds by itself",
-     "libembosser 1.4.3 (setEopOnFullPage), for which full is the number of lines that ESC Q gives", Confidence::medium},
+    {"a page, even one without lines, ends with the end of a line and a form feed; a full page ends with the end of its last "
+     "line alone, after which the machine feeds by itself",
+     "libembosser 1.4.3 (setEopOnFullPage), where full means the number of lines that ESC Q gives", Confidence::medium},
     {"most cells in a line by model, LF without CR for the Attache, 1Ah behind jobs of Phoenix, Cyclone and Trident",
      "libembosser 1.4.3 Model", Confidence::medium},
     {"as control bytes the commands are the same without the 40h (ESC 01h for ESC A, 08h for H), with ESC 00h, 0Fh, 23h and 34h "
-     "for reset, paper sensor, centring and top of form; the length is the inches less 3; a page ends with a form feed behind "
-     "its "
-     "last line, a full one, too; 11h is XON of a serial cable, too",
+     "for reset, paper sensor, centring and top of form; the length is the inches minus 3; a page, even a full one, ends with a "
+     "form feed after its last line; 11h is also XON on a serial cable",
      "dotify 1.0.9 EnablingTechnologiesEmbosser, beside libembosser 1.4.3", Confidence::medium},
-    {"the two sources contradict each other in what ESC T and ESC 14h say of 11 inches: 11 and 8",
+    {"the two sources contradict each other on the value of ESC T and ESC 14h for 11 inches: 11 and 8",
      "libembosser 1.4.3; dotify 1.0.9", Confidence::uncertain},
     {"sheets of 3 to 14 inches, up to 15 wide (Juliet; Attache 8.5)", "libembosser 1.4.3 ETFactory; dotify 1.0.9",
      Confidence::medium},
-    {"a graphic mode is known to its makers' programs only", "no public source found", Confidence::good},
+    {"only the maker's programs know a graphics mode", "no public source found", Confidence::good},
 };
 
 const Model& model_of(const Settings& settings) {
@@ -190,7 +188,7 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     return text_job(pages, job);
 }
 
-// Which models are one to their maker's protocol, as the option's summary tells; a Marathon is none of them.
+// Models that share a protocol, as listed in the option's summary; a Marathon is none of them.
 constexpr ModelSettings kByModel[] = {
     {"romeo", "model=romeo"},
     {"romeo-attache", "model=attache"},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any machine that takes braille as text: 6 dots in North American Braille Computer Code, 8 dots as Unicode braille in UTF-8.
 //
-// It is set up by hand. Its settings here say where it raises dots, so that a drawing keeps its shape: a circle stays round
-// whatever the distance of the lines.
+// It is set up by hand. The settings here describe where it raises dots, so that a drawing keeps its shape: a circle stays round
+// at any line distance.
 #include "print/embosser.h"
 #include "print/format.h"
 #include "print/machines/machines.h"
@@ -26,41 +26,41 @@ constexpr Option kOptions[] = {
      .min = 7.5,
      .max = 20,
      .unit = "mm",
-     .summary = "from line to line; 10 or more with 8 dots"},
+     .summary = "distance from line to line; 10 or more with 8 dots"},
     {.name = "cell",
      .type = Option::Type::length,
      .fallback = 6,
      .min = 5,
      .max = 10,
      .unit = "mm",
-     .summary = "from cell to cell"},
+     .summary = "distance from cell to cell"},
     {.name = "dot",
      .type = Option::Type::length,
      .fallback = 2.5,
      .min = 2,
      .max = 3.3,
      .unit = "mm",
-     .summary = "from dot to dot"},
+     .summary = "distance from dot to dot"},
     {.name = "left",
      .type = Option::Type::length,
      .fallback = 6.8,
      .min = 0,
      .max = 60,
      .unit = "mm",
-     .summary = "from the sheet's left edge to its first dot"},
+     .summary = "distance from the sheet's left edge to its first dot"},
     {.name = "top",
      .type = Option::Type::length,
      .fallback = 6.8,
      .min = 0,
      .max = 60,
      .unit = "mm",
-     .summary = "from the sheet's top edge to its first dot"},
+     .summary = "distance from the sheet's top edge to its first dot"},
 };
 
 constexpr ProtocolFact kFacts[] = {
-    {"a cell is one letter of North American Braille Computer Code (BRF), lines end with CR LF, pages with FF",
+    {"each cell is one letter of North American Braille Computer Code (BRF); lines end with CR LF, pages with FF",
      "cups-filters textbrftoindexv3; libembosser unicodeToAscii", Confidence::good},
-    {"8 dots are taken as UTF-8 of U+2800 to U+28FF", "cups-filters imagetoubrl, for machines and displays that take it",
+    {"8 dots are sent as UTF-8 of U+2800 to U+28FF", "cups-filters imagetoubrl, for machines and displays that take it",
      Confidence::uncertain},
 };
 
@@ -90,7 +90,7 @@ constexpr Embosser kEmbosser{
 extern const Format generic_format;
 const Format generic_format{
     .name = "generic",
-    .summary = "any embosser that takes braille as text, with its own distances of dots, cells and lines",
+    .summary = "any embosser that takes braille as text; set its distances between dots, cells and lines",
     .medium = "embosser",
     .paper = "11x11.5",
     .options = kOptions,

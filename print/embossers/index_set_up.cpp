@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostCellsV3 = 42, kMostCellsV4 = 49;  // dotify 1.0.9 IndexV3Embosser, IndexV4Embosser (Everest: 48)
 
-// Where its first dot is, from the corner; and as much is left at the other side.
+// The position of its first dot from the corner; the opposite margin is the same.
 int cells_of_own(const Page& page, Point first) {
     Page own;
     own.width = page.width;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What embossers of Index Braille have in common.
+// The common part of the embossers of Index Braille.
 #pragma once
 
 #include <span>
@@ -13,14 +13,14 @@ namespace tactics {
 
 enum class IndexSeries { v3, v4 };
 
-/// ESC D key,key,...; for this job only (firmware 10.30 and newer; an older one would emboss it as text, so "setup=no" leaves it
-/// out): no margins of its own, no page numbers, the sheet, single lines, North American Braille Computer Code. `graphic` is the
-/// key of a graphic pitch, or empty. Settings: setup, impacts, copies; sides and model if there are such.
+/// ESC D key,key,...; for this job only (firmware 10.30 and newer; an older one would emboss it as text, so "setup=no" omits it):
+/// no machine margins, no page numbers, the sheet, single lines, North American Braille Computer Code. `graphic` is the key of a
+/// graphic pitch, or empty. Settings: setup, impacts, copies; sides and model if the format has them.
 std::string index_set_up(const Page& page, const Settings& settings, IndexSeries series, std::string_view graphic);
 
 inline constexpr std::size_t kIndexPacket = 64;  ///< bytes, of USB
 
-/// With one more 1Ah, an empty job, behind one that is a multiple of that long.
+/// Adds one more 1Ah, an empty job, after a job whose length is a multiple of that.
 std::string index_job(std::string bytes);
 
 /// Settings of 4-dot graphics: the pitch, and those of index_set_up.
@@ -58,7 +58,7 @@ inline constexpr Option kFourDotOptions[] = {
 };
 inline constexpr std::span<const Option> kFourDotOptionsV4 = std::span(kFourDotOptions).first(std::size(kFourDotOptions) - 1);
 
-/// What the series have in common.
+/// The common part of the series.
 inline constexpr ProtocolFact kFourDotFact{
     "ESC 07h and ESC 06h begin and end 4-dot graphics; @ to O is a column of 4 dots, the lowest bit on top; @ at the end may be "
     "left out",
@@ -93,14 +93,14 @@ inline constexpr ProtocolFact kIndexCellFact{
     "apart at a pitch of 2.5 mm: no source says where a line of text stands behind one of graphics",
     "dotify 1.0.9 IndexEmbosser; this project", Confidence::medium};
 
-/// Text in the machine's own braille of 2.5 mm (TD0), 6 mm a cell and 10 mm a line, by its table of North American Braille
-/// Computer Code (BT0). Settings: those of index_set_up.
+/// Text mode with the machine's own braille of 2.5 mm (TD0), 6 mm per cell and 10 mm per line, and its table of North American
+/// Braille Computer Code (BT0). Settings: those of index_set_up.
 extern const TextMode index_v3_text, index_v4_text;
 
-/// From the left top corner of the sheet to the first dot of any page, mm.
+/// Distance from the top left corner of the sheet to the first dot of any page, mm.
 inline constexpr Point kFirstDotV3{0.8, 2.8}, kFirstDotV4{5.8, 5.8};
 
-/// The pages in 4-dot graphics: each byte @ to O is a column of four dots, the topmost its lowest bit.
+/// The pages in 4-dot graphics: each byte @ to O is a column of four dots, with the topmost as its lowest bit.
 std::string four_dot_job_v3(std::span<const Page> pages, const Settings& settings);
 std::string four_dot_job_v4(std::span<const Page> pages, const Settings& settings);
 

@@ -16,14 +16,14 @@ constexpr ProtocolFact kFacts[] = {
     kJobEndFact,
     kPacketFact,
     kFeedFact,
-    {"nothing is kept free at the left, 2 mm at the top", "cups-filters indexv3.drv (HWMargins)", Confidence::medium},
+    {"no unprintable margin at the left, 2 mm at the top", "cups-filters indexv3.drv (HWMargins)", Confidence::medium},
     kIndexTextFact,
     kIndexCellFact,
-    {"PW and PL are the size of the sheet: in mm for Everest and 4x4 PRO, in inches and a digit (quarter, third, half, two "
-     "thirds, "
-     "three quarters) for Basic, none for 4-Waves; rounded down (dotify rounds up, pads to three digits and has PW for 4-Waves)",
+    {"PW and PL give the size of the sheet: in mm for Everest and 4x4 PRO, in inches and a digit (quarter, third, half, two "
+     "thirds, three quarters) for Basic; not sent for 4-Waves; rounded down (dotify rounds up, pads to three digits and sends "
+     "PW for 4-Waves)",
      "cups-filters 1.28.17 indexv3.sh, indexv3.drv; dotify 1.0.9 IndexV3Embosser", Confidence::medium},
-    {"LS4 is single lines, 5 mm between dots; dotify sends LS50, which firmware before 12.01.3 does not know",
+    {"LS4 selects single lines, 5 mm between dots; dotify sends LS50, unknown to firmware before 12.01.3",
      "cups-filters 1.28.17 "
      "indexv3.sh; dotify 1.0.9 IndexV3Embosser",
      Confidence::medium},

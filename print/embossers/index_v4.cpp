@@ -16,11 +16,11 @@ constexpr ProtocolFact kFacts[] = {
     kJobEndFact,
     kPacketFact,
     kFeedFact,
-    {"5 mm are kept free on every side", "cups-filters indexv4.drv (HWMargins)", Confidence::medium},
-    {"firmware 10.20 embosses the set-up as text", "cups-filters README", Confidence::medium},
+    {"an unprintable margin of 5 mm on every side", "cups-filters indexv4.drv (HWMargins)", Confidence::medium},
+    {"firmware 10.20 embosses the setup commands as text", "cups-filters README", Confidence::medium},
     kIndexTextFact,
     kIndexCellFact,
-    {"CH cells of a line, LP lines of a page (it wants TM, CH wants BI), LS50 single lines",
+    {"CH cells per line, LP lines per page (LP needs TM, CH needs BI), LS50 single lines",
      "cups-filters 1.28.17 indexv4.sh; libembosser 1.4.3; dotify 1.0.9; brailleplot 63abd73, after Index's Interface Protocol V5 "
      "and "
      "V4 of 2016-05-13",

@@ -10,16 +10,16 @@ namespace tactics {
 namespace {
 
 constexpr ProtocolFact kFacts[] = {
-    {"{man} takes lines as they are sent, {bc 1} is North American Braille Computer Code, {lm 0} {rm 0} {tm 0} are margins, {np} "
-     "ends a line",
+    {"{man} keeps lines as they are sent, {bc 1} selects North American Braille Computer Code, {lm 0} {rm 0} {tm 0} are "
+     "margins, {np} ends a line",
      "dotify 1.0.9 MountbattenEmbosser", Confidence::medium},
-    {"letters are small ones, which have no sign of a capital before them in that code",
-     "dotify 1.0.9 EmbosserTableProvider NABCC", Confidence::medium},
-    {"@ [ \\ ] ^ are sent for dots 4, 2 4 6, 1 2 5 6, 1 2 4 5 6 and 4 5, as the code of 6 dots has them in a single cell; dotify "
+    {"letters are lower case, which that code writes without a capital sign", "dotify 1.0.9 EmbosserTableProvider NABCC",
+     Confidence::medium},
+    {"@ [ \\ ] ^ are sent for dots 4, 2 4 6, 1 2 5 6, 1 2 4 5 6 and 4 5, as the 6-dot code writes them in a single cell; dotify "
      "sends ` { | } ~, of which { begins a command",
      "Code for Computer Braille Notation, BANA 1987; dotify 1.0.9", Confidence::uncertain},
-    {"cells are 5.9 mm wide, lines 10.1 mm high, 15 mm on every side are not embossed", "dotify 1.0.9", Confidence::medium},
-    {"pages are sheets put in by hand; a form feed ends one, behind its last line", "dotify 1.0.9", Confidence::medium},
+    {"cells are 5.9 mm wide, lines 10.1 mm high; 15 mm on every side cannot be embossed", "dotify 1.0.9", Confidence::medium},
+    {"sheets are fed by hand, one per page; a form feed after the last line ends a page", "dotify 1.0.9", Confidence::medium},
 };
 
 constexpr CellSize kCell{2.5, 5.9, 10.1, 1.6};

@@ -16,12 +16,12 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr ProtocolFact kFacts[] = {
-    {"a job is 01h 00h 00h, its pages with 0Ch between them, and 03h; a page is 02h 01h and the number of its lines; a line is a "
-     "byte that counts its letters and the CR LF behind them, its letters, CR LF",
+    {"a job is 01h 00h 00h, its pages with 0Ch between them, and 03h; a page is 02h 01h, the number of its lines, and the "
+     "lines; a line is a byte that counts its letters and the CR LF after them, then the letters, then CR LF",
      "libembosser 1.4.3 PEF2Nippon and its tests; no second source was found, and libembosser itself offers no machine for it",
      Confidence::uncertain},
     {"letters are North American Braille Computer Code", "libembosser 1.4.3 PEF2Nippon", Confidence::uncertain},
-    {"on both sides a last front has an empty back; no command sets the machine to both sides: set it by hand",
+    {"on both sides, a last front gets an empty back; no command selects both sides: set the machine by hand",
      "libembosser 1.4.3 PEF2Nippon, duplexPagesJoiner", Confidence::uncertain},
     {"cells are 6 mm wide, lines 10 mm high", "this project: Marburg Medium", Confidence::uncertain},
 };

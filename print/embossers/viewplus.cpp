@@ -26,17 +26,17 @@ constexpr Option kOptions[] = {
      .min = 10,
      .max = 100,
      .unit = "percent",
-     .summary = "height of the dots of patterns; lines and braille have all of it"},
+     .summary = "height of the dots of patterns; lines and braille have the full height"},
 };
 
 constexpr ProtocolFact kFacts[] = {
     {"dots stand 1/20 inch apart", "libembosser; ViewPlus's product pages", Confidence::good},
-    {"a dot is the higher the darker it is", "ViewPlus's driver, at second hand", Confidence::medium},
+    {"the darker a dot, the higher it is", "ViewPlus's driver, at second hand", Confidence::medium},
     {"cells are 6.35 mm wide, lines 10.16 mm: 5 and 8 dots", "libembosser", Confidence::medium},
-    {"the picture is not smoothed at 20 dots per inch by the print queue", "this project", Confidence::uncertain},
+    {"the print queue does not smooth the picture at 20 dots per inch", "this project", Confidence::uncertain},
 };
 
-// How many heights its dots have is told nowhere that we know of; those that it is sent are none, a pattern's and a line's.
+// We know no source for its number of dot heights; we send none, a pattern's and a line's.
 DotSetting dots(const Settings&) {
     return {.cell = {2 * kPitch, 5 * kPitch, 8 * kPitch, 1.5}, .bed = DotBed{{kPitch / 2, kPitch / 2}, kPitch, 3}, .levels = 3};
 }
@@ -74,7 +74,7 @@ constexpr Embosser kEmbosser{
 extern const Format viewplus_format;
 const Format viewplus_format{
     .name = "viewplus",
-    .summary = "ViewPlus: a grey PNG of 20 dots per inch to be printed at its size by their driver",
+    .summary = "ViewPlus: a grey PNG at 20 dots per inch, to be printed at its own size by the ViewPlus driver",
     .medium = "embosser",
     .paper = "letter",
     .options = kOptions,

@@ -27,15 +27,18 @@ namespace tactics {
 namespace {
 
 // A package must name them (5.3.3.4, 5, 9, 10 and 11; the day of its last change EPUB 3.3, 5.5.4, too), and only the user knows
-// them. What is not told is left out: no name and no day is better than a wrong one that libraries file the book under.
+// them. Missing data are left out: no name or date is better than a wrong one under which libraries file the book.
 constexpr Option kOptions[] = {
-    {.name = "creator", .type = Option::Type::words, .summary = "who made the work that is drawn: its author or artist"},
-    {.name = "producer", .type = Option::Type::words, .summary = "who made the tactile edition: a person or an institution"},
-    {.name = "date", .type = Option::Type::date, .summary = "day of publication and last change; the files inside have it too"},
+    {.name = "creator", .type = Option::Type::words, .summary = "author or artist of the work that is drawn"},
+    {.name = "producer", .type = Option::Type::words, .summary = "person or institution that made the tactile edition"},
+    {.name = "date",
+     .type = Option::Type::date,
+     .summary = "day of publication and last change; also the date of the files "
+                "inside"},
     {.name = "copyright",
      .type = Option::Type::whole,
      .max = 9999,
-     .summary = "year of copyright of the work that is drawn; 0 leaves it out"},
+     .summary = "copyright year of the work that is drawn; 0 leaves it out"},
 };
 
 std::string untold(const Settings& settings) {
@@ -59,7 +62,7 @@ constexpr std::string_view kEnglish = "en-ueb-g2.ctb";
 
 using Cells = std::vector<std::uint8_t>;
 
-// The script subtag stands behind the language and before the region: en-GB is en-Brai-GB (5.3.3.8, BCP 47).
+// The script subtag follows the language and precedes the region: en-GB becomes en-Brai-GB (5.3.3.8, BCP 47).
 std::string braille_tag(std::string_view language) {
     const std::size_t end = std::min(language.find('-'), language.size());
     return std::string(language.substr(0, end)) + "-Brai" + std::string(language.substr(end));
@@ -89,7 +92,7 @@ struct Section {
     Cells title_cells;
     std::vector<std::string> lines;  // of the description
     std::vector<Cells> line_cells;
-    std::string number;  // behind the names of what belongs to it: none, "-2", "-3" ...
+    std::string number;  // suffix of the names of its files: none, "-2", "-3" ...
 };
 
 // Everything that the package says in braille.
@@ -112,7 +115,7 @@ Words words_of(std::span<const Page> pages) {
     // A book of braille is in braille even if the page is not to have any.
     const std::string_view own = page.braille_table.empty() ? kEnglish : std::string_view(page.braille_table);
     words.title = page.title.empty() ? "Tactile graphic" : page.title;
-    // Our own words are English, whatever the title is in.
+    // Our own words are English, regardless of the title's language.
     const std::string_view english = own.starts_with("en") ? own : kEnglish;
     words.lines_language = alternative_language(page);
     for (const Page& each : pages) {
@@ -311,7 +314,7 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     for (const std::string& drawing : drawings) all += drawing;
     const std::string& day = settings.words("date");
     ZipFile zip = day.empty() ? ZipFile() : ZipFile(day);
-    // First, as it is and without an extra field: it tells what the archive is at a fixed place (EPUB 3.3, 4.3.2).
+    // First, uncompressed and without an extra field: it identifies the archive at a fixed place (EPUB 3.3, 4.3.2).
     zip.add("mimetype", "application/epub+zip", ZipFile::Packing::stored);
     const auto add = [&](std::string_view name, const std::string& bytes) { zip.add(name, bytes, ZipFile::Packing::deflated); };
     add("META-INF/container.xml",

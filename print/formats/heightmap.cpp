@@ -2,8 +2,8 @@
 // A picture of heights for milling, 3-D printing and haptic devices: grey, lines raised from a flat ground, as 16-bit PNG, as
 // TIFF, as EXR and packed.
 //
-// A sample is the height at the centre of its pixel: 0 (black) is the ground, 65535 (white) the full height; decimal numbers are
-// mm. What that means stands in the file: its resolution, and the words of tactics/relief/height_words.h.
+// A sample is the height at the centre of its pixel: 0 (black) is the ground, 65535 (white) the full height; floating-point
+// numbers are mm. The file states the scale: its resolution, and the entries of tactics/relief/height_words.h.
 #include "print/format.h"
 #include "print/page_relief.h"
 
@@ -54,7 +54,7 @@ const Format heightmap_format{
 extern const Format heightmap_tiff_format;
 const Format heightmap_tiff_format{
     .name = "heightmap-tiff",
-    .summary = "the same heights as TIFF, of 16 bits or of decimal numbers",
+    .summary = "the same heights as TIFF, 16-bit or floating-point",
     .extensions = "height.tiff height.tif",
     .medium = "swell",
     .paper = "a4",
@@ -65,7 +65,7 @@ const Format heightmap_tiff_format{
 extern const Format heightmap_exr_format;
 const Format heightmap_exr_format{
     .name = "heightmap-exr",
-    .summary = "the same heights as OpenEXR, 32-bit decimal numbers in mm",
+    .summary = "the same heights as OpenEXR, 32-bit floating-point numbers in mm",
     .extensions = "height.exr",
     .medium = "swell",
     .paper = "a4",
@@ -76,7 +76,7 @@ const Format heightmap_exr_format{
 extern const Format felt_format;
 const Format felt_format{
     .name = "felt",
-    .summary = "the same heights packed without loss, any part to be read alone (tactics help felt)",
+    .summary = "the same heights packed without loss; any part can be read alone (tactics help felt)",
     .extensions = "height.felt felt",
     .medium = "swell",
     .paper = "a4",

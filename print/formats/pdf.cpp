@@ -43,7 +43,7 @@ std::string language_entry(std::string_view tag) {
 class Tags {
 public:
     void begin_page() { pages_.emplace_back(); }
-    /// Opens marked content; whoever draws it closes it with EMC. `entries` are those of the element.
+    /// Opens marked content; the caller closes it with EMC. `entries` are those of the element.
     void open(std::string& content, const std::string& type, const std::string& entries) {
         content += "/" + type + " << /MCID " + std::to_string(pages_.back().size()) + " >> BDC\n";
         pages_.back().push_back("/S /" + type + " " + entries);
@@ -188,8 +188,8 @@ std::size_t title_lines(const Page& page) {
     return lines;
 }
 
-// Braille that says what the print says is left out of the structure, or it would be told twice. Alone it is told in
-// braille: nothing else on the page knows its words.
+// Braille that repeats the print is left out of the structure; otherwise it would be read twice. Without print it is included as
+// braille, because nothing else on the page has its words.
 void append_braille(std::string& content, const Page& page, Tags& tags) {
     const std::size_t headings = page.print.empty() ? title_lines(page) : 0;
     for (std::size_t i = 0; i < page.braille.size(); ++i) {
@@ -206,7 +206,7 @@ void append_braille(std::string& content, const Page& page, Tags& tags) {
     }
 }
 
-// What the page shows goes into the file; the entries of the page itself that point there are given back.
+// Writes the page's contents to the file and returns the entries of the page that point to them.
 std::string add_content(const Page& page, PdfFile& file, Tags& tags) {
     tags.begin_page();
     const PdfFont font(page);
@@ -237,7 +237,7 @@ std::string add_content(const Page& page, PdfFile& file, Tags& tags) {
     return "/MediaBox " + box + "] /Contents " + PdfFile::reference(drawn) + " /Resources << " + resources + ">>";
 }
 
-// What programs that catalogue and check files read (ISO 16684-1). In a language that xml:lang tells, or in that of the file.
+// Metadata for cataloguing and checking programs (ISO 16684-1), in the language of xml:lang or of the file.
 std::string described_by(const Page& page) {
     const std::string language = language_tag(page.language), other = language_tag(alternative_language(page));
     const auto alternative = [](const std::string& name, const std::string& tag, const std::string& text) {
@@ -279,7 +279,7 @@ int add_outline(PdfFile& file, const std::vector<OutlineEntry>& entries, int she
     return root;
 }
 
-// Pages as they come, then all that tells of them.
+// The pages in order of arrival, then the objects that describe them.
 class PdfPages : public PageBook {
 public:
     void add(std::span<const Page> pages, const std::string& name) override {
@@ -315,7 +315,7 @@ public:
         const std::string outline = outline_.empty() ? ""
                                                      : " /Outlines " + PdfFile::reference(add_outline(file_, outline_, sheet)) +
                                                            " /PageMode /UseOutlines";
-        // A page shrunk to fit would have lines too thin to swell, so viewers are asked to print it as it is.
+        // A page shrunk to fit would have lines too thin to swell, so viewers are asked to print it unscaled.
         const int root = file_.add(
             "<< /Type /Catalog /Pages " + PdfFile::reference(pages) + " " + language_entry(page.language) + "/Metadata " +
             PdfFile::reference(metadata) + " /MarkInfo << /Marked true >> /StructTreeRoot " + PdfFile::reference(tree) + outline +

@@ -34,14 +34,14 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "dots of a cell: 8 if the embosser can",
+     .summary = "dots per cell: 8 if the embosser supports them",
      .choices = "6 8"},
     {.name = "graphic",
      .type = Option::Type::choice,
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "image: the drawing also as a picture, for BrailleBlaster and ViewPlus (APH's extension as its programs have it, "
+     .summary = "image: include the drawing also as a picture, for BrailleBlaster and ViewPlus (an extension in APH's programs, "
                 "not in PEF 2008-1)",
      .choices = "rows image"},
     kSides,
@@ -49,7 +49,7 @@ constexpr Option kOptions[] = {
 
 DotSetting dots(const Settings& settings) { return {kMarburgMedium, {{6.8, 6.8}, 0, settings.choice("dots") == "8" ? 4 : 3}}; }
 
-// A document must be told from others, and a file of ours knows neither clock nor chance.
+// A document needs a unique identifier, and our files use neither clock nor randomness.
 std::string identifier_of(std::string_view text) {
     const auto sum = crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()));
     return "tactics-" + std::to_string(sum) + "-" + std::to_string(text.size());
@@ -71,7 +71,7 @@ std::optional<Lines> lines_of_drawing(const Page& page) {
     return Lines{begin, end};
 }
 
-// All dots of these lines, round, where they stand on the page: a row is four dots high, a cell as wide as it is set.
+// All dots of these lines, round, in their places on the page: a row is four dots high, a cell as wide as set.
 std::string picture_of(const CellRows& rows, Lines lines, const CellSize& cell) {
     constexpr int kPixels = 4;    // of a mm: whole ones from dot to dot and from cell to cell of Marburg Medium
     constexpr double kDot = 1.6;  // mm across

@@ -23,14 +23,14 @@ constexpr Option kOptions[] = {
      .min = 0,
      .max = kMaxSide,
      .unit = "pixels",
-     .summary = "exact width of the page in pixels; 0: by dpi"},
+     .summary = "exact width of the page in pixels; 0: from dpi"},
     {.name = "height",
      .type = Option::Type::whole,
      .fallback = 0,
      .min = 0,
      .max = kMaxSide,
      .unit = "pixels",
-     .summary = "exact height, if a width is given; 0: as the page is shaped"},
+     .summary = "exact height, if a width is given; 0: from the shape of the page"},
 };
 
 std::string encode(const Page& page, const Settings& settings) {

@@ -133,7 +133,7 @@ std::string encode_pages(std::span<const Page> all, const Settings&) {
 extern const Format postscript_format;
 const Format postscript_format{
     .name = "ps",
-    .summary = "PostScript level 2, for printers that speak it",
+    .summary = "PostScript level 2, for PostScript printers",
     .extensions = "ps",
     .medium = "swell",
     .paper = "a4",

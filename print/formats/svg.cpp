@@ -240,7 +240,7 @@ std::string encode(const Page& page, const Settings&) {
 extern const Format svg_format;
 const Format svg_format{
     .name = "svg",
-    .summary = "scalable vector graphics in mm, to go on drawing",
+    .summary = "scalable vector graphics in mm, for further drawing",
     .extensions = "svg",
     .medium = "swell",
     .paper = "a4",

@@ -18,16 +18,16 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "dots of a cell; with 8 lines of dots stand as close to the next line's as to each other; with a pitch all "
-                "letters have 8, and this does nothing",
+     .summary = "dots per cell; with 8, rows of dots are evenly spaced, within lines and from line to line. No effect with a "
+                "pitch, where every cell has 8",
      .choices = "6 8"},
     {.name = "pitch",
      .type = Option::Type::choice,
      .fallback = 0,
      .min = 0,
      .max = 3,
-     .summary = "mm from dot to dot where all are equally far apart, for lp -o document-format=image/vnd.cups-ubrl; cells: "
-                "braille's own",
+     .summary = "distance between dots, mm, if all are equally spaced, for lp -o document-format=image/vnd.cups-ubrl; cells: "
+                "the spacing of braille",
      .choices = "cells 1.6 2.0 2.5"},
 };
 

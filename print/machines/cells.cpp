@@ -12,7 +12,7 @@ namespace {
 
 constexpr unsigned char kEsc = 0x1b;
 
-// CR, LF, FF and letters; what a machine has besides is tried first: `special` gives how many bytes it took.
+// CR, LF, FF and letters; a machine's other commands are tried first: `special` returns how many bytes it used.
 template <typename Special>
 Punched punch_text(std::string_view bytes, CellHead head, Special special) {
     SheetFeed feed(head);
@@ -43,7 +43,7 @@ Punched punch_text(std::string_view bytes, CellHead head, Special special) {
     return feed.finish(bytes.size());
 }
 
-// ESC and a command with so many letters behind it; those not listed are told.
+// ESC and a command followed by that many letters; unlisted commands are reported.
 struct Command {
     char letter;
     std::size_t more;
@@ -79,7 +79,7 @@ Punched punch_generic(std::string_view bytes, const Settings& settings) {
     });
 }
 
-// Behind the last line of a page, whose number the job gives, it feeds by itself. Its commands are letters or control bytes.
+// After the last line of a page, whose number the job gives, it feeds automatically. Its commands are letters or control bytes.
 Punched punch_enabling(std::string_view bytes, const Settings& settings) {
     const bool nls = settings.choice("cell") == "nls";
     const CellHead head = nls ? CellHead{{6.72, 6.72}, 2.34, 6.096, 10.16} : CellHead{{6.8, 6.8}, 2.5, 6, 10};
@@ -215,7 +215,7 @@ Punched punch_nippon(std::string_view bytes, const Settings&) {
         feed.begin();
         unsigned lines = byte(at + 2);
         for (at += 3; lines > 0 && at < bytes.size(); --lines) {
-            const std::size_t length = byte(at);  // of what stands behind it
+            const std::size_t length = byte(at);  // of the following bytes
             if (length < 2 || bytes.size() - at < length + 1 || bytes.substr(at + length - 1, 2) != "\r\n") {
                 feed.note(at, "a line that is not as long as it says");
                 return feed.finish(bytes.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machines, each as far as its protocol is known. What they are sent is bytes of any origin: nothing in them is trusted.
+// The machines, each as far as its protocol is known. Their input may come from anywhere and is never trusted.
 #pragma once
 
 #include "print/machines/punched.h"

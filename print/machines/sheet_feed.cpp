@@ -8,7 +8,7 @@ namespace tactics {
 namespace {
 
 constexpr std::size_t kMostNotes = 20;
-// Of a job: a thousand pages full of dots, and far more than anybody looks at. What is beyond is told, not kept.
+// Per job: a thousand pages full of dots, far more than anybody looks at. Anything beyond is reported, not stored.
 constexpr std::size_t kMostDots = 10'000'000, kMostSheets = 100'000;
 constexpr std::size_t kMostLines = 10'000;  // of a sheet, and cells of a line
 

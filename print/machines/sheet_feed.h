@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The moving parts that all machines have: a sheet, and lines of cells on it.
+// The mechanism that all machines share: a sheet, and lines of cells on it.
 #pragma once
 
 #include <optional>
@@ -21,19 +21,19 @@ public:
     explicit SheetFeed(CellHead head) : head_(head) {}
 
     CellHead& head() { return head_; }
-    void at(std::size_t byte) { at_ = byte; }   ///< the byte that is read now
-    void begin();                               ///< of the sheet, here, if nothing began it before
-    void set_up(std::size_t end);               ///< from the byte that is read now up to that one
-    void set_cell(std::uint8_t cell);           ///< and goes one to the right
+    void at(std::size_t byte) { at_ = byte; }   ///< sets the position of the byte being read
+    void begin();                               ///< begins the sheet here, if nothing began it before
+    void set_up(std::size_t end);               ///< from the byte being read up to that one
+    void set_cell(std::uint8_t cell);           ///< and moves one cell to the right
     void set_dot(Point at, double height = 1);  ///< its height as a share of the full one
     void set_apart(std::vector<std::uint8_t> cells) { sheet_.apart = std::move(cells); }
     void carriage_return() { column_ = 0; }
     void line_feed();
     void form_feed(std::size_t end);
-    void end_job(std::size_t end);                         ///< the byte before that one ends a job, and belongs to its last sheet
-    void note(std::size_t byte, const std::string& text);  ///< at most some, then that there are more
+    void end_job(std::size_t end);                         ///< the byte before that one ends a job and belongs to its last sheet
+    void note(std::size_t byte, const std::string& text);  ///< keeps the first few, then a note that there are more
 
-    /// A sheet that is still in the machine comes out if anything is on it.
+    /// Ejects a sheet that is still in the machine if anything is on it.
     Punched finish(std::size_t end);
 
 private:
@@ -47,7 +47,7 @@ private:
     std::size_t notes_ = 0;
 };
 
-/// The cell of a letter of North American Braille Computer Code, small letters as large ones. Nothing: it has none.
+/// The cell of a letter of North American Braille Computer Code; lower case counts as upper case. Nothing: no such letter.
 std::optional<std::uint8_t> cell_of_letter(unsigned char letter);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a camera makes of light: lens, vignette, tone curve, grain.
+// The effects of a camera: lens, vignette, tone curve, grain.
 #pragma once
 
 #include <vector>

@@ -40,7 +40,7 @@ std::vector<std::string> parts_of(const std::string& text) {
     return parts;
 }
 
-// Where tables of a person's own may lie, and be called by their names (liblouis(7)).
+// Folders for users' own tables, which can be given by name (liblouis(7)).
 std::vector<std::string> own_folders() {
     const char* folders = std::getenv("LOUIS_TABLEPATH");
     return folders == nullptr || *folders == '\0' ? std::vector<std::string>() : parts_of(folders);
@@ -51,7 +51,7 @@ struct FoundTable {
     std::vector<std::string> folders;  // of files that did not come with liblouis; empty: all did
 };
 
-// A name is that of liblouis's own table, whatever lies in the folder where we happen to be.
+// A plain name means liblouis's own table, regardless of files in the current folder.
 std::string path_of_table(const std::string& name) {
     if (name.empty()) return "";
     const bool named = name.find('/') == std::string::npos;
@@ -81,7 +81,7 @@ FoundTable find_table(std::string_view name) {
     return found;
 }
 
-// What the child of such a table said. It may be the table that speaks.
+// The child's answer for such a table. A malicious table could control it.
 std::vector<std::uint8_t> cells_of(const ChildAnswer& answer, const std::string& shown) {
     const auto refuse = [&](const std::string& why) {
         throw Error(Fault::usage, spelled("braille"), "\"" + to_line(shown.substr(0, 80)) + "\" " + why);

@@ -11,15 +11,15 @@
 
 namespace tactics {
 
-/// Cells of `utf8` in a liblouis table ("en-ueb-g2.ctb"): bit 0 = dot 1 ... bit 7 = dot 8. Thread-safe. A name is that of a table
-/// which liblouis brought with it; a path, or another name of a file, is a table of the user's own, which is read by a program
-/// that is shut in, in 10 seconds and 512 MiB. Throws Error(usage) at the wish "braille": unknown or harmful table, even for an
-/// empty text; at `text_place`, where the text came from: too long, invalid UTF-8, a letter that the table has no cells for (the
+/// Cells of `utf8` in a liblouis table ("en-ueb-g2.ctb"): bit 0 = dot 1 ... bit 7 = dot 8. Thread-safe. A plain name means one of
+/// liblouis's own tables; a path, or another file name, is a table of the user's own, which an isolated program reads, within 10
+/// seconds and 512 MiB. Throws Error(usage) at the wish "braille" for an unknown or harmful table, even for an empty text; at
+/// `text_place`, the origin of the text, if it is too long, is invalid UTF-8, or has a letter without cells in the table (the
 /// first is named).
 std::vector<std::uint8_t> to_braille(std::string_view utf8, std::string_view table,
                                      std::string_view text_place = spelled("title"));
 
-/// The tables of text that liblouis brought with it, by name, in the order of the alphabet.
+/// The names of liblouis's own text tables, in alphabetical order.
 std::vector<std::string> braille_tables();
 
 /// The BRF letter of a 6-dot cell (North American Braille Computer Code): 64 characters from 20h to 5Fh.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words that may be in another language than their braille.
+// Detects words that may be in another language than their braille.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace tactics {
 
-/// English braille has signs for letters of many languages, so a German title comes out without an error and is still not German
-/// braille. What to tell of `title` in such a table: its Latin letters that English does not write, but for those of words that
-/// it has taken over (café, naïve). Empty: there are none, or the table is not English.
+/// English braille has signs for letters of many languages, so a German title causes no error and is still not German braille.
+/// Returns a message about `title` in such a table: its Latin letters that do not occur in English, except in adopted words
+/// (café, naïve). Empty: there are none, or the table is not English.
 std::string note_of_foreign_letters(std::string_view title, std::string_view table);
 
 }  // namespace tactics

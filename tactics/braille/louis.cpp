@@ -27,11 +27,11 @@ constexpr std::size_t kLongestText = 10'000;
 // liblouis joins a table's name to its folder in a buffer of 4096 bytes without asking how long it is.
 constexpr std::size_t kLongestTableName = 2000;
 
-// liblouis keeps its compiled tables, its work buffers and its log callback in variables of its own, without a lock:
-// two translations at once damage each other. A translation takes tens of microseconds, so one lock for all is enough.
+// liblouis keeps its compiled tables, its work buffers and its log callback in global variables without a lock, so two concurrent
+// translations damage each other. A translation takes tens of microseconds, so one lock for all is enough.
 std::mutex liblouis_lock;
 
-// The callback gets no pointer of ours, so what liblouis complains of goes through here; held by the lock above.
+// The callback gets no pointer of ours, so liblouis's complaints go through here; guarded by the lock above.
 std::string* first_complaint = nullptr;
 
 void take_log(logLevels level, const char* message) {
@@ -82,12 +82,11 @@ std::string printable(std::string text) {
     return text;
 }
 
-// Says which tables there are. liblouis itself would open every file of every folder of LOUIS_TABLEPATH to answer that, whatever
-// lies there.
+// Lists the tables. liblouis itself would open every file in every folder of LOUIS_TABLEPATH for this.
 std::string table_advice(std::string_view table) {
     if (table.find("nemeth") != std::string_view::npos)
         return "; liblouis has Nemeth for MathML only, not for plain text; en-ueb-g1.ctb has signs for numbers and formulae";
-    constexpr std::size_t kMost = 8;  // that are told of a language; few have more that are literary
+    constexpr std::size_t kMost = 8;  // maximum listed for a language; few have more literary tables
     const std::vector<std::string> names = louis_tables();
     if (names.empty()) return "; no tables are installed: apt-get install liblouis-data";
     std::vector<BrailleTable> fitting = tables_for(table, described_tables());
@@ -99,7 +98,7 @@ std::string table_advice(std::string_view table) {
     return did_you_mean(table, views) + "; see tactics list braille";
 }
 
-// What liblouis complains of may hold any bytes of the file, so only the number of the line is taken from it.
+// A complaint of liblouis may hold any bytes of the file, so only its line number is used.
 std::string faulty_line(std::string_view complaint) {
     const auto end = complaint.find(": error: ");
     if (end == std::string_view::npos) return "";
@@ -142,8 +141,8 @@ std::vector<widechar> translate(const LouisTable& table, const std::vector<widec
     }
 }
 
-// A letter that the table lacks comes out as its number in hexadecimal, which nobody reads. Told to leave such letters
-// out, liblouis gives something else if there is one.
+// A letter that the table lacks comes out as its hexadecimal number, which nobody can read. With the option to leave such letters
+// out, liblouis outputs something else for them.
 bool lacks_letters(const LouisTable& table, const std::vector<widechar>& text, const std::vector<widechar>& cells,
                    const Session& session) {
     return translate(table, text, noUndefined, session) != cells;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cells by liblouis, in this process: for tables that can be trusted, and within the program that others are shut in with.
+// Cells by liblouis, in this process: for trusted tables, and inside the isolated program for others.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace tactics {
 
-/// A table as liblouis finds it (a path, or several with commas between them) and as its user called it.
+/// A table as liblouis finds it (a path, or several separated by commas) and under its user's name for it.
 struct LouisTable {
     std::string path;  ///< empty: there is none of that name
     std::string shown;

@@ -14,7 +14,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kHead = 16'384;  // bytes; in those of liblouis 3.24 all that is asked for stands in the first 5,000
+constexpr std::size_t kHead = 16'384;  // bytes; in the tables of liblouis 3.24 all metadata are in the first 5,000
 
 std::string small(std::string_view text) {
     std::string letters(text);
@@ -97,7 +97,7 @@ std::vector<BrailleTable> tables_for(std::string_view language, std::vector<Brai
 std::string table_for_tag(std::string_view tag, std::vector<BrailleTable> all) {
     const std::string base = small(tag.substr(0, tag.find_first_of("-_")));
     if (base == "en") return std::string(kEnglishTable);
-    // Of several languages a table is for the first before all.
+    // A table with several languages is mainly for the first.
     const auto is_of = [&](const BrailleTable& table) {
         const std::string first = table.languages.empty() ? "" : small(table.languages.front());
         return first.substr(0, first.find('-')) == base || (base == "nb" && first == "no") || (base == "nn" && first == "no");

@@ -159,7 +159,7 @@ Source source_of(const tactics_job& job, const Job& wanted, std::vector<std::str
     return wanted.as_text ? std::move(source) : page_of_input(std::move(source), job.input, page_wish(wanted), notes);
 }
 
-// What the job asks for, as if it were typed behind `tactics convert`.
+// The job's request, as if typed after `tactics convert`.
 Request request_of(const tactics_job& job) {
     if (job.input.empty()) throw Error(Fault::usage, "", "there is no input; name one with tactics_input");
     std::vector<std::string> words;

@@ -43,7 +43,7 @@ std::vector<Sample> samples_of(const Stroke& stroke, double step) {
     return samples;
 }
 
-// What a line narrower than `apart` is to a finger, to and fro or round about: a line along it.
+// A line to and fro or in circles, narrower than `apart`, feels like a line along its middle.
 Stroke slimmed(const Stroke& stroke, double apart) {
     std::size_t longest = 0;
     const std::size_t n = stroke.points.size();

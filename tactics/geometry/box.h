@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lies around things: the one rectangle that geometry works with. A Rect (tactics/page.h) is a place that something is given
-// on a page, told by its size; whole pixels have a PixelBox (tactics/image.h).
+// The bounding rectangle of all geometry. A Rect (tactics/page.h) is a place on a page, defined by its size; whole pixels have a
+// PixelBox (tactics/image.h).
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace tactics {
 
-/// An upright rectangle, told by its sides, mm.
+/// An upright rectangle, defined by its sides, mm.
 struct Box {
     double left = 0, top = 0, right = 0, bottom = 0;
 
     double width() const { return right - left; }
     double height() const { return bottom - top; }
     bool holds(Point p) const { return p.x >= left && p.x <= right && p.y >= top && p.y <= bottom; }  ///< its sides belong to it
-    /// Grows until it holds the point, too.
+    /// Grows to include the point.
     void take(Point p) {
         left = std::min(left, p.x);
         top = std::min(top, p.y);
@@ -28,16 +28,16 @@ struct Box {
     }
 };
 
-/// Around nothing: it meets no other, and holds what it takes.
+/// The empty box: it meets no other, and grows to whatever it takes in.
 inline constexpr double kNowhere = std::numeric_limits<double>::infinity();
 inline constexpr Box kNothing{kNowhere, kNowhere, -kNowhere, -kNowhere};
 
-/// With so much more on every side.
+/// Enlarged by that much on every side.
 inline Box grown(const Box& box, double margin) {
     return {box.left - margin, box.top - margin, box.right + margin, box.bottom + margin};
 }
 
-/// They have a point in common, be it on their sides.
+/// Whether they share a point, including their sides.
 inline bool meet(const Box& a, const Box& b) {
     return a.left <= b.right && b.left <= a.right && a.top <= b.bottom && b.top <= a.bottom;
 }
@@ -49,7 +49,7 @@ inline Box box_of(std::span<const Point> points) {
     return box;
 }
 
-/// Of what is not drawn: kNothing.
+/// kNothing if it is not drawn.
 inline Box box_of(const Region& region) {
     Box box = kNothing;
     for (const auto& ring : region.rings)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of lines and rings lies within a rectangle.
+// Clips lines and rings to a rectangle.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace tactics {
 
-/// The parts of a line within, in their order; points of the line are in them as they are. A closed one that is cut comes in
-/// parts that are not, the first and the last of them meeting where it began if that is within.
+/// The parts of a line inside, in order, with unchanged points. A closed line that is cut gives open parts; the first and the
+/// last meet at its beginning if that is inside.
 std::vector<std::vector<Point>> clipped(const std::vector<Point>& points, bool closed, const Rect& rect);
 
-/// What of the ring's inside is within, as one ring; fewer than three points: nothing. Where it falls into several pieces they
-/// stay joined along a side of the rectangle, to and fro, which encloses nothing.
+/// The part of the ring's area inside, as one ring; fewer than three points: nothing. Several pieces stay joined by lines to and
+/// fro along a side of the rectangle, which enclose nothing.
 std::vector<Point> ring_within(std::vector<Point> ring, const Rect& rect);
 
 }  // namespace tactics

@@ -7,8 +7,8 @@ namespace tactics {
 
 namespace {
 
-// Of a line where the farthest point is always the last but one (a zigzag that grows) all points would be looked at for each.
-// What is left when that shows is halved first, which keeps a few more points.
+// In a line where the farthest point is always the last but one (a growing zigzag), all points would be visited for each. When
+// this is detected, the rest is halved first, which keeps a few more points.
 constexpr std::size_t kLooks = 10'000'000, kLooksEach = 100, kShort = 1000;
 
 }  // namespace

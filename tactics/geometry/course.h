@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The course of a line in fewer points.
+// Simplifies a line to fewer points.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace tactics {
 
-// Asked for so often that a call would show.
+// Inline, because it is called very often.
 inline Point nearest_on_segment(Point p, Point a, Point b) {
     const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
     if (!(square > 0)) return a;
@@ -24,11 +24,11 @@ inline bool ray_meets(Point p, Point a, Point b) {
 }
 
 /// D. Douglas and T. Peucker, 1973: of the points between the kept ones `from` and `to` the farthest is kept too, until none is
-/// farther than `tolerance` from the course of those that are kept. Without recursion; some more are kept where that alone makes
-/// the time grow with the length and not with its square.
+/// farther than `tolerance` from the course of those that are kept. Without recursion; a few more points are kept where this
+/// makes the time grow with the length instead of its square.
 void keep_course(const std::vector<Point>& points, std::size_t from, std::size_t to, double tolerance, std::vector<bool>& keep);
 
-/// The points that are kept of a whole line: its ends, and those. Of an empty line none.
+/// The kept points of a whole line: its ends and those above; none for an empty line.
 std::vector<Point> course_of(const std::vector<Point>& points, double tolerance);
 
 }  // namespace tactics

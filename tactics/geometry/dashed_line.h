@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dashes of a page as the line that they are felt as.
+// Joins the dashes of a page into the line that they form.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace tactics {
 
-/// A gap longer than so many of its dash is no gap in a line but its end.
+/// A gap longer than this many dashes is the end of the line.
 inline constexpr double kSameLine = 2;
 
-/// The last stroke of the dashed line whose first dash is that stroke; any other stroke is a line by itself.
+/// The last stroke of the dashed line whose first dash is that stroke; any other stroke is a separate line.
 std::size_t last_of_line(const Page& page, std::size_t first);
 
 /// The line as if it were whole.

@@ -24,7 +24,7 @@ Nearest nearest(const Segment& one, const Segment& other) {
         const Point p{one.a.x + t * (one.b.x - one.a.x), one.a.y + t * (one.b.y - one.a.y)};
         return {0, p, p};
     }
-    // Squares are compared, as this is asked for every two pieces that are near each other.
+    // Compares squares, because it is called for every two pieces that are near each other.
     Nearest best{std::numeric_limits<double>::infinity(), {}, {}};
     const auto consider = [&best](Point p, Point q) {
         const double dx = p.x - q.x, dy = p.y - q.y, square = dx * dx + dy * dy;

@@ -32,7 +32,7 @@ Grid::Grid(std::vector<Box> boxes, double width, double height) : boxes_(std::mo
     Box all{0, 0, width, height};
     for (const Box& box : boxes_) {
         sides += std::min(box.right - box.left + box.bottom - box.top, 2 * (width + height));
-        // What is no number, or none that can be reckoned with, moves nothing.
+        // Ignores NaN and values outside the usable range.
         constexpr double kFarthest = 1e9;
         all.left = std::min(all.left, std::max(box.left, -kFarthest));
         all.top = std::min(all.top, std::max(box.top, -kFarthest));

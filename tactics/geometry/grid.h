@@ -13,13 +13,13 @@ namespace tactics {
 
 class Grid {
 public:
-    Grid() = default;  ///< empty, and not to be asked
+    Grid() = default;  ///< empty, and not usable
     /// Cells are as large as boxes of the page, which is width x height, are in the mean; what is beside the page has larger
     /// ones. At most 1.6 million cells, and entries for about ten times the boxes.
     Grid(std::vector<Box> boxes, double width, double height);
 
-    /// Calls visit(i, j) once for each pair of boxes that meet; i < j. Gives up, and gives false, when `visit` gives false
-    /// or when more than `most` pairs were looked at.
+    /// Calls visit(i, j) once for each pair of boxes that meet; i < j. Stops, and returns false, if `visit` returns false or
+    /// after more than `most` pairs.
     template <typename Visit>
     bool pairs(std::size_t most, Visit visit) const {
         std::size_t looked = 0;
@@ -30,7 +30,7 @@ public:
                 const std::size_t i = entries_[a];
                 const Box& box = boxes_[i];
                 for (std::size_t b = a + 1; b < starts_[cell + 1]; ++b) {
-                    // A pair is looked at in one cell of all that both are in: where both have begun.
+                    // Each pair is visited in only one of its common cells: the one where both have begun.
                     if ((begun_[a] | begun_[b]) != kBegunBothWays) continue;
                     const std::size_t j = entries_[b];
                     if (meet(box, boxes_[j]) && !visit(i, j)) return false;
@@ -39,7 +39,7 @@ public:
         return true;
     }
 
-    /// Calls visit(i) for each box that meets `box`, until it gives true; then gives true. A box may come up several times.
+    /// Calls visit(i) for each box that meets `box`, until it returns true; then returns true. It may visit a box several times.
     template <typename Visit>
     bool any_near(const Box& box, Visit visit) const {
         const Span span = span_of(box);
@@ -61,14 +61,14 @@ private:
         double outer = 1;  ///< of cells before 0 and beyond `end`
         std::size_t before = 0, within = 1, beyond = 0;
         std::size_t count() const { return before + within + beyond; }
-        // Asked four times for each box.
+        // Called four times for each box.
         std::size_t at(double place) const {
             if (place >= 0 && place <= end) return before + cell_at(place, cell, within);
             if (!(place >= 0)) return before > 0 ? cell_at(place - low, outer, before) : 0;
             return beyond > 0 ? before + within + cell_at(place - end, outer, beyond) : before + cell_at(place, cell, within);
         }
     };
-    /// Which of `count` cells: what lies outside belongs to the first or the last. NaN to the first.
+    /// Index of one of `count` cells: values outside belong to the first or the last, NaN to the first.
     static std::size_t cell_at(double place, double cell, std::size_t count) {
         const double number = place / cell;
         if (!(number > 0)) return 0;

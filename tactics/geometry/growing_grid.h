@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes that come one by one, found again by where they are. What is known from the beginning is in a Grid, points are in Places.
+// Boxes added one by one and found by position. For boxes known from the beginning use a Grid, for points Places.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,14 @@ namespace tactics {
 
 class GrowingGrid {
 public:
-    /// For about `expected` boxes in `area`; of those beside it more than the near ones are looked at. Has no more than four
-    /// times as many cells.
+    /// For about `expected` boxes in `area`; for boxes outside, searches also visit distant ones. Has at most four times as many
+    /// cells.
     GrowingGrid(const Box& area, std::size_t expected);
 
-    void add(const Box& box);  ///< its number is how many there were
+    void add(const Box& box);  ///< its number is the previous count
     std::size_t size() const { return boxes_.size(); }
 
-    /// Calls visit(number) once for each box that meets `box`, in no order that counts, until it gives true; then gives true.
+    /// Calls visit(number) once for each box that meets `box`, in unspecified order, until it returns true; then returns true.
     template <typename Visit>
     bool any_near(const Box& box, Visit visit) const {
         for (const std::uint32_t number : broad_)
@@ -47,7 +47,7 @@ private:
     struct Entry {
         std::uint32_t number, next;  // next: in the same cell
     };
-    // What lies beside the area, or nowhere, belongs to the cells at its edge.
+    // Boxes outside the area, or with NaN, belong to the cells at its edge.
     static std::size_t cell_at(double number, std::size_t count) {
         if (!(number > 0)) return 0;
         return number >= static_cast<double>(count) ? count - 1 : static_cast<std::size_t>(number);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Things that belong together, put into lots one pair at a time.
+// Groups of things, built from pairs (union-find).
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 
 namespace tactics {
 
-/// Each lot goes by the number of its first thing. Takes next to no time a pair (R. E. Tarjan's union-find, with paths halved).
+/// Each group is named by the number of its first thing. Takes almost constant time per pair (R. E. Tarjan's union-find, with
+/// path halving).
 class Lots {
 public:
     explicit Lots(std::size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), 0u); }
@@ -17,7 +18,7 @@ public:
         while (of_[one] != one) one = of_[one] = of_[of_[one]];
         return one;
     }
-    /// False: they were together already.
+    /// False: they were in the same group already.
     bool join(std::uint32_t one, std::uint32_t other) {
         one = find(one), other = find(other);
         if (one != other) of_[std::max(one, other)] = std::min(one, other);

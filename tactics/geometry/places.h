@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points that come one by one, found again by where they are. What is known from the beginning, and has a size, is in a Grid.
+// Points added one by one and found by position. For boxes known from the beginning, use a Grid.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@ namespace tactics {
 
 class Places {
 public:
-    /// For points within `area`; of those beside it more than the near ones are looked at. Cells are `cell` wide and high, over
-    /// 0, or larger: there are a million at most.
+    /// For points within `area`; for points outside, searches also visit distant ones. Cells are `cell` (over 0) wide and high,
+    /// or larger: there are at most a million.
     Places(const Box& area, double cell);
 
-    void add(Point point);  ///< its number is how many there were
+    void add(Point point);  ///< its number is the previous count
     std::size_t size() const { return entries_.size(); }
-    void shrink(std::size_t size);  ///< takes back those that were added last
+    void shrink(std::size_t size);  ///< removes the points added last
     Point operator[](std::size_t number) const { return entries_[number].at; }
 
-    /// Calls visit(number) for all points that are nearer than `reach`, and for others of the same cells, until it gives true;
-    /// then gives true. Cells come row by row; in each the newest point comes first.
+    /// Calls visit(number) for all points nearer than `reach`, and for others in the same cells, until it returns true; then
+    /// returns true. Cells come row by row; in each, the newest point comes first.
     template <typename Visit>
     bool any_near(Point point, double reach, Visit visit) const {
         const std::size_t left = column(point.x - reach), right = column(point.x + reach);
@@ -41,7 +41,7 @@ private:
         Point at;
         std::uint32_t next;  // in the same cell
     };
-    // What lies beside the area, or nowhere, belongs to the cells at its edge.
+    // Points outside the area, or NaN, belong to the cells at its edge.
     static std::size_t cell_at(double number, std::size_t count) {
         if (!(number > 0)) return 0;
         return number >= static_cast<double>(count) ? count - 1 : static_cast<std::size_t>(number);

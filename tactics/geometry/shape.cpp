@@ -239,7 +239,7 @@ Shape shape_of(std::span<const Point> points, bool closed) {
     for (double within = 0.5; shape.corners.empty() || shape.corners.size() > kMostCorners; within *= 2)
         shape.corners = corners_of(few, shape.closed, within);
 
-    constexpr double kDot = 4, kMark = 8;  // mm; below half an inch no shape is told (APH guide), a line from 6.4 mm on
+    constexpr double kDot = 4, kMark = 8;  // mm; below half an inch no shape is recognised (APH guide), a line from 6.4 mm on
     if (side <= kDot) {
         shape.name = "dot";
         shape.size = spoken_length(side) + " across";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a line is to a finger that follows it: a straight line, an arc, a circle, a rectangle ... Geometry alone; what it
-// depicts is nobody's to guess.
+// The shape of a line to a finger that follows it: a straight line, an arc, a circle, a rectangle ... Geometry only; the code
+// does not guess what it depicts.
 #pragma once
 
 #include <span>
@@ -14,19 +14,19 @@ namespace tactics {
 struct Shape {
     std::string name;     ///< "circle", "straight horizontal line"; without article
     std::string size;     ///< "5 cm across"
-    bool closed = false;  ///< in effect: a gap that no finger notices does not count
+    bool closed = false;  ///< in effect: ignores a gap too small for a finger
     double length = 0;    ///< mm, with the closing side
     Rect box;
-    std::vector<Point> corners;  ///< the same course within 0.5 mm, coarser if that takes more than 200 points
+    std::vector<Point> corners;  ///< the same line within 0.5 mm, coarser if that takes more than 200 points
 };
 
 /// `points` must not be empty.
 Shape shape_of(std::span<const Point> points, bool closed);
 
-bool cross(const Shape& a, const Shape& b);             ///< both go on beyond where they cross
+bool cross(const Shape& a, const Shape& b);             ///< both continue beyond the crossing
 bool holds(const Shape& ring, Point point);             ///< `ring` is closed
-bool is_inside(const Shape& shape, const Shape& ring);  ///< wholly; never of an open `ring`
-bool end_meets(const Shape& open, const Shape& other);  ///< an end of it comes to the other; never of a closed one
+bool is_inside(const Shape& shape, const Shape& ring);  ///< entirely; always false for an open `ring`
+bool end_meets(const Shape& open, const Shape& other);  ///< one of its ends reaches the other; always false if it is closed
 
 double length_of(std::span<const Point> points, bool closed);
 

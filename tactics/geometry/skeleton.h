@@ -9,9 +9,8 @@
 
 namespace tactics {
 
-/// One byte a pixel with a white frame of one pixel around the picture, so that every pixel has eight neighbours.
-/// Bit 0: ink. After thinning, a pixel that was peeled off keeps in its upper six bits how deep in the ink it lay, so that
-/// all that was ink is still not 0.
+/// One byte per pixel with a white frame of one pixel around the picture, so that every pixel has eight neighbours. Bit 0: ink.
+/// After thinning, the upper six bits of a peeled pixel hold its depth in the ink, so all former ink is still not 0.
 struct InkMap {
     int width = 0;  ///< of the picture, without the frame
     int height = 0;
@@ -21,7 +20,7 @@ struct InkMap {
     InkMap(int width, int height);
     std::uint8_t* row(int y) { return bytes.data() + stride * (y + 1) + 1; }
     const std::uint8_t* row(int y) const { return bytes.data() + stride * (y + 1) + 1; }
-    bool ink(int x, int y) const { return (row(y)[x] & 1) != 0; }  ///< the frame may be asked too
+    bool ink(int x, int y) const { return (row(y)[x] & 1) != 0; }  ///< works for the frame, too
 };
 
 /// Pixels darker than 128 of a grey picture.
@@ -44,7 +43,7 @@ inline unsigned neighbours_of(const std::uint8_t* at, std::ptrdiff_t stride) {
 
 struct Skeleton {
     InkMap map;
-    std::vector<std::uint32_t> pixels;  ///< what is left, as offsets into map.bytes, row by row
+    std::vector<std::uint32_t> pixels;  ///< remaining pixels as offsets into map.bytes, row by row
 
     int x_of(std::uint32_t pixel) const { return static_cast<int>(pixel % static_cast<std::uint32_t>(map.stride)) - 1; }
     int y_of(std::uint32_t pixel) const { return static_cast<int>(pixel / static_cast<std::uint32_t>(map.stride)) - 1; }
@@ -54,12 +53,12 @@ struct Skeleton {
         const std::uint8_t *at = map.bytes.data() + pixel, *above = at - map.stride, *below = at + map.stride;
         return ((above[-1] | above[0] | above[1] | at[-1] | at[1] | below[-1] | below[0] | below[1]) >> 2) != 0;
     }
-    /// Half the width that the ink had here, in pixels, counted in layers that were peeled off (at most 63).
+    /// Half the width of the ink here, in pixels, counted in peeled layers (at most 63).
     double half_width(std::uint32_t pixel) const;
 };
 
-/// Thins the ink to lines one pixel wide, 8-connected; no piece and no hole appears or goes, line ends stay.
-/// Takes time in proportion to the ink, beyond one look at every pixel.
+/// Thins the ink to lines one pixel wide, 8-connected; no piece and no hole appears or vanishes, and line ends stay. Takes time
+/// in proportion to the ink, plus one visit of every pixel.
 Skeleton thin(InkMap ink);
 
 }  // namespace tactics

@@ -16,7 +16,7 @@ using Span = std::pair<double, double>;
 /// nowhere.
 bool span_within(Point a, Point b, double reach, double y, Span& span);
 
-/// What is left of `spans` without `taken`. Both in ascending order; `spans` do not overlap, `taken` may.
+/// `spans` minus `taken`. Both in ascending order; `spans` must not overlap, `taken` may.
 std::vector<Span> without(const std::vector<Span>& spans, const std::vector<Span>& taken);
 
 }  // namespace tactics

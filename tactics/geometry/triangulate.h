@@ -28,14 +28,14 @@ Point3 doubled_area(std::size_t corners, At at) {
 /// some millions of looks, as only thousands of corners that go in and out need, the rest is a fan.
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Point3> ring);
 
-/// What a fingertip meets of it: each object that has faces is a part, by its name or that of the nearest around it which has
-/// one. Throws Error(failed) at `file` for over kMostMeshTriangles.
+/// The mesh that a fingertip touches: each object with faces is a part, under its name or that of its nearest named ancestor.
+/// Throws Error(failed) at `file` for over kMostMeshTriangles.
 Mesh mesh_of(const Model& model, const std::string& file);
 
 /// Every part is an object, every triangle a face. `one_sided`: it is known that they look outwards.
 Model model_of(Mesh mesh, bool one_sided);
 
-/// Of a ring in a plane, over 0 where it turns from x to y.
+/// Signed area of a plane ring, positive if it turns from x to y.
 double doubled_area(const std::vector<Point>& ring);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A walk along a line, from place to place: the one way in which even steps are taken.
+// A walk along a line in even steps.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ class Walk {
 public:
     Walk(std::span<const Point> points, bool closed);
 
-    /// The place so far from the beginning (mm, along the line); behind the end: the end. Never less than it was asked for
-    /// before.
+    /// The point at that distance from the beginning (mm, along the line); beyond the end: the end. Distances must not decrease
+    /// between calls.
     Point to(double along);
 
 private:
@@ -30,8 +30,8 @@ private:
     double length_;      // of this one
 };
 
-/// The part of a line between two places, mm from its beginning; of a closed one `to` may lie behind its end. With all points of
-/// the line in between; empty where there is none.
+/// The part of a line between two distances from its beginning, mm, with all points in between; for a closed line `to` may exceed
+/// its length. Empty if there is no such part.
 std::vector<Point> part_of(std::span<const Point> points, bool closed, double from, double to);
 
 }  // namespace tactics

@@ -52,7 +52,7 @@ void PageBinding::bind(Outcome& outcome) {
             for (File& file : files_) {
                 if (file.at != bound.output) continue;
                 const Page& first = bound.pages.front();
-                // Each picture begins on a front, as its pages have been arranged: nothing stands on the back of a drawing.
+                // Each picture begins on a front, as its pages were arranged: the back of a drawing stays blank.
                 if (wishes_.sheet.duplex && file.pages % 2 == 1) {
                     const Page blank = empty_like(first);
                     file.book->add(std::span(&blank, 1), "");
@@ -67,7 +67,7 @@ void PageBinding::bind(Outcome& outcome) {
     } catch (const Error& error) {
         outcome.error = name_of_input(outcome) + ": " + error.what();
         outcome.fault = error.fault();
-    } catch (const std::exception& error) {  // such as no memory: those behind it are not to wait forever
+    } catch (const std::exception& error) {  // such as no memory: later ones must not wait for ever
         outcome.error = name_of_input(outcome) + ": it cannot be bound into one file: " + error.what();
         outcome.fault = Fault::failed;
     }

@@ -18,34 +18,34 @@
 
 namespace tactics {
 
-/// A file that was written, or was not.
+/// The result for a file: written or not.
 struct BoundFile {
     std::string path;
-    std::size_t pages = 0;             ///< 0: no picture had one, and no file is written
-    std::vector<std::string> missing;  ///< the pictures that have no page in it
-    std::string error;                 ///< why it could not be written; empty: it was
+    std::size_t pages = 0;             ///< 0: no picture has a page, and no file is written
+    std::vector<std::string> missing;  ///< pictures without a page in it
+    std::string error;                 ///< why it could not be written; empty: it was written
 };
 
-/// Takes outcomes with bound outputs (item.h) as they are done, by any thread, and hands them on in the order of their items.
+/// Takes outcomes with bound outputs (item.h) as they finish, from any thread, and passes them on in the order of their items.
 class PageBinding {
 public:
     using Next = std::function<void(std::size_t index, const Outcome& outcome)>;
 
-    /// Throws Error(failed) where a file of them has no folder. `ahead`: as many outcomes wait for one before them; who comes
-    /// with a later one waits, so that memory is bounded. All three must outlive it.
+    /// Throws Error(failed) if a file has no folder. `ahead`: the number of outcomes that may wait for an earlier one; a thread
+    /// that brings a later one blocks, so that memory is bounded. All three must outlive it.
     PageBinding(std::span<const Item> items, const Wishes& wishes, std::size_t ahead, WriteGate* gate = nullptr);
 
     bool any() const { return !files_.empty(); }
-    /// Calls `next` for this outcome, and for those that waited for it. One whose pages do not go with the others is handed on
-    /// with an error. In `made` it is told at which page each begins.
+    /// Calls `next` for this outcome, and for those that waited for it. An outcome whose pages do not fit the others is passed on
+    /// with an error. `made` then says at which page each begins.
     void take(std::size_t index, Outcome& outcome, const Next& next);
-    /// Writes the files, each whole or not at all, after the last outcome. Of a batch that was up to date there are none.
+    /// Writes the files, each whole or not at all, after the last outcome. A batch that was up to date has none.
     std::vector<BoundFile> write();
 
 private:
     struct File {
         Output output;
-        std::size_t at = 0;  // which of an item's outputs
+        std::size_t at = 0;  // index of an item's output
         std::unique_ptr<PageBook> book;
         std::size_t pages = 0;
         Point size{};  // of the first page, mm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which hard rules pages break, for who wants to be strict.
+// The hard rules that pages break, for strict checking.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ namespace tactics {
 
 struct BrokenRule {
     std::string_view name;
-    std::size_t places = 0;  ///< on all pages together, at least 1
+    std::size_t places = 0;  ///< on all pages together; at least 1
 };
 
-/// With the limits of that medium, in the order of the rules. Time and memory are bounded, as those of check_page.
+/// Uses the limits of that medium; in the order of the rules. Time and memory are bounded as in check_page.
 std::vector<BrokenRule> broken_hard_rules(const std::vector<Page>& pages, const Medium& medium);
 
 }  // namespace tactics

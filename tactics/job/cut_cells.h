@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Braille of eight dots that is written in cells of six.
+// Eight-dot braille that is written in six-dot cells.
 #pragma once
 
 #include <set>
@@ -10,18 +10,18 @@
 
 namespace tactics {
 
-/// Counts the cells that lose dots 7 and 8, over the outputs of a picture.
+/// Counts the cells that lose dots 7 and 8, over all outputs of a picture.
 class CutCells {
 public:
-    /// The pages of one output. Without effect for a format whose cells have eight dots.
+    /// Adds the pages of one output. No effect for a format whose cells have eight dots.
     void count(const Format& format, const Settings& settings, const std::vector<Page>& pages);
 
-    /// What is lost, in which formats, and what has eight dots; empty: nothing.
+    /// A message: what is lost, in which formats, and which formats have eight dots; empty: nothing is lost.
     std::string note() const;
 
 private:
     std::size_t most_ = 0;           // in one output
-    std::set<std::string> formats_;  // that cut
+    std::set<std::string> formats_;  // that lose dots
 };
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What planning asks of the file system, so that tests and fuzzing can plan without one.
+// The file system as planning needs it, so that tests and fuzzing can plan without one.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@ namespace tactics {
 struct Disk {
     std::function<bool(const std::string& path)> is_folder;
     std::function<bool(const std::string& path)> exists;
-    /// The same text for two names of one file ("a.png", "./a.png", a link to it), whether it exists yet or not.
+    /// Gives the same text for two names of one file ("a.png", "./a.png", a link to it), whether it exists yet or not.
     std::function<std::string(const std::string& path)> identity;
     /// A whole small text file. Throws Error(failed).
     std::function<std::string(const std::string& path)> read_text;

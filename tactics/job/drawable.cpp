@@ -37,7 +37,7 @@ Recipe recipe_for(Reading& reading, const Job& job, std::string& reason) {
     return with_subject(finish(job.chain, find_recipe(choice.recipe, "auto")), job.wish);
 }
 
-// Pixels, whatever they came from. `words` says what becomes of print in them.
+// Pixels from any source. `words` says what to do with print in them.
 Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& reading, WordsWish words, const Job& job,
                             const Sheet& sheet) {
     Drawable drawable{.info = std::move(info)};
@@ -82,7 +82,7 @@ void tell_what_does_nothing(std::string_view what, const Job& job, Notes& notes)
                         " do nothing to it");
 }
 
-// A file within the file, which stays as long as it is drawn from.
+// A file within the file, kept as long as it is drawn from.
 std::shared_ptr<Source> source_of(const FoundPicture& picture) {
     struct Kept {
         std::vector<unsigned char> bytes;
@@ -185,7 +185,7 @@ Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view
 
 // Folded out, or seen straight from above: the lowest place is black and the highest white. There is no print on it.
 Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, Notes& notes) {
-    // A terrain is told by its heights, and so is a model whose recipe the user has named.
+    // A terrain is drawn by its heights, and so is a model for which the user named a recipe.
     const bool automatic = job.model.view == ModelView::automatic;
     if (job.model.view != ModelView::heights && !(automatic && (job.recipe || asks_for_a_way(job.chain)))) {
         const std::string format(model_format(source));

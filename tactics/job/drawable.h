@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was found in a file, as all that follows asks of it: what it is, its shape, its words, and its drawing for a sheet.
+// The contents of any file, in one form for all later steps: what it is, its shape, its words, and its drawing for a sheet.
 #pragma once
 
 #include <functional>
@@ -16,35 +16,35 @@
 
 namespace tactics {
 
-/// How a drawing came about.
+/// How a drawing was made.
 struct DrawingWay {
     std::vector<std::string> steps;           ///< the filters with their settings, as fitted to the medium
-    std::vector<std::string> chosen;          ///< what they chose from the picture, and why
-    std::string chart_json = {};              ///< of a chart, if the wishes ask for it
+    std::vector<std::string> chosen;          ///< what they chose for the picture, and why
+    std::string chart_json = {};              ///< of a chart, if requested
     std::optional<DetailChoice> detail = {};  ///< if the wishes leave it to the medium
-    bool finer = false;  ///< the picture has more pixels than it was drawn from: on a larger sheet more is drawn
+    bool finer = false;                       ///< the picture has more pixels than were used: a larger sheet shows more
 };
 
-/// Adding a kind of source is a function that fills this, and a line in drawable_of.
+/// To add a kind of source, write a function that fills this, and add a line to drawable_of.
 struct Drawable {
     PictureInfo info;
-    Recipe recipe = {};       ///< that draws it; without steps: it is lines already
-    std::string reason = {};  ///< why auto chose that; empty: the user named it, or there is none
+    Recipe recipe = {};       ///< recipe that draws it; no steps: it consists of lines already
+    std::string reason = {};  ///< why auto chose it; empty: the user named it, or there is none
     PrintWords words = {};
-    std::string no_room_for_words = {};  ///< what is told where a page has no room for them in braille
+    std::string no_room_for_words = {};  ///< message if a page has no room for them in braille
     std::string title = {}, title_origin = {};
-    std::optional<double> width = {};  ///< mm: it says itself how wide it is in the world
-    std::string model_json = {};       ///< of a model that is folded out: what became of its objects
-    bool made_for_sheet = false;       ///< its drawing is made by the sheet's rules, another for each, and needs no mending
-    /// Width over height of its drawing on that sheet.
+    std::optional<double> width = {};  ///< real width from the file, mm
+    std::string model_json = {};       ///< of a folded-out model: what was done with its objects
+    bool made_for_sheet = false;       ///< it is drawn for each sheet by the sheet's rules, and needs no mending
+    /// Width / height of its drawing on that sheet.
     std::function<double(const Sheet& sheet)> aspect = {};
-    /// Its drawing for that place, without what stays of `words` in it.
+    /// Its drawing for that place, without the print that `words` removes.
     std::function<Drawing(const Sheet& sheet, const Rect& place, const PrintWords& words, DrawingWay& way)> draw = {};
-    /// Its heights, so many mm wide, for formats that have them; empty: they raise its drawing.
+    /// Its heights, that many mm wide, for height formats; empty: such formats raise its drawing.
     std::function<HeightFile(double width)> heights = {};
 };
 
-/// `sheet` is the first that is wanted. `source` must outlive it. `notes` is told what is not as the user might expect. Throws
+/// `sheet` is the first one needed. `source` must outlive it. `notes` receives anything that the user might not expect. Throws
 /// Error.
 Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, Notes& notes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From any file to heights under a finger, with no file between.
+// From any file to heights under a finger, without an intermediate file.
 #pragma once
 
 #include <optional>
@@ -13,18 +13,18 @@ namespace tactics {
 
 struct FeltHeights {
     HeightFile file;
-    std::optional<Outcome> drawn;  ///< nothing: the file was of heights, or its lightness was taken for them
+    std::optional<Outcome> drawn;  ///< nothing: the file held heights, or its lightness was used as heights
 };
 
-/// `source` is that of the path, open already: a model and a file of heights are what they are, a table of heights over x and y
-/// is the surface that they are, and a picture is heights when `heights` says how high or wide. All else is drawn as make_pages
-/// does it with `wishes`, without paper around it, and its lines are raised: `heights.width` is the drawing's, and `heights.high`
-/// that of its lines; so is a table of heights for which `wishes` ask for a way. Throws Error: what read_heights, plot_of and
-/// make_pages say, and nothing to feel.
+/// `source` is the opened file of the path. A model and a height file are used directly, a table of heights over x and y becomes
+/// its surface, and a picture becomes heights if `heights` gives its height or width. Everything else, and a table of heights for
+/// which `wishes` choose a view, is drawn as make_pages does with `wishes`, without paper around it, and its lines are raised:
+/// `heights.width` is the width of the drawing, `heights.high` the height of its lines. Throws Error: those of read_heights,
+/// plot_of and make_pages, or if there is nothing to feel.
 FeltHeights felt_heights(Source source, const std::string& path, const HeightWish& heights, Wishes wishes);
 
-/// The heights transformed so that the medium loses least of them (information/least_loss.h), and a note of what was done and
-/// why. Throws Error(failed): one of them is not a number, or all are one height. `name` is the file's, for messages.
+/// Transforms the heights so that the medium loses the least of them (information/least_loss.h), with a note on what was done and
+/// why. Throws Error(failed) if one of them is not a number, or all are equal. `name` is the file name for messages.
 void fit_heights(HeightFile& file, const MediumChannel& channel, const std::string& name);
 
 }  // namespace tactics

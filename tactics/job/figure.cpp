@@ -48,7 +48,7 @@ std::string origin_place(const ToldWords& words) {
 
 Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
     Figure figure;
-    // One that tells no size is drawn as large as the sheet in the end, so any will do.
+    // A figure without a size is finally drawn as large as the sheet, so any size will do.
     const bool wordless = wish == WordsWish::leave || wish == WordsWish::remove || sheet.bare;
     std::string trouble;  // in reading letters that are shapes
     figure.page = read_svg(bytes_of(source.file.get()), source.name, 0, find_paper("a4", ""),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures that are lines already, for convert: an SVG beside pictures.
+// Figures that consist of lines already, for convert: SVG.
 #pragma once
 
 #include <cstdio>
@@ -12,7 +12,7 @@
 
 namespace tactics {
 
-std::string bytes_of(std::FILE* file);  ///< all, up to what an SVG may have and a little more
+std::string bytes_of(std::FILE* file);  ///< the whole file, up to slightly more than the limit of an SVG
 
 /// An SVG and its words.
 struct Figure {
@@ -22,7 +22,7 @@ struct Figure {
     double aspect() const { return page.page.width / page.page.height; }
 };
 
-/// Of a file that holds an SVG. Throws Error(failed).
+/// Reads a file that holds an SVG. Throws Error(failed).
 Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet);
 
 }  // namespace tactics

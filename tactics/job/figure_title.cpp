@@ -21,7 +21,7 @@ std::size_t letters_in(const std::string& text) {
 
 // A name of something right below it is short and as high as other names; a title is larger, says more, or stands free.
 bool may_be_title(const std::string& title, double height, double gap, const std::vector<double>& other_heights) {
-    constexpr double kLarger = 1.1, kFree = 1.5;  // settings: of other words, and of its own height
+    constexpr double kLarger = 1.1, kFree = 1.5;  // settings, relative to other words and to its own height
     std::vector<double> others = other_heights;
     const auto half = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
     if (!others.empty()) std::nth_element(others.begin(), half, others.end());
@@ -56,7 +56,7 @@ std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlac
         lines.push_back(i);
     }
     if (lines.empty()) return "";
-    // What stands beside it belongs to a row of words, which is no title.
+    // Words beside it make a row of words, which is no title.
     for (const std::size_t i : order)
         if (std::find(lines.begin(), lines.end(), i) == lines.end() && told[i].y - told[lines.back()].y < places[i].height)
             return "";

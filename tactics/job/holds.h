@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file holds, whatever its name says.
+// What a file holds, regardless of its name.
 #pragma once
 
 #include "tactics/readers/read.h"
@@ -7,7 +7,7 @@
 namespace tactics {
 
 enum class Holds {
-    picture,  ///< or what nobody knows, whose reader will say what it looks like
+    picture,  ///< or an unknown kind, for which the reader reports what it looks like
     svg,      ///< lines
     pdf,      ///< pages
     table,    ///< columns of numbers, as text (csv.h)

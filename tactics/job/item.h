@@ -16,8 +16,8 @@ namespace tactics {
 struct Output {
     const Format* format = nullptr;
     std::string path;    ///< "-" is standard output; empty: nothing is written, the page is described
-    std::string folder;  ///< the folder that is made if it is missing; empty: it must be there
-    bool bound = false;  ///< it is one file for all items, which is written at the end (binding.h)
+    std::string folder;  ///< a folder to create if it is missing; empty: the folder must exist
+    bool bound = false;  ///< one file for all items, written at the end (binding.h)
 };
 
 /// One picture, or a page of a PDF, and the files to make of it.
@@ -25,14 +25,14 @@ struct Item {
     std::string input;  ///< "-" is standard input
     std::vector<Output> outputs;
     std::vector<PlacedWords> labels = {};
-    SubjectWish wish = {};         ///< what of the picture matters
-    std::string label_file = {};   ///< that was read; empty: none
-    int pdf_page = 0;              ///< of a PDF; 0: that of the wishes
-    int last_page = 0;             ///< of a PDF that is text: it goes on up to this page; 0: no further
-    std::size_t first_number = 1;  ///< of its first page of braille, if it is text
+    SubjectWish wish = {};         ///< which part of the picture matters
+    std::string label_file = {};   ///< the label file that was read; empty: none
+    int pdf_page = 0;              ///< page of a PDF; 0: that of the wishes
+    int last_page = 0;             ///< last page of a PDF text; 0: only pdf_page
+    std::size_t first_number = 1;  ///< number of its first braille page, if it is text
 };
 
-/// The output that a file's name says: "photo.pdf". Throws Error(usage) if its ending is that of no format.
+/// The output for a file name such as "photo.pdf". Throws Error(usage) if no format has its ending.
 Output output_to(const std::string& path);
 
 /// The name without folders and without its last ending: "pictures/heart.v2.jpg" is "heart.v2"; "-" is "standard-input".

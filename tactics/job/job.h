@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that is asked for one picture.
+// Everything requested for one picture.
 #pragma once
 
 #include "tactics/job/item.h"
@@ -7,7 +7,7 @@
 
 namespace tactics {
 
-/// A picture, the files to make of it, and how its pages are made. A batch keeps its wishes once and its items apart.
+/// A picture, the files to make from it, and how to make its pages. A batch has one set of wishes and many items.
 struct Job : Item, Wishes {};
 
 }  // namespace tactics

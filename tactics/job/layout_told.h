@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of pages that are laid out.
+// Facts about laid-out pages.
 #pragma once
 
 #include "tactics/job/make_pages.h"
@@ -7,7 +7,7 @@
 
 namespace tactics {
 
-/// Sizes, counts and names of those pages into their layout.
+/// Writes sizes, counts and names of these pages into their layout.
 void tell_layout(Layout& layout, const Pages& pages);
 
 }  // namespace tactics

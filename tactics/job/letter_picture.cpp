@@ -20,15 +20,14 @@ bool is_unread(const FoundPage& figure, const FoundWords& words) {
                         [&](const DrawnLetter& letter) { return figure.letter_shapes[letter.shape].adopted; });
 }
 
-// Small and capital letters of these look the same but for their size, and so do some figures: alone they tell nobody which they
-// are.
+// Lower- and upper-case forms of these letters differ only in size, and some digits look the same: alone they are ambiguous.
 bool is_doubtful(std::string_view text) {
     constexpr std::string_view kAlike = "cosvwxzuCOSVWXZUlI|10 ";
     const bool letter = std::any_of(text.begin(), text.end(), [](char c) { return (c | 32) >= 'a' && (c | 32) <= 'z'; });
     return letter && text.find_first_not_of(kAlike) == text.npos;
 }
 
-// All letters that nobody has read, in black.
+// All unread letters, in black.
 Page page_of(const FoundPage& figure) {
     Page page;
     page.width = figure.page.width;
@@ -49,7 +48,7 @@ Page page_of(const FoundPage& figure) {
     return page;
 }
 
-// Large letters are taken for things that are drawn.
+// Large letters count as drawn things.
 Image picture_of(const Page& page, double tallest) {
     constexpr double kTall = 80;  // pixels
     const double scale = std::min(kLookForWords / std::max(page.width, page.height), kTall / tallest);
@@ -86,7 +85,7 @@ std::string read_letter_picture(FoundPage& figure, std::string_view language, co
         std::vector<FoundWords*> within;
         for (FoundWords* words : unread)
             if (box.holds(words->middle)) within.push_back(words);
-        // What was read is all of one line of letters, or it is not known what belongs to whom.
+        // The reading must cover exactly one line of letters; otherwise it is unclear which letters belong to which word.
         if (within.size() != 1) continue;
         FoundWords& words = *within.front();
         const double along = words.upwards ? box.height : box.width;

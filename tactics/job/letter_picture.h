@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of a figure that are letters drawn as shapes and that no font has: looked at as print in a picture is.
+// Words whose letters are drawn as shapes and occur in no font: read like print in a picture.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace tactics {
 
-/// Fills in the text of such words, with its sureness, where it is sure and is that of all their letters. Gives why nothing could
-/// be read and how to mend it; empty: all is well, or there was nothing to read. `program` is for tests.
+/// Fills in the text and confidence of such words, if the reading is certain and covers all of their letters. Returns why nothing
+/// could be read and the remedy; empty: all is well, or there was nothing to read. `program` is for tests.
 std::string read_letter_picture(FoundPage& figure, std::string_view language, const std::string& program = "tesseract");
 
 }  // namespace tactics

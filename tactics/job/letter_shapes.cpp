@@ -16,7 +16,7 @@ namespace tactics {
 
 namespace {
 
-// Bounds: of fonts that are looked at first, and for their signs; of sizes that letters may be bent for; of shapes of a figure.
+// Limits: fonts to try first, and for their signs; sizes for which letters may be hinted; shapes in a figure.
 constexpr std::size_t kLikelyFonts = 24, kMostWide = 60, kMostSizes = 12, kMostShapes = 2000;
 // Settings: what parts words, of em beyond the letter's own width, and of heights where that is not known.
 constexpr double kSpace = 0.12, kGap = 0.5;
@@ -142,7 +142,7 @@ private:
         });
     }
 
-    // What is bent depends on the size, which is a whole number of pixels mostly, or tenths of one.
+    // Hinted shapes depend on the size, which is mostly a whole number of pixels, or tenths of one.
     void try_bent(const FontLetters& font, const std::vector<FontLetter>& letters, ShapeSet& set, double em) {
         const std::vector<char32_t> codes = set.near(letters, em);
         std::vector<double> sizes;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// With what a page was made, kept beside it: pages/.tactics/heart.pdf tells of pages/heart.pdf. So that --update sees what has
-// changed since, and the page itself holds nothing that differs where pages are the same.
+// A record of how a page was made, kept beside it: pages/.tactics/heart.pdf describes pages/heart.pdf. It lets --update see what
+// has changed, and keeps such data out of the page, so that equal pages are equal files.
 #pragma once
 
 #include <optional>
@@ -14,36 +14,37 @@
 
 namespace tactics {
 
-/// Names and values, as a user knows them: "--margin" and "15mm".
+/// Names and values in the user's terms: "--margin" and "15mm".
 using MadeWith = std::vector<std::pair<std::string, std::string>>;
 
-/// The folder beside an output in which such files are.
+/// The folder of records beside an output.
 inline constexpr std::string_view kRecordFolder = ".tactics";
 
-/// `settings`, which are the same for all pictures, and what is of this picture and output: the picture by its size and time, the
-/// file of labels by what is in it, the format. Nothing: the picture cannot be looked at.
+/// `settings`, which all pictures share, and the facts of this picture and output: the picture's size and time, the contents of
+/// the label file, the format. Nothing: the picture cannot be accessed.
 std::optional<MadeWith> made_with(const MadeWith& settings, const Item& item, const Output& output);
 
-/// The same of an output into which all of these pictures are bound, in their order.
+/// The same for an output that binds all of these pictures, in their order.
 std::optional<MadeWith> made_with(const MadeWith& settings, std::span<const Item> items, const Output& output);
 
-/// A mark of what a file holds that changes with it: its length and FNV-1a of 64 bits; "missing" if it cannot be read.
+/// A fingerprint of a file's contents: its length and 64-bit FNV-1a; "missing" if it cannot be read.
 std::string mark_of_file(const std::string& path);
 
-/// What there was when the output was made, in how many files, and a mark of each of these: one that is another now was made by
+/// The facts when the output was made, its files, and a fingerprint of each: a file with another fingerprint now was made by
 /// somebody else, or is damaged.
 struct Record {
     MadeWith with;
     std::size_t files = 0;
-    std::vector<std::string> marks = {};  ///< of `files`; keep_record looks at them
+    std::vector<std::string> marks = {};  ///< fingerprints of `files`, filled in by keep_record
 };
 std::optional<Record> record_of(const Output& output);
 
-/// Keeps it. A folder that cannot be written has no records, and what is in it is made anew each time; nobody is told, since the
-/// page is there. `new_folder`: the folder of records is made if it is missing; else there is none without it.
+/// Writes the record. A folder that cannot be written gets no records, so its pages are made anew each time; there is no message,
+/// since the page itself exists. `new_folder`: create the folder of records if it is missing; otherwise write a record only if
+/// that folder exists.
 void keep_record(const Output& output, const Record& record, bool new_folder);
 
-/// How they differ, in words: "--margin is 15mm, was 20mm".
+/// The differences in words: "--margin is 15mm, was 20mm".
 std::vector<std::string> differences(const MadeWith& before, const MadeWith& now);
 
 }  // namespace tactics

@@ -102,7 +102,7 @@ private:
         if (watch_.goes_on && !watch_.goes_on(step)) throw Error(Fault::failed, "", "given up; nothing was written");
     }
 
-    // Which outputs share a sheet, and where the drawing will stand on each.
+    // The outputs that share a sheet, and the place of the drawing on each.
     void plan_layouts() {
         for (const Output& output : job_.outputs) {
             const Sheet sheet = planned_sheet(*output.format);
@@ -178,7 +178,7 @@ private:
             fit_shape(sheet, drawing, arrangement);
             mended_ = mend_for(*sheet.medium, arrangement.place.drawing.width, std::move(drawing),
                                job_.chain.as_drawn || from_.made_for_sheet);
-            // Of the first layout; those of others differ in what their media need.
+            // For the first layout; others differ in the needs of their media.
             if (outcome_.steps.empty()) {
                 outcome_.steps = std::move(way.steps);
                 outcome_.chosen = std::move(way.chosen);
@@ -217,7 +217,7 @@ private:
             if (!origins.empty() && origins.count(origin_of(one)) > 0) one.set = false;
     }
 
-    // Not even smaller has the drawing room for its words. What the user asked for is then refused by the layout.
+    // Even a smaller drawing has no room for its words. The layout then refuses words that the user asked for.
     void give_up_words() {
         if (job_.words != WordsWish::automatic) return;
         from_.words = PrintWords{};
@@ -226,7 +226,7 @@ private:
         drawn_medium_ = nullptr;
     }
 
-    // Braille is several times as large as the print that it stands for, so the drawing may have to become smaller.
+    // Braille is several times larger than the print it replaces, so the drawing may have to shrink.
     void make_room_for_words(Layout& layout, Arrangement& arrangement) {
         if (!from_.words.any_set() || layout.sheet.drawing_width) return;
         const double whole = layout.place.drawing.width, aspect = whole / layout.place.drawing.height;
@@ -262,7 +262,7 @@ private:
         return pages;
     }
 
-    // What is not written is looked at.
+    // Pages that are not written are shown.
     bool shows(std::size_t layout) const {
         for (std::size_t i = 0; i < job_.outputs.size(); ++i)
             if (layout_of_[i] == layout && job_.outputs[i].path.empty()) return true;
@@ -325,8 +325,8 @@ private:
         files_.add(output.path, bytes);
     }
 
-    // Together, so that a picture that fails leaves nothing behind. The first page is last to take its name: where it is,
-    // the others are, which is_up_to_date (up_to_date.h) relies on.
+    // Together, so that a failing picture leaves no files. The first page gets its name last: if it exists, so do the others, on
+    // which is_up_to_date (up_to_date.h) relies.
     void write() {
         for (std::size_t i = 0; i < made_.size(); ++i) {
             outcome_.made.insert(outcome_.made.end(), made_[i].begin(), made_[i].end());

@@ -15,7 +15,7 @@ namespace {
 
 bool is_legible(const MendingTold& told) { return told.complete && told.broken_after == 0 && told.kept >= kLegible; }
 
-// How the same drawing fares in a larger size; nothing if the sheet cannot be had.
+// The result for the same drawing in a larger size; nothing if there is no such sheet.
 double kept_on(Sheet sheet, const Drawing& drawing, Tiles tiles) {
     sheet.tiles = tiles;
     try {
@@ -75,10 +75,10 @@ std::string advice_for_pieces(const Drawing& drawing) {
            "\"crop ...\", or describe it instead: tactics describe";
 }
 
-// Pages of which less agreement is expected are told. Chosen on BSDS500's 200 photographs for training and every second of its
-// 100 for validation, where the F measure of what is told against what is poor by people's contours (is_poor) is best: 33 and 20
-// pages are told, 19 of the 37 and 9 of the 11 poor ones among them; with 0.58 it is 15 and 12, with 8 and 5, with 0.66 69 and
-// 22, with 25 and 9. See tactics evaluate --study page --json.
+// Pages with less expected agreement are reported. Chosen on BSDS500's 200 photographs for training and every second of its 100
+// for validation, to maximise the F measure of reported pages against pages that are poor by people's contours (is_poor): 33 and
+// 20 pages are reported, 19 of the 37 and 9 of the 11 poor ones among them; with 0.58 it is 15 and 12, with 8 and 5, with 0.66 69
+// and 22, with 25 and 9. See tactics evaluate --study page --json.
 constexpr double kDoubt = 0.62;
 
 // To a twentieth: finer is not known.
@@ -126,7 +126,7 @@ void advise(const Sheet& sheet, Mended& mended, bool finer) {
     if (!told.measured || !told.advice.empty()) return;
     if (!is_legible(told))
         told.advice = advice_for(sheet, mended.before, told, finer);
-    else if (!told.trust)  // who drew it does not know better
+    else if (!told.trust)  // the filter gave no estimate
         told.advice = advice_for_pieces(mended.drawing);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drawing mended for its page, and what is told of that.
+// Mends a drawing for its page, and reports the changes.
 #pragma once
 
 #include <optional>
@@ -13,34 +13,32 @@
 namespace tactics {
 
 struct MendingTold {
-    bool measured = false;           ///< false: it was left as it was drawn, and nothing is known of it
-    bool complete = true;            ///< false: there is so much in it that not all was looked at
+    bool measured = false;           ///< false: the drawing was not mended, so nothing is known
+    bool complete = true;            ///< false: the drawing has too much line to check all of it
     std::vector<Mend> changes;       ///< where, in the drawing
     std::vector<std::string> notes;  ///< the same as sentences
     std::size_t broken_before = 0;
     std::size_t broken_after = 0;
-    double kept = 1;                  ///< share of the lines
+    double kept = 1;                  ///< share of the lines that is left
     std::optional<Trust> trust = {};  ///< as the drawing had it
-    std::string doubt;                ///< why people would hardly agree with it, and what to do; empty: they may
-    std::string advice;               ///< what to do about a drawing that is not fit to be felt in this size; empty: it is
+    std::string doubt;                ///< why people would hardly agree with it, and the remedy; empty: no doubt
+    std::string advice;               ///< remedy for a drawing that is not fit to be felt at this size; empty: it is fit
 };
 
 struct Mended {
     Drawing drawing;
     MendingTold told;
-    Drawing before;  ///< in the same size, if mending did not make it fit to be felt
+    Drawing before;  ///< the unmended drawing in the same size, if mending did not make it fit to be felt
 };
 
-/// The drawing `width` mm wide and mended for a medium; untouched but for its size if it is wanted as it was drawn. Without
-/// advice.
+/// Scales the drawing to `width` mm and mends it for a medium; only scales it if it is wanted as drawn. Gives no advice.
 Mended mend_for(const Medium& medium, double width, Drawing drawing, bool as_drawn);
 
-/// The page of such a drawing is told to need a look.
+/// Whether a person must look at the page of such a drawing.
 bool is_doubtful(const std::optional<Trust>& trust);
 
-/// Adds the advice, if it needs any. A drawing that is only scaled to its sheet is tried on larger ones, each another repair.
-/// That of a picture which is `finer` than this one shows has more lines on a larger sheet: what becomes of those is not
-/// foretold.
+/// Adds advice if it is needed. A drawing that is only scaled is tried on larger sheets, each with its own repair. A picture that
+/// is `finer` than this drawing shows would have more lines on a larger sheet; these are not predicted.
 void advise(const Sheet& sheet, Mended& mended, bool finer);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What mending did, in JSON.
+// The changes by mending, as JSON.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace tactics {
 
 std::string trust_json(const Trust& trust);
-/// Members for what is told; `drawing` is its place on the page.
+/// The members of a report; `drawing` is the place of the drawing on the page.
 void add_mending(JsonObject& json, const MendingTold& told, const Rect& drawing);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model as a source of pages: folded out, seen from several sides, or by its heights.
+// A model as a source of pages: folded out, seen from several sides, or as heights.
 #pragma once
 
 #include <memory>
@@ -13,9 +13,9 @@
 namespace tactics {
 
 enum class ModelView : std::uint8_t {
-    automatic,  ///< folded out, or a terrain by its heights
-    fold_out,   ///< no perspective, every face in its shape
-    views,      ///< top, front and side, each as it is seen
+    automatic,  ///< folded out; a terrain as heights
+    fold_out,   ///< no perspective, every face in its true shape
+    views,      ///< as seen from the top, the front and the side
     heights,    ///< from above, the higher the lighter
 };
 
@@ -24,14 +24,14 @@ struct ModelDrawingWish {
     FoldWish fold = {};
 };
 
-/// It is one surface that has no name, and no place lies over another: heights tell it.
+/// Whether it is a terrain: one surface without a name, with no place above another.
 bool is_terrain(const Model& model);
 
-/// Folded out for sheets; each is worked out once.
+/// Folds out for sheets; computes each layout once.
 class ModelDrawing {
 public:
     ModelDrawing(std::shared_ptr<const Model> model, ModelDrawingWish wish) : model_(std::move(model)), wish_(std::move(wish)) {}
-    /// As large as the sheet's room; y downwards, mm.
+    /// As large as the room on the sheet; y downwards, mm.
     const FoldOut& on(const Sheet& sheet);
     const Model& model() const { return *model_; }
     const std::vector<std::string>& notes() const { return notes_; }
@@ -45,9 +45,9 @@ private:
     std::vector<std::string> notes_;
 };
 
-/// What a reader or a transcriber is told of it, a line each: what was folded, hidden, moved.
+/// Notes for readers and transcribers, one line each: what was folded, hidden, moved.
 std::vector<std::string> fold_lines(const FoldOut& made);
-/// The same of each object, as a JSON object; places in percent of the drawing, from the left and from the top.
+/// The same for each object, as JSON; places in percent of the drawing, from the left and from the top.
 std::string fold_json(const FoldOut& made);
 
 }  // namespace tactics

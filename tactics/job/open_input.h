@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What convert is given: a picture, a figure in SVG, or a page of a PDF as one of these.
+// Opens the input of convert: a picture, an SVG figure, or a PDF page as one of these.
 #pragma once
 
 #include <string>
@@ -10,20 +10,19 @@
 
 namespace tactics {
 
-/// How a page of a PDF is looked at.
+/// How to read a PDF page.
 struct PdfPageWish {
-    int page = 0;  ///< from 1; 0: its first, and `notes` is told of others
-    bool as_picture =
-        false;  ///< in pixels, as filters want it; else its lines stay lines and its text stays text, unless it has pixels
+    int page = 0;             ///< from 1; 0: the first, with a note in `notes` if there are others
+    bool as_picture = false;  ///< as pixels, for filters; else its lines stay lines and its text stays text, unless it has pixels
 };
 
-/// As such pages are made: who asks for filters wants pixels.
+/// The way for these wishes: filters need pixels.
 PdfPageWish page_wish(const Wishes& wishes);
 
-/// A file or, for "-", standard input; of a PDF that page. Throws Error.
+/// A file or, for "-", standard input; of a PDF, that page. Throws Error.
 Source open_input(const std::string& path, const PdfPageWish& wish, std::vector<std::string>& notes);
 
-/// The same of a file that is open already.
+/// The same for an opened file.
 Source page_of_input(Source source, const std::string& path, const PdfPageWish& wish, std::vector<std::string>& notes);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outline of a letter in a few numbers, by which it is found again in any size.
+// The outline of a letter as a few numbers, by which it is recognised in any size.
 #pragma once
 
 #include <array>
@@ -13,21 +13,21 @@ namespace tactics {
 
 struct OutlineMeasure {
     double area = 0;  ///< in square units; 0: there is no ink
-    /// In units, along the line from where its ink begins, as some files do not tell where the letter does, and up from the line:
-    /// its width, its bottom and top, where its middle of mass is, how far its mass lies from there along and across (root of the
-    /// mean square), how far it slants, an eighth of its rim.
+    /// In units, along the baseline from the beginning of its ink (some files do not say where the letter begins), and up from
+    /// the baseline: width, bottom and top, centre of mass, spread of the mass along and across (root mean square), slant, and an
+    /// eighth of its rim.
     std::array<double, 9> lengths{};
     std::size_t rings = 0;
     std::size_t corners = 0;  ///< of all rings, curves flattened
 };
 
-/// Rings in units that go down, as SVG has them.
+/// From rings whose y points down, as in SVG.
 OutlineMeasure measure_rings(const std::vector<std::vector<Point>>& rings);
 
 /// In em.
 OutlineMeasure measure_letter(const Letter& letter);
 
-/// How far apart they are at most, in em, if so many units of `shape` are one em of `letter`.
+/// The largest difference in em, if that many units of `shape` are one em of `letter`.
 double apart_at(const OutlineMeasure& shape, const OutlineMeasure& letter, double em);
 
 }  // namespace tactics

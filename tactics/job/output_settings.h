@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a format is told for a page, and whether its machine takes that page.
+// Settings of a format for a page, and a check that its machine takes the page.
 #pragma once
 
 #include "print/format.h"
@@ -9,11 +9,11 @@
 
 namespace tactics {
 
-/// As wished; of a bare page a pixel for each pixel of the picture, or of the part that is left of it.
+/// As wished; for a bare page, one pixel for each pixel of the picture, or of its remaining part.
 Settings settings_for(const Wishes& wishes, const Format& format, const PictureInfo& picture, const Kept& kept);
 
-/// Throws Error(usage): the format's machine does not take such a sheet. Of several sheets each goes in by itself, upright or
-/// turned as they all are.
+/// Throws Error(usage) if the format's machine does not take such a sheet. Several sheets go in one by one, all upright or all
+/// turned.
 void check_machine(const Wishes& wishes, const Format& format, const Sheet& sheet, const Place& place);
 
 }  // namespace tactics

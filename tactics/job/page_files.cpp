@@ -7,7 +7,7 @@ namespace tactics {
 
 namespace {
 
-// How two paths of one file are known: it stays the same while a file appears or is replaced.
+// The identity of a file behind different paths: it does not change when the file appears or is replaced.
 std::string place_of(const std::string& path, const Disk& disk) {
     const auto slash = path.rfind('/');
     const std::string folder = slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);

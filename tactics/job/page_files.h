@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files that pages go to, and what must not be lost to them.
+// The files that pages go to, and the files that they must not overwrite.
 #pragma once
 
 #include <cstddef>
@@ -13,19 +13,18 @@
 
 namespace tactics {
 
-/// Where page `number`, from 1, of an output goes whose format holds one page a file: the first to its path, others beside
-/// it, "page-2.png".
+/// The file of page `number`, from 1, for a format that holds one page per file: the first goes to the path of the output, others
+/// beside it, "page-2.png".
 std::string path_of_page(const Output& output, std::size_t number);
 
-/// What further pages must not be written to: all pictures and outputs, in words of its own. Folders must be there.
+/// Files to which further pages must not be written: all pictures and outputs, as unique names. Folders must exist.
 std::set<std::string> taken_by(std::span<const Item> items, const Disk& disk);
 
-/// Throws Error(usage) if that many files of an output cannot be told apart, or one of them would be written over what is taken.
-/// How many they are is known only when the pages are made.
+/// Throws Error(usage) if that many files of an output would not have different names, or if one would overwrite a taken file.
+/// The number is known only after the pages are made.
 void check_page_files(const Output& output, std::size_t files, const std::set<std::string>& taken, const Disk& disk);
 
-/// A file that is named like the page behind the last, and is no page of this picture: of an earlier run, or a person's own.
-/// Empty: there is none.
+/// An existing file that is named like the page after the last: from an earlier run, or a person's own. Empty: none.
 std::string left_over_behind(const Output& output, std::size_t files, const std::set<std::string>& taken, const Disk& disk);
 
 }  // namespace tactics

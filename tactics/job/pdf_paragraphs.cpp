@@ -16,7 +16,7 @@ namespace {
 constexpr double kLarger = 1.15;                // times the usual height: a heading's letters
 constexpr std::size_t kLongestHeading = 120;    // bytes of a line
 constexpr int kMostHeadingLines = 3;            // more are a paragraph in large print
-constexpr std::size_t kHeadingsAmongWords = 3;  // one word in three at most stands in headings
+constexpr std::size_t kHeadingsAmongWords = 3;  // at most one word in three is in headings
 constexpr double kMovedIn = 0.8;                // line heights: where a paragraph begins
 
 double height_of(const PdfLine& line) {
@@ -28,7 +28,7 @@ double height_of(const PdfLine& line) {
 
 enum class Level { on_line, above, below };
 
-// Where a font has its base line, as a share of a word's box from its top: between those of Helvetica and of DejaVu.
+// The baseline of a font as a share of a word's box from its top: between those of Helvetica and DejaVu.
 double base_of(const Rect& box) { return box.top + 0.78 * box.height; }
 
 // Exponents, indices and marks of notes are smaller than the word beside them and a little off its line. An initial that is
@@ -56,7 +56,7 @@ std::vector<Level> levels_in(const PdfLine& line) {
 
 bool is_number(std::string_view text) { return text.find_first_not_of("0123456789") == std::string_view::npos; }
 
-// As one line of signs has it. "before" is what it stands behind.
+// In the form of one line of characters. "before" is the preceding character.
 std::string off_line(const std::string& text, Level level, std::string_view before) {
     constexpr std::array<std::string_view, 4> kOrdinals = {"st", "nd", "rd", "th"};
     if (level == Level::below) return is_number(text) ? text : "_(" + text + ")";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is written on pages of a PDF as paragraphs and headings, from where its words stand and how large they are.
+// The text of PDF pages as paragraphs and headings, from the places and sizes of its words.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@
 
 namespace tactics {
 
-/// Of most words on these pages, in points; 0: nothing is written.
+/// Size of most words on these pages, in points; 0: no text.
 double usual_height(const std::vector<PdfText>& pages);
 
-/// Paragraphs, and headings of at most three lines, which have larger letters than `usual`. `parted` was shown every line of the
-/// text (show_lines).
+/// Paragraphs, and headings of at most three lines, which have larger letters than `usual`. `parted` must have seen every line of
+/// the text (show_lines).
 std::vector<TextBlock> paragraphs_of(const PdfText& page, double usual, PartedWords& parted);
 
-/// The same of several pages. A word that is parted at the end of a paragraph or of a page is put together. Where over a third
-/// of all words would be in headings, size says nothing, and none are.
+/// The same for several pages. A word that is divided at the end of a paragraph or page is joined. If over a third of all words
+/// would be in headings, size is meaningless, and there are none.
 std::vector<TextBlock> paragraphs_of(const std::vector<PdfText>& pages, PartedWords& parted);
 
-/// Its words as they are read: a raised number as "x²", other signs as "e^(n+1)", an index as "CO2" or "x_(i)".
+/// The words as they are read: a superscript number as "x²", other superscripts as "e^(n+1)", a subscript as "CO2" or "x_(i)".
 std::string words_of(const PdfLine& line);
 
 }  // namespace tactics

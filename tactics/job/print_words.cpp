@@ -16,7 +16,7 @@ namespace tactics {
 
 namespace {
 
-// How far from its place the name of an axis may stand without a line, mm. A setting: two lines of braille.
+// The distance from its place at which the name of an axis needs no lead line, mm. A setting: two braille lines.
 constexpr double kLoose = 24;
 
 bool is_number(std::string_view text) {
@@ -150,7 +150,7 @@ std::vector<Name> PrintWords::names_on(const Drawing& drawing) const {
 
 namespace {
 
-// Where something other than print begins, in percent from the top.
+// The beginning of the first thing other than print, in percent from the top.
 double first_ink(Reading& reading, const Lettering& lettering) {
     constexpr int kInk = 64;  // grey levels from the ground: what is paler is a grid or a shade
     Image picture = reading.get({kLookForWords, false});

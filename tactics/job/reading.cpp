@@ -12,16 +12,16 @@ namespace {
 
 constexpr double kDefaultDpi = 150;  // of the page; drawings made at 300 dpi agree with it within 1 mm to F >= 0.98
 
-// The longer side, in pixels, at which a picture is looked at to choose its recipe: A4 at 45 dpi. What needs fewer is read
-// at this size, too, and left to resample, so that the look, the page and the embosser's page share one reading.
+// The longer side, in pixels, at which a picture is examined to choose its recipe: A4 at 45 dpi. Uses that need fewer pixels also
+// read this size and resample, so that the choice, the page and the embosser's page share one reading.
 constexpr int kLook = 500;
 
-// And the most: 0.7 m at 150 dpi. It bounds memory and time, whatever paper and picture are.
+// The maximum: 0.7 m at 150 dpi. It bounds memory and time for any paper and picture.
 constexpr int kMostPixels = 4000;
 
-// How many pixels the longer side of the picture needs for a drawing of that size: as many as resample leaves, so that it is not
-// averaged again for one pixel. Only a recipe that starts with its resolution says so (a cut before it changes nothing); one that
-// comes to it later wants to see the picture finer first.
+// The pixels that the longer side of the picture needs for a drawing of that size: as many as resample leaves, so that it is not
+// averaged again for one pixel. Only a recipe that starts with its resolution determines it (a preceding cut changes nothing); a
+// recipe that reduces later needs a finer picture first.
 int longest_for(const Recipe& recipe, const Rect& drawing) {
     double dpi = kDefaultDpi;
     bool first = true;
@@ -42,7 +42,7 @@ int longest_for(const Recipe& recipe, const Rect& drawing) {
 }  // namespace
 
 const Image& Reading::get(const ReadRequest& request) {
-    // A grey picture is the same whether colour was asked for or not.
+    // A grey picture is the same whether colour was requested or not.
     const bool same = longest_ == request.longest && (colour_ == request.colour || (colour_ && image_.channels == 1));
     if (!same || image_.pixels.empty()) {
         image_ = Image{};
@@ -66,7 +66,7 @@ Kept kept_by(const Recipe& recipe) {
         kept.width *= left.width;
         kept.height *= left.height;
     }
-    // What leaves nothing is refused later; a millionth is less than a pixel of any picture.
+    // A cut that leaves nothing is refused later; a millionth is less than a pixel of any picture.
     return {std::max(kept.width, 1e-6), std::max(kept.height, 1e-6)};
 }
 

@@ -38,7 +38,7 @@ bool names_setting(std::string_view line, std::string_view option) {
     return line.find(" " + std::string(option) + "=") != std::string_view::npos;
 }
 
-// What draws every contour in its place; nothing: no step does. Settings that it does not have must not have been asked for.
+// The step that draws every contour in its place; nothing: no step does. Throws if a requested setting does not exist in it.
 std::optional<Step> in_full(const Step& step, const std::vector<Change>& changes) {
     std::optional<Step> full;
     if (step.filter->in_full != "-") full = parse_step(step.filter->in_full, spelled("detail"), filters());
@@ -100,8 +100,8 @@ std::string named_budgets() {
     return names;
 }
 
-// touch: as the recipe has it; contours: every contour that it finds, also fine ones and those that no finger tells apart; a
-// number: that many times the recipe's budget of line.
+// touch: the recipe's own amount; contours: every contour that it finds, even fine ones and ones that a finger cannot tell apart;
+// a number: that many times the recipe's line budget.
 void set_detail(Recipe& recipe, const RecipeWish& chain) {
     const std::string& detail = chain.detail;
     if (detail.empty()) return;
@@ -116,7 +116,7 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
     multiply_line(*budget, detail, recipe.name);
 }
 
-// Of what cannot be printed as it is, what can. `gives`: by check().
+// Makes the result printable. `gives`: by check().
 void make_printable(Recipe& recipe, Kind gives) {
     const bool cut =
         std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->cuts_edges; });
@@ -125,7 +125,7 @@ void make_printable(Recipe& recipe, Kind gives) {
         if (contains(filter->finishes, gives)) recipe.steps.push_back(parse_step(filter->name, filter->name, filters()));
 }
 
-// How finely a picture is looked at.
+// The resolution at which a picture is processed.
 void give_resolution(Recipe& recipe) {
     if (std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return !step.filter->dpi.empty(); })) return;
     for (const Filter* filter : filters())
@@ -135,8 +135,8 @@ void give_resolution(Recipe& recipe) {
 Recipe with_wishes(const RecipeWish& chain, Recipe recipe, bool printable) {
     recipe.steps.insert(recipe.steps.end(), chain.added.begin(), chain.added.end());
     give_resolution(recipe);
-    const Kind gives = check(recipe);              // before any step is taken for what another made
-    if (printable) make_printable(recipe, gives);  // before settings, which may be of what is put behind
+    const Kind gives = check(recipe);              // before any step is interpreted by its predecessors
+    if (printable) make_printable(recipe, gives);  // before settings, which may belong to the appended steps
     for (const Change& change : chain.changes) set_in_all(recipe, change);
     set_detail(recipe, chain);
     check(recipe);
@@ -154,7 +154,7 @@ Change parse_change(std::string_view text, std::string_view place) {
             "\"" + std::string(text.substr(0, 80)) + "\" is not a setting; write NAME.OPTION=VALUE, for example png.dpi=300");
     Change change{std::string(text.substr(0, dot)), std::string(text.substr(dot + 1, equals - dot - 1)),
                   std::string(text.substr(equals + 1)), std::string(place)};
-    // Tried on a copy, so that a slip is told before any picture is opened.
+    // Tried on a copy, so that mistakes are reported before any picture is opened.
     if (const Filter* filter = find_filter(filters(), change.name)) {
         Settings(filter->options).set(change.option, change.value, place, change.name);
         return change;

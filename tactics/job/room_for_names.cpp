@@ -11,8 +11,8 @@ namespace tactics {
 
 namespace {
 
-// What a hand loses, as settings: a key must be looked up, a lead line be followed; a drawing that is a tenth smaller is
-// less bad than one lead line.
+// Costs for a hand, as settings: a key must be looked up, a lead line followed; a drawing smaller by a tenth is less bad than one
+// lead line.
 constexpr double kLeftOut = 6, kKeyed = 3, kLed = 1.5, kTenthSmaller = 1;
 constexpr std::array<double, 5> kShares{1, 0.9, 0.8, 0.7, 0.6};
 

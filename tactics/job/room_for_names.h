@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How large a drawing may be so that the names around it have room.
+// The largest size of a drawing that leaves room for the names around it.
 #pragma once
 
 #include <functional>
@@ -15,12 +15,12 @@ struct RoomFound {
     std::size_t left_out = 0;  ///< optional names without room
 };
 
-/// Makes the drawing for its place on a sheet, which is arranged anew if the drawing turns out to have another shape.
+/// Makes the drawing for its place on a sheet, and rearranges the sheet if the drawing turns out to have another shape.
 using DrawOnSheet = std::function<Drawing(const Sheet& sheet, Arrangement& arrangement)>;
 
-/// Of some widths up to `widest`, the one where names stand best: at their places before lead lines, those before two letters
-/// and a key, those before none, and the drawing, whose shape is `aspect` (width / height), as large as that allows. Nothing: no
-/// width has room.
+/// Tries some widths up to `widest` and returns the one where names are placed best: names at their places are better than lead
+/// lines, these better than two letters and a key, and these better than none; then the larger drawing, whose shape is `aspect`
+/// (width / height), is better. Nothing: no width has room.
 std::optional<RoomFound> width_with_room(const Sheet& sheet, double widest, double aspect, const DrawOnSheet& draw);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From any file to a scene whose information is measured.
+// From any file to a scene, to measure its information.
 #pragma once
 
 #include <string>
@@ -14,16 +14,16 @@ namespace tactics {
 struct FileScene {
     MeasuredScene scene;
     std::string format;              ///< "JPEG", "16-bit PNG", "drawing", ...
-    std::vector<std::string> notes;  ///< what was taken where nothing was told: a sentence each, for the user
+    std::vector<std::string> notes;  ///< values assumed where none were given: one sentence each, for the user
 };
 
-/// As felt_heights.h has it: a model and a file of heights are what they are, and a table of heights is their surface, in 65,536
-/// levels; all else is drawn as make_pages draws it, without paper around it, as black and white at the dots per inch of its
-/// medium. But a picture of which nothing else is wished is its pixels, 256 levels of grey from `heights.low` to `heights.high`.
-/// Throws Error: what felt_heights and read_picture say, and nothing to be felt.
+/// As in felt_heights.h: a model and a height file are used directly, and a table of heights as its surface, in 65,536 levels;
+/// everything else is drawn as make_pages draws it, without paper around it, as black and white at the dots per inch of its
+/// medium. A picture without further wishes, however, becomes its pixels, 256 levels of grey from `heights.low` to
+/// `heights.high`. Throws Error: those of felt_heights and read_picture, or if there is nothing to feel.
 FileScene scene_of_file(Source source, const std::string& path, const HeightWish& heights, Wishes wishes);
 
-/// What make_pages draws of a file.
+/// The drawing that make_pages makes of a file.
 struct FileDrawing {
     LevelGrid grid;                  ///< black (1) on white (0)
     double pitch = 0;                ///< mm
@@ -31,8 +31,7 @@ struct FileDrawing {
     std::vector<std::string> notes;  ///< for the user
 };
 
-/// Of any file, whatever it holds: without paper around it, at the dots per inch of its medium. Throws Error: what make_pages
-/// says.
+/// For any kind of file: without paper around it, at the dots per inch of its medium. Throws Error: those of make_pages.
 FileDrawing drawing_of_file(Source source, const std::string& path, Wishes wishes);
 
 }  // namespace tactics

@@ -17,7 +17,7 @@ constexpr double kBent = 0.045;      // bent to pixels, a letter of 12 pixels is
 // Bounds: of shapes by which a font is known, and of fonts that came near.
 constexpr std::size_t kMostAsked = 60, kMostCandidates = 4;
 
-// What a shape may be in a font, if the font's em is that many of its units.
+// The possible letters of a shape in a font, if the font's em is that many of its units.
 struct Match {
     std::size_t shape, letter;
     double em, apart;

@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kPitch = 0.5;       // mm: a fingertip tells about 1 (25 dpi, TACTILE)
+constexpr double kPitch = 0.5;       // mm: a fingertip resolves about 1 (25 dpi, TACTILE)
 constexpr double kMostUneven = 4.0;  // how much wider than deep, or deeper than wide
 
 struct Between {

@@ -68,7 +68,7 @@ Plot whole_plot(Source& source, const TableWish& wish, std::vector<std::string>&
 }  // namespace
 
 Plot plot_of(Source& source, const TableWish& wish, std::vector<std::string>& notes) {
-    std::vector<std::string> told;  // nothing of a table that is refused
+    std::vector<std::string> told;  // no notes for a refused table
     Plot plot = whole_plot(source, wish, told);
     notes.insert(notes.end(), told.begin(), told.end());
     return plot;

@@ -12,17 +12,17 @@
 
 namespace tactics {
 
-/// Rows are joined in their order. Where nothing is known of y, a curve has a gap; rows without an x are left out; `notes` is
-/// told how many. A curve of one point is a ring, and so is a point between two gaps. Throws Error: usage for a wish that names
-/// no column or more than can be told apart, and failed, with the line, for what is no number. A pair of numbers is kept in 16
-/// bytes, with as much again while the curve grows.
+/// Rows are joined in order. Where y is unknown, a curve has a gap; rows without an x are left out, and `notes` says how many. A
+/// curve of one point is a ring, and so is a point between two gaps. Throws Error: usage for a wish that names no column or more
+/// columns than a finger can tell apart, and failed, with the line, for a value that is no number. A pair of numbers takes 16
+/// bytes, and twice that while the curve grows.
 Plot plot_of(Source& source, const TableWish& wish, std::vector<std::string>& notes);
 
-/// Whether plot_of looks for heights over x and y in it, by its wish and its first rows; what it finds may be points in space
-/// all the same. Rewinds it. Throws Error as plot_of does.
+/// Whether plot_of looks for heights over x and y in it, by its wish and its first rows; it may still find points in space.
+/// Rewinds it. Throws Error as plot_of does.
 bool is_of_heights(Source& source, const TableWish& wish);
 
-/// The surface of a table of heights; nothing where they are points in space, or curves. Throws Error as plot_of does.
+/// The surface of a table of heights; nothing if the table holds points in space, or curves. Throws Error as plot_of does.
 std::optional<PlotSurface> surface_in(Source& source, const TableWish& wish, std::vector<std::string>& notes);
 
 }  // namespace tactics

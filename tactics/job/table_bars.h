@@ -14,8 +14,8 @@ namespace tactics {
 
 inline constexpr std::size_t kMostCategories = 1000;  // many times what a page has room for
 
-/// A bar for each row, or, with groups, one of each group for each value of x. Columns of numbers that are not named are all
-/// shown if they are at most kMostSeries. Throws Error as plot_of does.
+/// A bar for each row, or, with groups, one bar per group for each value of x. If no columns are named, all columns of numbers
+/// are shown, up to kMostSeries. Throws Error as plot_of does.
 Plot bars_plot(Source& source, TableHead& head, const TableWish& wish, std::vector<std::string>& notes);
 
 }  // namespace tactics

@@ -72,7 +72,7 @@ bool holds_dates(const TableHead& head, std::size_t column) {
 
 namespace {
 
-// What the first rows say of the order in which days and months stand.
+// The order of days and months, as shown by the first rows.
 DateOrder order_of(const TableHead& head, const ValueColumn& column) {
     const TableRow* some = nullptr;
     for (const TableRow& row : head.rows) {

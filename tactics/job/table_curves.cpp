@@ -180,7 +180,7 @@ private:
         ++group.points;
     }
 
-    // What has no line on either side is a ring; a curve of one point has its name there, unless it has a label.
+    // A point without a line on either side is a ring; a curve of one point has its name there, unless it has a label.
     void mark_lone_points(const Group& group) {
         const PlotCurve& curve = group.curve;
         const auto labelled = [&](const PlotPoint& point) {

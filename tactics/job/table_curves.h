@@ -16,7 +16,7 @@ namespace tactics {
 Plot curves_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
                  std::vector<std::string>& notes);
 
-/// How often the values of the column are where, in the bins of the wish. Throws Error as plot_of does.
+/// A histogram of the column's values, in the bins of the wish. Throws Error as plot_of does.
 Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
                     std::vector<std::string>& notes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often values of a column are where, as bars.
+// A histogram of a column's values, as bars.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,18 @@
 
 namespace tactics {
 
-inline constexpr int kMostChosenBins = 30;  // of a page that is 150 mm wide: narrower bars than 5 mm are no longer felt apart
+inline constexpr int kMostChosenBins = 30;  // on a page 150 mm wide: a finger cannot separate bars narrower than 5 mm
 inline constexpr int kMostHistogramBins = 100;
 
 /// Bins of width 2 IQR / cbrt(n) over all values (D. Freedman and P. Diaconis, "On the histogram as a density estimator: L2
-/// theory", Z. Wahrscheinlichkeitstheorie verw. Gebiete 57, 1981, pp. 453-476), the quartiles being the values at the ranks n/4
-/// and 3n/4; where half of the values are one, 1 + log2 n of them (H. A. Sturges, "The choice of a class interval", J. Am. Stat.
-/// Assoc. 21, 1926, pp. 65-66). From 1 to kMostChosenBins. `values` is put into another order; it is not empty.
+/// theory", Z. Wahrscheinlichkeitstheorie verw. Gebiete 57, 1981, pp. 453-476), with quartiles at the ranks n/4 and 3n/4; if half
+/// of the values are equal, 1 + log2 n bins (H. A. Sturges, "The choice of a class interval", J. Am. Stat. Assoc. 21, 1926, pp.
+/// 65-66). From 1 to kMostChosenBins. Reorders `values`, which must not be empty.
 int bins_for(std::vector<double>& values);
 
-/// A bar for each of `bins` equal parts of their span (1 wide around them if they are one): a point where it begins, with its
-/// count, and one of 0 where the last ends. A value between two bars is in the right one, the highest in the last.
+/// A bar for each of `bins` equal parts of their span (if all are equal, a span of 1 around them): a point at the beginning of
+/// each bar, with its count, and a point with 0 at the end of the last. A value on the border of two bars counts in the right
+/// one, the highest value in the last.
 PlotCurve histogram_of(const std::vector<double>& values, int bins);
 
 }  // namespace tactics

@@ -58,7 +58,7 @@ std::optional<std::vector<double>> numbers_of(std::span<const std::string> cells
     return numbers;
 }
 
-// What may be the matrix's first row: names, or the first row itself.
+// The possible first row of the matrix: names, or the first row itself.
 const std::vector<std::string>& first_row(const TableHead& head) { return head.named ? head.columns : head.rows.front().cells; }
 
 Decimal matrix_decimal(const TableHead& head, const TableWish& wish) {

@@ -11,10 +11,10 @@
 
 namespace tactics {
 
-/// Nothing: all outputs are there, and were made of this picture with these settings by this version. Else why they are made
-/// anew, in words; no words if none of them is there.
+/// Nothing: all outputs exist, and this version made them from this picture with these settings. Else the reasons to make them
+/// anew, in words; no words if none exists.
 std::optional<std::vector<std::string>> reasons_to_make(const MadeWith& settings, const Item& item);
-/// The same of pictures that are bound into files, whose record tells of all of them, and of their other outputs.
+/// The same for pictures bound into files, whose records describe all of them, and for their other outputs.
 std::optional<std::vector<std::string>> reasons_to_bind(const MadeWith& settings, std::span<const Item> items);
 
 }  // namespace tactics

@@ -19,33 +19,33 @@
 
 namespace tactics {
 
-/// How pages are made: what is the same for all pictures of a batch. What is left out is as the program would choose it.
+/// How to make pages; the same for all pictures of a batch. The program chooses everything that is left open.
 struct Wishes {
     RecipeWish chain;
-    std::optional<Recipe> recipe;  ///< finish()ed; nothing: made of `chain`, or chosen for each picture
-    Sheet sheet;                   ///< all but paper and medium, which may come from the format
+    std::optional<Recipe> recipe;  ///< finish()ed; nothing: built from `chain`, or chosen for each picture
+    Sheet sheet;                   ///< without paper and medium, which may come from the format
     std::optional<Paper> paper;
-    KeptSheet kept = {};                    ///< what counts where sheet and paper leave something open
-    TableWish table = {};                   ///< what is drawn of a table
-    bool tables_only = false;               ///< a file is a table, whatever it looks like
+    KeptSheet kept = {};                    ///< used where sheet and paper leave something open
+    TableWish table = {};                   ///< which columns of a table to draw
+    bool tables_only = false;               ///< treat every file as a table
     ChartWish chart = {};                   ///< how a plot is drawn
     ModelDrawingWish model = {};            ///< how a model is drawn
     std::vector<std::string> allowed = {};  ///< of kAskedFormats: the files are trusted
-    int page = 0;                           ///< of a PDF; 0: its first, or all that are text
-    bool as_text = false;                   ///< what is written in a file is laid out as pages of braille (written.h)
-    int zoom = 1;                           ///< of what a display shows
+    int page = 0;                           ///< page of a PDF; 0: the first, or all pages of text
+    bool as_text = false;                   ///< lay out the text of a file as braille pages (written.h)
+    int zoom = 1;                           ///< enlargement on a display
     bool title_from_name = false;
-    std::vector<std::pair<const Format*, Settings>> settings;  ///< of formats; the defaults of others
-    bool fixed_dpi = false;                  ///< it was said how many dots there are, so a bare page leaves that alone
-    WordsWish words = WordsWish::automatic;  ///< what becomes of print in pictures
-    Keep keep = Keep::on_disk;               ///< of pages that are done
-    bool check_rules = false;                ///< the outcome tells which hard rules the pages break
-    std::string save_recipe;                 ///< the file that is to hold a recipe that is chosen
+    std::vector<std::pair<const Format*, Settings>> settings;  ///< settings of formats; other formats use their defaults
+    bool fixed_dpi = false;                  ///< the user gave the resolution, so a bare page does not change it
+    WordsWish words = WordsWish::automatic;  ///< what to do with print in pictures
+    Keep keep = Keep::on_disk;               ///< how finished pages are kept
+    bool check_rules = false;                ///< report in the outcome which hard rules the pages break
+    std::string save_recipe;                 ///< file to which the chosen recipe is written
 
     Settings settings_of(const Format& format) const;
 };
 
-/// The sheet that a format is laid out on. Two sheets of the same wishes differ in paper, medium and machine only.
+/// The sheet for a format. Two sheets of the same wishes differ only in paper, medium and machine.
 Sheet sheet_for(const Wishes& wishes, const Format& format, const Item& item);
 bool same_sheet(const Sheet& a, const Sheet& b);
 

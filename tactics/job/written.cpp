@@ -41,7 +41,7 @@ bool is_number_of_list(std::string_view text) {
     return digits > 0 && digits < kYear && digits + 1 == text.size() && (text[digits] == '.' || text[digits] == ')');
 }
 
-// "- milk", "* milk", "3. milk", or moved in: begins by itself.
+// "- milk", "* milk", "3. milk", or indented: begins a paragraph.
 bool begins_anew(std::string_view line) {
     const std::string_view first = line.substr(0, line.find_first_of(kBlanks));
     return first.empty() || first == "-" || first == "*" || first.starts_with("\u2022") || is_number_of_list(first);
@@ -55,7 +55,7 @@ std::string_view heading_in(std::string_view line) {
     return is ? trimmed(line.substr(marks)) : std::string_view();
 }
 
-// Whether tabs stand between its words, as between the cells of a table. One behind the mark of a list is none.
+// Whether it has tabs between words, as between the cells of a table. A tab after a list mark does not count.
 bool is_row(std::string_view line) {
     line = trimmed(line);
     const auto tab = line.find('\t');
@@ -103,7 +103,7 @@ public:
     }
 
 private:
-    // Of more lines than one it makes no heading, but it ends their paragraph.
+    // After several lines it makes no heading, but ends their paragraph.
     void take_rule(std::string_view line) {
         constexpr std::size_t kLongest = 12;  // letters: a line of braille need not be full of it
         if (lines_ == 1 && !begins_anew(blocks_.back().text))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are text rather than figures: their paragraphs and headings.
+// Files of text rather than figures: their paragraphs and headings.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace tactics {
 
 struct Written {
     std::vector<TextBlock> blocks;
-    std::vector<std::string> notes;  ///< of what is left out or set on a guess, one line each
+    std::vector<std::string> notes;  ///< on things left out or guessed, one line each
 };
 
 /// Pages of a PDF, from 1.
@@ -23,23 +23,23 @@ struct PageRange {
     int last = 0;   ///< not before the first
 };
 
-/// Of a PDF those pages; of any other file its text (written_in_text). What is drawn on pages of a PDF besides letters, and those
-/// without a word, are told. Throws Error(failed): it is not UTF-8 text, is a picture or a figure, has more text than
-/// kMostTextBytes, or nothing is written in it; Error(usage): there is no such page.
+/// Reads those pages of a PDF, or the text of any other file (written_in_text). Notes report drawings on PDF pages besides
+/// letters, and pages without words. Throws Error(failed) if the file is not UTF-8 text, is a picture or a figure, has more text
+/// than kMostTextBytes, or has no text; Error(usage) if there is no such page.
 Written text_in(Source& source, PageRange pages);
 
-/// A book of 700,000 words; its braille takes some 8000 pages.
+/// A book of 700,000 words, some 8000 pages of braille.
 inline constexpr std::size_t kMostTextBytes = 4'000'000;
 
-/// Paragraphs are parted by empty lines; a line of a list, one that is moved in, and a row whose cells are parted by tabs begin
-/// by themselves. A line behind one to six # and a blank, and a paragraph of one line with = or - signs below it, are headings.
+/// Empty lines separate paragraphs; a list item, an indented line, and a row with tabs between its cells each begin a paragraph.
+/// A line after one to six # and a blank, and a one-line paragraph with = or - signs below it, are headings.
 Written written_in_text(std::string_view text);
 
-/// Whether that page of a PDF is text, as is_text has it.
+/// Whether that PDF page is text, by is_text.
 bool is_page_of_text(const Source& pdf, int page);
 
-/// Whether a page is to be read rather than felt: something is written on it, and either nothing is drawn, or most words stand in
-/// lines of many. `drawn`: lines and surfaces besides.
+/// Whether a page is to be read rather than felt: it has text, and either nothing is drawn, or most words stand in long lines.
+/// `drawn`: it has lines and surfaces, too.
 bool is_text(const PdfText& text, std::size_t drawn);
 
 }  // namespace tactics

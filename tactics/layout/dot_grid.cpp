@@ -63,7 +63,7 @@ DotGrid cell_grid(const Rect& live, const CellSize& cell) {
     const double lines = std::floor((live.height - 2 * cell.dot_pitch + kRounding) / cell.line_pitch) + 1;
     if (!(cells >= 1) || !(lines >= 1)) throw Error(Fault::usage, "", std::string(kNoRoom));
     if (cells * lines * 6 > kMostDots) throw Error(Fault::usage, "", std::string(kTooMany));
-    // What is left over stands half on each side, so that no edge is further from a dot than the grid's own gaps.
+    // The remaining space is divided equally between both sides, so that no edge is farther from a dot than the grid's own gaps.
     const double left = live.left + std::max(0.0, live.width - (cells - 1) * cell.cell_pitch - cell.dot_pitch) / 2;
     const double top = live.top + std::max(0.0, live.height - (lines - 1) * cell.line_pitch - 2 * cell.dot_pitch) / 2;
     DotGrid grid;

@@ -8,22 +8,22 @@
 
 namespace tactics {
 
-/// Where dots can be raised: centres of the columns and rows in mm, ascending, at least 2 of each. They need not be even:
-/// braille cells leave a wider gap between cells and between lines than between their own dots.
+/// The possible positions of dots: centres of the columns and rows in mm, ascending, at least 2 of each. Spacing may be uneven:
+/// the gap between braille cells and between lines is wider than between dots of a cell.
 struct DotGrid {
     std::vector<double> columns;
     std::vector<double> rows;
 };
 
-/// The dots that can be raised within the live area of a page: of its machine (those of whole cells, or of the raster), or else
+/// The possible dots within the live area of a page: those of its machine (in whole cells, or on the raster), or else
 /// cell_grid(page.live, page.cell). Throws Error(usage) if there is no room for one cell.
 DotGrid dot_grid(const Page& page);
 
-/// Moves lines of braille to the nearest place where the page's machine has dots for them; without a machine they stay.
+/// Moves braille lines to the nearest place where the page's machine has dots for them; without a machine they stay.
 void put_on_dots(Page& page);
 
-/// The grid of as many whole 6-dot cells as `live` holds, in its middle; all centres lie within it. Two columns a cell,
-/// three rows a line. Where live is whole cells, its left top corner is the centre of dot 1 of the first cell.
+/// The grid of as many whole 6-dot cells as `live` holds, in its middle; all centres lie within it. Each cell has two columns,
+/// each line three rows. If `live` holds exactly whole cells, its top left corner is the centre of dot 1 of the first cell.
 /// Throws Error(usage) if there is no room for one cell.
 DotGrid cell_grid(const Rect& live, const CellSize& cell);
 

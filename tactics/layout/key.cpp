@@ -14,8 +14,8 @@ namespace {
 
 using Cells = std::vector<std::uint8_t>;
 
-// Where a line goes on that had no room, two cells behind where the words began: the hand that looks for the next letters
-// at the left meets none. As braille lists have it.
+// A continuation line begins two cells after the words of the first line, as in braille lists: a hand that looks for the next
+// letters at the left does not meet it.
 constexpr std::size_t kRunoverFrom = kWordsFrom + 2;
 // Between columns: a reading hand takes one blank cell for the end of a word, two for the end of a sentence. Own choice.
 constexpr std::size_t kBetween = 3;
@@ -123,7 +123,7 @@ private:
 
     Page drawn_;  // of their size, with nothing on it
     std::string title_;
-    std::vector<std::uint8_t> hyphen_;  // behind a part of a word that is longer than a line
+    std::vector<std::uint8_t> hyphen_;  // after a part of a word that is longer than a line
     TitleBand band_;
     std::size_t most_ = 0;                // cells of a line
     std::size_t width_ = 0;               // cells of a column

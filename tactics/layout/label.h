@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A label set in print and braille as one block, before it has its place.
+// A label in print and braille as one block, before it is placed.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace tactics {
 
 /// Print above braille, left-aligned, from (0, 0) at the top left.
 struct LabelBlock {
-    double width = 0;   ///< mm; of print at most as wide as this
+    double width = 0;   ///< mm; upper bound of the width of print
     double height = 0;  ///< mm
     std::vector<PrintLine> print;
     std::vector<BrailleLine> braille;
@@ -21,8 +21,8 @@ struct LabelBlock {
 /// Throws Error(usage) as to_braille does.
 LabelBlock set_label(const std::string& text, const Sheet& sheet);
 
-/// The block where `label` wants it, its `at` being on the page; pushed back onto paper of that size where it would leave
-/// it. Throws Error(usage) if it is wider than the paper.
+/// Places the block as `label` asks, with `at` in page coordinates; pushes it back onto paper of that size if it would leave it.
+/// Throws Error(usage) if it is wider than the paper.
 LabelBlock placed(LabelBlock block, const Label& label, Point at, const CellSize& cell, double page_width, double page_height);
 
 }  // namespace tactics

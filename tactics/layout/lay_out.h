@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drawing laid out on a sheet: the page, or the pages that are printed of it.
+// Lays out a drawing on a sheet: as one page, or as all pages to print.
 #pragma once
 
 #include "tactics/layout/pages.h"
@@ -8,15 +8,15 @@
 
 namespace tactics {
 
-/// The drawing is scaled to its place. Throws Error(usage) for a title that cannot be set in braille. Of several sheets it is
+/// Scales the drawing to its place. Throws Error(usage) for a title that cannot be set in braille. For several sheets, returns
 /// the large page before it is cut.
 Page lay_out(const Drawing& drawing, const Sheet& sheet);
 
-/// The same where the sheet has been arranged for a drawing of that shape.
+/// The same for a sheet that was already arranged for a drawing of that shape.
 Page lay_out(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement);
 
-/// That page, or the sheets it is cut into, and, behind it, the key of its names if it has no room there. All are of one size. On
-/// the back of a sheet everything is moved sideways for the binding, and pages are put in the order of facing.h.
+/// That page, or the sheets it is cut into, followed by the key if it has no room there. All have one size. On the backs of
+/// sheets everything is shifted sideways for the binding, and pages are in the order of facing.h.
 Pages pages_of(const Drawing& drawing, const Sheet& sheet);
 Pages pages_of(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement);
 

@@ -13,15 +13,16 @@ namespace tactics {
 namespace {
 
 constexpr std::size_t kBlock = 32;  // sides; a curve of a plot has thousands
-constexpr double kStep = 0.5;       // mm between the places of a lead line that are looked at
+constexpr double kStep = 0.5;       // mm between the examined places of a lead line
 constexpr double kPiece = 10;       // mm of a lead line whose surroundings are looked up at a time
 constexpr double kOn = kStep / 2;   // mm from a middle line to one that crosses it, at such a place
-// As the rule gap has it (rules/narrow.h): no gap is where the way through ink is at most four times as long. Here a little less.
+// As in the rule gap (rules/narrow.h): there is no gap where the path through ink is at most four times as long. Slightly less
+// here.
 constexpr double kBend = 3.5;
 // What files leave of a place: hundredths, at both ends.
 constexpr double kRounding = 0.02;
 
-// Where it may end instead, along the same line, if the nearest place is hemmed in: no farther than a fingertip feels at once.
+// An alternative end along the same line if the nearest place is hemmed in: no farther than a fingertip feels at once.
 constexpr double kAside = 2;  // mm
 
 Point point_at(const std::vector<Point>& points, double along) {
@@ -152,7 +153,7 @@ std::vector<Point> Leads::ends_for(Point thing) const {
 }
 
 bool Leads::is_clear(const Lead& lead, bool across) const {
-    // On a full page the first piece of the way meets something, and its chains alone are looked at.
+    // On a full page the first piece of the line meets something, so only the chains near it are examined.
     const double length = distance(lead.from, lead.to);
     const int pieces = 1 + static_cast<int>(length / kPiece);
     std::unordered_set<std::size_t> clear;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lead lines: from words to what they name, past everything else.
+// Lead lines: from words to the thing that they name, clear of everything else.
 #pragma once
 
 #include <cstddef>
@@ -16,24 +16,24 @@ struct Lead {
 
 class Leads {
 public:
-    /// What a lead line of that width keeps `clear` mm from, edge to edge: the lines and areas that are on the page now.
+    /// The current lines and areas of the page, from which a lead line of that width keeps `clear` mm, edge to edge.
     Leads(const Page& page, double width, double clear);
 
-    /// Where a lead line to that place may end, best first: on the ink that is nearer to it than a line may pass, or that it lies
-    /// in; else there.
+    /// Possible ends of a lead line to that point, best first: on the ink that contains the point or is too near for a line to
+    /// pass; else the point itself.
     std::vector<Point> ends_for(Point thing) const;
 
-    /// It keeps clear of all ink but that which it ends on. With `across` it may also cross lines. Where it meets ink it does so
-    /// steeply enough to be felt as a line of its own (28 degrees, as the rule gap takes for a meeting).
+    /// The lead line keeps clear of all ink except where it ends. With `across` it may also cross lines. It meets ink at an angle
+    /// steep enough to be felt as a separate line (28 degrees, the limit for a meeting in the rule gap).
     bool is_clear(const Lead& lead, bool across) const;
 
-    /// It is on the page from now on.
+    /// Adds it to the ink on the page.
     void add(const Lead& lead);
 
 private:
-    /// Some sides of a chain, one after another, so that those far away need not be looked at one by one.
+    /// Some consecutive sides of a chain, so that distant ones can be skipped together.
     struct Block {
-        std::size_t first = 0, end = 0;  ///< points that their sides lead to; the first point has a side to itself
+        std::size_t first = 0, end = 0;  ///< points at which the sides end; the first point has a side to itself
         double along = 0;                ///< mm from the chain's beginning
         Box box;                         ///< of the middle line
     };
@@ -45,9 +45,9 @@ private:
         Box box;  ///< of its ink
         std::vector<Block> blocks;
     };
-    /// Where a lead line may end: so far from the thing, on that chain, so far along it.
+    /// A possible end of a lead line: distance from the thing, chain, and distance along the chain.
     struct End {
-        double apart = 0;  ///< mm from ink; to begin with, the most that is looked for
+        double apart = 0;  ///< mm from ink; initially the largest distance of the search
         const Chain* chain = nullptr;
         double along = 0;
     };
@@ -62,9 +62,9 @@ private:
 
     double half_, clear_;
     std::vector<Chain> chains_;
-    std::size_t in_grid_ = 0;  // those that were on the page; lead lines come behind them
+    std::size_t in_grid_ = 0;  // number of chains that were on the page; lead lines follow them
     Grid grid_;
-    std::vector<InkedArea> areas_;  // for what lies in one
+    std::vector<InkedArea> areas_;  // for points inside an area
 };
 
 }  // namespace tactics

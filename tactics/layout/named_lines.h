@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which lines of braille on a page are whose name.
+// Which braille lines on a page belong to which name.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,7 @@
 
 namespace tactics {
 
-/// For each line of braille the name in whose place it begins, the first of the page's names if several have it; nullptr: it is
-/// nobody's, such as a title's.
+/// For each braille line, the first of the page's names in whose box it begins; nullptr: none, as for a title.
 std::vector<const PageName*> names_of_lines(const Page& page);
 
 }  // namespace tactics

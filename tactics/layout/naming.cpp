@@ -27,7 +27,7 @@ constexpr double kBeside = 6.4;  // mm
 // Lead lines: 3/4 to 1 1/2 in, the least line there is, no arrowhead (GSTG 3.4.3.5, second-hand; medium confidence).
 constexpr double kLongestLead = 38;  // mm
 constexpr std::size_t kMostLeads =
-    500;  // that are looked at, of the best places first; all those straight up, down and aside among them
+    500;  // places examined, the best first; they include all those straight above, below and beside
 constexpr std::size_t kMostLeadsOfPage =
     500'000;                         // for all of its names: where 200 found none, thousands more are not looked for in vain
 constexpr double kShortestLead = 3;  // mm; own choice: anything shorter is a dot
@@ -57,8 +57,8 @@ std::size_t count_of_keys() {
     return count;
 }
 
-// Two letters that nobody has yet, out of the words' own letters if that can be: their first ones before others. One of the
-// two has dot 3 or 6, so that a finger feels where the cell is (NBA).
+// Two unused letters, if possible from the words themselves, preferably their first letters. One of the two has dot 3 or 6, so
+// that a finger feels where the cell is (NBA).
 std::string key_for(const std::string& text, const std::set<std::string>& taken) {
     std::string letters;
     bool fresh = true;
@@ -104,7 +104,7 @@ LabelBlock block_of(const Name& name, const Sheet& sheet) {
     }
 }
 
-// It keeps `gap` from the words, as all lines do: nearer it would be taken for a dot (rules/braille_clearance.cpp).
+// It keeps `gap` from the words, like all lines: closer, it could be mistaken for a dot (rules/braille_clearance.cpp).
 Lead lead_of(const Rect& place, Point thing, double gap) {
     const Point near = nearest_of(place, thing);
     const double far = distance(near, thing);
@@ -132,7 +132,7 @@ public:
             LabelBlock block = block_of(name, sheet_);
             pieces.push_back({std::move(block), std::move(name), ""});
         }
-        // What must stand close goes first, and of that the longest words, which find a place hardest.
+        // Names that must stand close go first, and among these the longest words, for which a place is hardest to find.
         std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
             return a.name.within != b.name.within ? a.name.within < b.name.within : a.block.width > b.block.width;
         });
@@ -207,7 +207,7 @@ private:
                });
     }
 
-    // A line beside other words is taken for a part of them.
+    // A line beside other words seems to belong to them.
     bool meets_words(const Lead& lead) const {
         constexpr double kStep = 0.25;  // mm
         const int steps = 1 + static_cast<int>(distance(lead.from, lead.to) / kStep);

@@ -11,14 +11,14 @@
 
 namespace tactics {
 
-/// All that is printed of a drawing.
+/// All pages to print for a drawing.
 struct Pages {
-    std::vector<Page> all;      ///< in the order in which they are printed; at least one
-    std::size_t drawn = 0;      ///< the first that has the drawing on it
-    std::optional<Page> large;  ///< before it was cut; nothing: it was not
-    Place place = {};           ///< of the drawing on that
+    std::vector<Page> all;      ///< in printing order; at least one
+    std::size_t drawn = 0;      ///< index of the first page with the drawing
+    std::optional<Page> large;  ///< the page before it was cut into sheets; nothing: it was not cut
+    Place place = {};           ///< of the drawing on that page
 
-    /// With all of the drawing on it, in one piece: what is told of the drawing is told of this.
+    /// The page with the whole drawing in one piece; descriptions of the drawing refer to it.
     const Page& whole() const { return large ? *large : all[drawn]; }
 };
 

@@ -17,9 +17,9 @@ namespace tactics {
 
 namespace {
 
-// What a file's rounding to hundredths of a millimetre can take from a distance.
+// The amount by which a file's rounding to hundredths of a millimetre can reduce a distance.
 constexpr double kRounded = 0.02;
-// Beside braille, whatever the medium (L. Hasty, Designing Tactile Graphics: 1/8 in between any two elements).
+// Beside braille, on every medium (L. Hasty, Designing Tactile Graphics: 1/8 in between any two elements).
 constexpr double kFromBraille = 3.2;
 
 struct Side {
@@ -73,13 +73,13 @@ private:
     std::size_t areas_ = 0;
 };
 
-// What lies across rows: which of the ground's things, and down to where.
+// Things that cross rows: which of the background's things, and down to where.
 struct Meeting {
     std::size_t index;
     double bottom;
 };
 
-// What each row is the first to meet of `things`; `reach_of` tells how far beyond its side each counts.
+// The first row that meets each of the `things`; `reach_of` gives the distance beyond its side within which each counts.
 template <typename Thing, typename Reach>
 std::vector<std::vector<Meeting>> first_met(const std::vector<Thing>& things, const std::vector<double>& rows,
                                             const Reach& reach_of) {
@@ -215,7 +215,7 @@ private:
             go_on(grid.columns, 2, page_.cell.cell_pitch, page_.live.left, page_.live.left + page_.live.width);
             go_on(grid.rows, 3, page_.cell.line_pitch, page_.live.top, page_.live.top + page_.live.height);
         }
-        // Each may become a mark; a sheet of 3 m has so many.
+        // Each may become a mark; a sheet of 3 m has this many.
         constexpr std::size_t kMostDots = 2'000'000;
         if (grid.columns.size() * grid.rows.size() > kMostDots)
             throw Error(Fault::usage, "", "the page has over 2 million dots, too many for textures; take smaller paper");

@@ -36,7 +36,7 @@ Rect within_bed(Rect live, const DotBed& bed, const CellSize& cell, double width
     return live;
 }
 
-// One way of turning the sheet: its arrangement with the largest drawing, or why there is none.
+// One orientation of the sheet: its arrangement with the largest drawing, or the reason why there is none.
 struct Attempt {
     Arrangement arrangement;
     std::string place;  // of the fault

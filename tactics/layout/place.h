@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where things stand on a sheet: the page without its drawing.
+// The arrangement of a sheet: the page without its drawing.
 #pragma once
 
 #include "tactics/layout/sheet.h"
@@ -8,8 +8,8 @@
 
 namespace tactics {
 
-/// Where a drawing of that shape (width / height) will stand on the sheet, and which way up the sheet is. Known before
-/// the picture is read, so that no more of it is read than the page can show. Throws Error(usage) if nothing is left.
+/// The place of a drawing of that shape (width / height) on the sheet, and the sheet's orientation. It is known before the
+/// picture is read, so that no more pixels are read than the page can show. Throws Error(usage) if nothing is left.
 struct Place {
     double page_width = 0;
     double page_height = 0;
@@ -18,14 +18,14 @@ struct Place {
 };
 Place place_on(const Sheet& sheet, double aspect);
 
-/// What place_on tells and, besides, the title where it stands.
+/// The result of place_on, and the placed title.
 struct Arrangement {
     Place place;
     std::string title;
     std::string caption;
     TitleBand band;
-    Rect scale_bar;          ///< the room at the bottom that is kept for it
-    std::optional<Cut> cut;  ///< of a page of several sheets; `place` is on the large page then
+    Rect scale_bar;          ///< room reserved for it at the bottom
+    std::optional<Cut> cut;  ///< for a page of several sheets; `place` is then on the large page
 };
 Arrangement arrange(const Sheet& sheet, double aspect);
 

@@ -16,7 +16,7 @@ constexpr int kStrip = 64;            // rows of squares; a word is 20 high
 
 double square_of(const Page& page) { return std::max(kFinest, std::sqrt(page.width * page.height / kMostSquares)); }
 
-// As std::hypot, which is slower by far, for lengths on a page.
+// Like std::hypot, which is much slower, for lengths on a page.
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
 double away_from(const Rect& rect, Point p) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a page is free: for what must stand clear of everything else.
+// Free space on a page, for things that must stand clear of everything else.
 #pragma once
 
 #include <cmath>
@@ -14,30 +14,30 @@ namespace tactics {
 /// The point of a rectangle that is nearest to a point.
 Point nearest_of(const Rect& rect, Point p);
 
-/// The rectangle around all dots that cells of that line can have.
+/// The rectangle around all possible dots of the cells of that line.
 Rect extent_of(const BrailleLine& line, const CellSize& cell, double dot);
 
-/// The rectangle of a line of print, as high as letters get.
+/// The rectangle of a line of print, as high as its tallest letters.
 Rect extent_of(const PrintLine& line);
 
-/// The page in squares of half a millimetre (larger on a page of several square metres). What is said to be free is at least as
-/// far from all ink as asked; up to a square more may be kept away.
+/// The page in squares of half a millimetre (larger on a page of several square metres). A free place is at least the requested
+/// distance from all ink; it may be up to a square farther away.
 class Room {
 public:
-    /// `clear` mm around all that is on the page and to the live area's border nothing may stand.
+    /// Nothing may stand within `clear` mm of anything on the page or of the live area's border.
     Room(const Page& page, double clear);
 
     bool is_free(const Rect& rect) const;
 
-    /// The free place of that size that is nearest to a point, at most `reach` from it; `accept` may refuse places. Around the
-    /// point itself is nearest of all, then to its right.
+    /// The free place of that size nearest to a point, at most `reach` away; `accept` may refuse places. A place around the point
+    /// is nearest of all, then one to its right.
     template <typename Accept>
     std::optional<Rect> nearest(Point to, double width, double height, double reach, Accept accept) const {
         for (const Rect& rect : around(to, width, height, reach))
             if (accept(rect)) return rect;
         return std::nullopt;
     }
-    /// Any free place of that size that `accept` does not refuse: as far down as there is one, then as far left.
+    /// Any free place of that size that `accept` does not refuse: the lowest, and of these the leftmost.
     template <typename Accept>
     std::optional<Rect> lowest(double width, double height, Accept accept) const {
         for (double top = down_.at_most(live_.top + live_.height - height); top >= live_.top; top -= down_.step)
@@ -46,12 +46,12 @@ public:
         return std::nullopt;
     }
 
-    /// Something stands there now, and keeps its distance, too.
+    /// Marks that box as occupied; it keeps its distance from then on.
     void take(const Rect& rect);
     void take(Point from, Point to, double width);
 
 private:
-    /// Where left and top edges of braille may be: anywhere, looked at every millimetre, or where a machine has dots for it.
+    /// Possible left and top edges of braille: anywhere, tried every millimetre, or where a machine has dots for it.
     struct Edges {
         double step = 1;  ///< mm
         std::optional<double> first;
@@ -61,7 +61,7 @@ private:
 
     std::vector<Rect> around(Point to, double width, double height, double reach) const;
     struct Squares {
-        int left, top, right, bottom;  // the last two belong to it no more
+        int left, top, right, bottom;  // right and bottom are exclusive
     };
     Squares squares_of(const Rect& rect) const;
     void fill(std::vector<std::uint8_t>& squares, const Rect& rect) const;
@@ -69,7 +69,7 @@ private:
     void mark(Point from, Point to, double width);
     void mark(const Area& area);
     void keep_clear();
-    void add_up(int top, int bottom);  // rows that have changed
+    void add_up(int top, int bottom);  // updates the rows that have changed
 
     double clear_;
     double square_;  // mm
@@ -78,8 +78,8 @@ private:
     int columns_, rows_;
     std::vector<std::uint8_t> ink_;      // 1: something is there
     std::vector<std::uint8_t> blocked_;  // 1: something is too near
-    // Of blocked squares above and to the left of each corner, in each strip of rows by itself: one thing more on a page of many
-    // sheets changes few.
+    // Counts of blocked squares above and to the left of each corner, separately for each strip of rows: adding a thing to a page
+    // of many sheets changes only a few counts.
     std::vector<std::uint32_t> sums_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scale bar: how large in the world what is drawn is.
+// The scale bar, which shows the real size of the drawing.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace tactics {
 
-/// Mm that it takes from the room above it, what is kept clear included.
+/// Height that it takes from the room above it, including the clear space, mm.
 double scale_bar_height(const Sheet& sheet);
 
-/// At the bottom left of `room`: as long as 6 cm and the room allow for a round length, what that is in the world beside it.
-/// `scale` is mm on the page for a mm in the world. Throws Error(usage) if no length fits, or as to_braille does.
+/// Draws it at the bottom left of `room`: the longest round length within 6 cm and the room, with its real length beside it.
+/// `scale` is mm on the page per mm in the world. Throws Error(usage) if no length fits, or as to_braille does.
 void set_scale_bar(Page& page, const Rect& room, double scale, const Sheet& sheet);
 
-/// A length in the world, to three digits: "5 m", "2.5 km".
+/// A real length, to three digits: "5 m", "2.5 km".
 std::string real_length(double mm);
 
 }  // namespace tactics

@@ -34,7 +34,7 @@ std::string without_ligatures(std::string_view text) {
     return out;
 }
 
-// The number that a raised one stands for, or a minus; nothing: it is none.
+// The digit of a superscript, or a minus; nothing: it is neither.
 std::optional<char> lowered(char32_t letter) {
     if (letter == 0x2070 || (letter >= 0x2074 && letter <= 0x2079)) return static_cast<char>('0' + (letter - 0x2070));
     if (letter == 0xB9) return '1';
@@ -116,7 +116,7 @@ Cells TextCells::word(std::string_view word) {
     return runs(in_usual_letters(word));
 }
 
-// What stands between letters without cells is set as a whole: a number keeps its sign, a contraction its cells.
+// The text between letters without cells is set as a whole: a number keeps its sign, a contraction its cells.
 Cells TextCells::runs(std::string_view word) {
     Cells cells;
     const auto set = [&](std::string_view run) {

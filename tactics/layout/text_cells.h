@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text to cells of braille, whatever letters it has.
+// Text to braille cells, for any letters.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 
 namespace tactics {
 
-/// Sets text in one table. What the table has no cells for is kept, and everything else is set.
+/// Translates text with one table. Letters without cells are recorded, and everything else is set.
 class TextCells {
 public:
     /// `table` must outlive it.
     explicit TextCells(const std::string& table) : table_(table) {}
 
-    /// Of one line of any length (to_line). Ligatures (U+FB00 to U+FB06) are set as their letters; joiners and non-joiners of
-    /// letters count only if the table knows them, and so do raised numbers, which else follow a ^; in the place of a letter
-    /// without cells stands a full one. Throws Error(usage) at the wish "braille", as to_braille.
+    /// The cells of one line of any length (to_line). Ligatures (U+FB00 to U+FB06) are set as their letters. Joiners and
+    /// non-joiners count only if the table has them; so do superscript numbers, which otherwise follow a ^. A full cell replaces
+    /// a letter without cells. Throws Error(usage) at the wish "braille", as to_braille.
     std::vector<std::uint8_t> of(std::string_view line);
 
-    /// The same, or nothing: a letter has no cells.
+    /// The same, or nothing if a letter has no cells.
     std::optional<std::vector<std::uint8_t>> known(std::string_view text) const;
 
     /// Letters without cells, each once, the first kMostUnknown of them.
@@ -38,7 +38,7 @@ private:
 
     const std::string& table_;
     std::vector<std::string> unknown_;
-    std::unordered_set<std::string> lacking_, has_;  // letters that were tried
+    std::unordered_set<std::string> lacking_, has_;  // letters already tried
 };
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an area can be filled with so that a finger tells it from another. A visible list: textures.inc.
+// Textures that fill areas so that a finger can tell them apart. A visible list: textures.inc.
 #pragma once
 
 #include <span>
@@ -9,19 +9,19 @@ namespace tactics {
 
 /// A mark is a dot, a dash or a line; marks stand in rows.
 struct Texture {
-    std::string_view name;    ///< "coarse dots": how it feels, as it is told
-    double width = 0;         ///< of a mark, in widths of the medium's usual line
+    std::string_view name;    ///< "coarse dots": how it feels, for messages
+    double width = 0;         ///< width of a mark, in widths of the medium's normal line
     double between_rows = 0;  ///< mm of white
     double along_row = 0;     ///< mm of white
     double length = 0;        ///< mm of a mark's middle line; 0 for a dot
-    double degrees = 0;       ///< which way the rows run, clockwise from level
+    double degrees = 0;       ///< direction of the rows, clockwise from horizontal
     bool staggered = false;   ///< every second row begins half a step later
-    std::string_view tile;    ///< for fixed dots: rows of # and . parted by /, repeated over the page
+    std::string_view tile;    ///< for fixed dots: rows of # and . separated by /, repeated over the page
 
     bool endless() const { return length > 1e6; }
 };
 
-/// mm across, so that it is felt as a texture of its own (L. Hasty, Designing Tactile Graphics: 1/4 in; good).
+/// Minimum width of an area, mm, for its texture to be felt as such (L. Hasty, Designing Tactile Graphics: 1/4 in; good).
 inline constexpr double kLeastTexture = 6.4;
 
 /// Number n of Area::texture is textures()[n - 1].
@@ -30,11 +30,11 @@ std::span<const Texture> textures();
 /// "coarse dots"; "a texture" for a number that is not in the list.
 std::string_view name_of_texture(int texture);
 
-/// How different two feel, by their kinds, directions and distances; 0 for the same. Blank is texture 0, more different from
-/// each than any two of them.
+/// How different two textures feel, by their kinds, directions and distances; 0 for the same. Texture 0 is blank, and differs
+/// more from every texture than any two textures differ.
 double difference(int texture, int other);
 
-/// Share of an area that it blackens on swell paper, 0 to 1; 0 for texture 0.
+/// Share of an area that is black on swell paper, 0 to 1; 0 for texture 0.
 double share_black(int texture);
 
 }  // namespace tactics

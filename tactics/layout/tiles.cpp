@@ -36,7 +36,7 @@ void add_stroke(const PageStroke& stroke, const Rect& window, std::vector<PageSt
         return;
     }
     std::vector<std::vector<Point>> pieces = clipped(stroke.points, stroke.closed, window);
-    // A closed line that began inside the window: its end goes on with its beginning.
+    // A closed line that began inside the window: its end continues at its beginning.
     const Point begin = stroke.points[0];
     if (stroke.closed && pieces.size() > 1 && holds(window, begin) && distance(pieces.back().back(), begin) == 0) {
         std::vector<Point>&first = pieces.front(), &last = pieces.back();
@@ -56,7 +56,7 @@ void add_areas(const std::vector<Area>& areas, const Rect& window, std::vector<A
     }
 }
 
-// What is not drawn at all is told on the first sheet.
+// Things that are not drawn at all are listed on the first sheet.
 void add_regions(const std::vector<Region>& regions, const Rect& window, bool first, std::vector<Region>& out) {
     for (const Region& region : regions) {
         Region within = region;

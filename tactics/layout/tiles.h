@@ -23,7 +23,7 @@ struct Cut {
 /// embosser meet. Nothing if too little is left.
 std::optional<Cut> cut_of(double width, double height, const Rect& live, const Sheet& sheet);
 
-/// What each sheet shows of the large page, row by row.
+/// The part of the large page on each sheet, row by row.
 std::vector<Rect> windows_of(const Cut& cut, const Sheet& sheet);
 
 /// The sheets, row by row. Everything within its window is on a sheet, exactly; a braille cell only if it is there as a

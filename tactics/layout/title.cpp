@@ -98,7 +98,7 @@ std::vector<std::vector<std::uint8_t>> wrapped(const std::vector<std::uint8_t>& 
             std::size_t blank = end;
             while (blank > at && cells[blank - 1] != 0) --blank;
             cut = blank == at;
-            // Where a line has room for little more than the hyphen, the word's own cells are worth more.
+            // A line with room for little more than the hyphen gets none: the word's own cells are worth more.
             if (!cut)
                 end = blank;
             else if (most > 2 * hyphen.size())
@@ -136,7 +136,7 @@ using Cells = std::vector<std::uint8_t>;
 // Lines of braille, the first with `first` blank cells before it, the others with `runover`.
 std::vector<Cells> indented(const Cells& cells, std::size_t most, std::size_t first, std::size_t runover, const Cells& hyphen) {
     if (most <= first) return wrapped(cells, most, hyphen);  // no room to set it in
-    // What the first line is shorter by goes in front of the first word, so that it is broken where it must be.
+    // The missing length of the first line is put before the first word, so that the line breaks in the right place.
     const std::size_t more = first - runover;
     Cells text(more + cells.size(), 1);
     std::copy(cells.begin(), cells.end(), text.begin() + static_cast<std::ptrdiff_t>(more));

@@ -12,7 +12,7 @@
 
 namespace tactics {
 
-/// The title's text and cells, translated once for every way of turning the sheet.
+/// The title's text and cells, translated once for all orientations of the sheet.
 struct Title {
     std::string text;                 ///< one clean line (to_line); empty = none
     std::vector<std::uint8_t> cells;  ///< empty = no braille
@@ -20,31 +20,30 @@ struct Title {
     std::vector<std::uint8_t> caption_cells = {};
     std::vector<std::uint8_t> hyphen = {};  ///< hyphen_of its table
 };
-/// Throws Error(usage) as to_braille does, and for a title or a caption too long to be one.
+/// Throws Error(usage) as to_braille does, and for a title or a caption that is too long.
 Title title_of(const Sheet& sheet);
 
-/// Room of the letters above and below the baseline in em, accents on capitals included (DejaVu Sans).
+/// Height of letters above and below the baseline, in em, including accents on capitals (DejaVu Sans).
 inline constexpr double kAscent = 0.95;
 inline constexpr double kDescent = 0.25;
 
-/// At least as wide, in em, as the text is in print: the page is laid out without a font, so that it is the same page on a
-/// machine that has none.
+/// An upper bound of the width of the text in print, in em: layout uses no font, so that the page is the same on a machine that
+/// has none.
 double print_width(std::string_view text);
 
-/// A line of the title or the caption, which may have been cut.
+/// A line of the title or the caption, which may be broken into several.
 bool shows(const PrintLine& line, std::string_view text);
 
 struct TitleBand {
     std::vector<PrintLine> print;
     std::vector<BrailleLine> braille;
-    double height = 0;  ///< mm from the top of the live area to where the drawing may begin; 0 without a title and a caption
+    double height = 0;  ///< mm from the top of the live area to the possible top of the drawing; 0 without a title and a caption
 };
-/// Lines of at most `most` cells, broken at blank cells; a longer word is cut, with `hyphen` behind each of its parts but the
-/// last.
+/// Lines of at most `most` cells, broken at blank cells; a longer word is divided, with `hyphen` after each part except the last.
 std::vector<std::vector<std::uint8_t>> wrapped(const std::vector<std::uint8_t>& cells, std::size_t most,
                                                const std::vector<std::uint8_t>& hyphen);
 
-/// The cells of a hyphen in that table; empty: it has none that is short, or there is no table.
+/// The cells of a hyphen in that table; empty: it has no short one, or there is no table.
 std::vector<std::uint8_t> hyphen_of(const std::string& braille_table);
 
 TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two readers of a line, one that knows words and one that knows the letters of fonts: what is believed.
+// Decides between two readings of a line, one by words and one by the letters of fonts.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace tactics {
 
-/// What the reader of words says of a line.
+/// The reading of a line by words.
 struct ReadWords {
     std::string text;
     double sureness = 0;  ///< 0 to 100

@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-// Settings, all. Likeness: of what may be a letter at all, of what is one, of one that tells how large the others are.
+// Settings. Similarity: of a possible letter, of a certain letter, and of one that determines the size of the others.
 constexpr double kMayBe = 0.6, kIs = 0.75, kTells = 0.8;
 constexpr double kAsAlike = 0.03;     // what is less likely than another by no more may be either
 constexpr double kAccent = 0.12;      // in small print a letter with an accent and one without hardly differ

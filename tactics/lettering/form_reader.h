@@ -11,7 +11,7 @@
 
 namespace tactics {
 
-/// What a piece of ink was read as.
+/// The reading of a piece of ink.
 struct FormLetter {
     enum class Place { on_line, raised, lowered };
     char32_t code = 0;  ///< 0: like no letter of the font
@@ -38,10 +38,10 @@ struct FormReading {
 FormReading read_by_forms(const InkStrip& strip, FormFont& font, const std::vector<double>& known, std::string_view guess = {},
                           bool only_guessed = false);
 
-/// What its letters say, with spaces where the font leaves room for one, and small figures raised or lowered.
+/// The text of its letters, with spaces where the font leaves room for one, and with superscripts and subscripts.
 std::string text_of(const FormReading& reading, FormFont& font);
 
-/// How alike the line is to those letters in that font, 0 to 1; 0 where it has others. `em` becomes their size.
+/// The similarity of the line to those letters in that font, 0 to 1; 0 if the letters differ. `em` receives their size.
 double likeness_to(const InkStrip& strip, FormFont& font, std::string_view text, double& em);
 
 }  // namespace tactics

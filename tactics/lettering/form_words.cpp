@@ -11,8 +11,8 @@ namespace tactics {
 
 namespace {
 
-// Settings. A picture is in so many fonts at most; a font must do so well on the words that are known, and one more font so much
-// better on some of them.
+// Settings: the largest number of fonts in a picture; how well a font must match the known words; how much better a further font
+// must match some of them.
 constexpr std::size_t kMostFonts = 4, kMostSamples = 8;
 constexpr double kLeastFit = 0.76, kBetter = 0.04, kFitsAlone = 0.92;
 constexpr double kSureAccent = 0.88;  // likeness of a letter with one
@@ -70,7 +70,7 @@ char32_t fitting(const std::vector<char32_t>& choices, char32_t before, char32_t
     if (all(is_lower)) return only(is_lower);
     if (before == 0 && after != 0 && is_lower(after)) return only(is_upper);
     if (all(is_upper)) return only(is_upper);
-    // A word goes on in small letters once it has begun.
+    // After its beginning, a word continues in lower case.
     if (before != 0 && (is_lower(before) || is_upper(before)) && (after == 0 || is_lower(after))) return only(is_lower);
     return 0;
 }
@@ -154,8 +154,8 @@ public:
         return std::any_of(sizes.begin(), sizes.end(), [&](double one) { return std::abs(one - em) <= kSameSize * em + 0.3; });
     }
 
-    // Letters that stand alone and are of no size that is known, as the numbers of an axis whose font is that of no words: they
-    // are of a font that three of them are like, in one size.
+    // Single letters of unknown size, such as the numbers of an axis in a font that no words have: they belong to a font that
+    // three of them match, in one size.
     bool choose_by_letters(const std::vector<std::size_t>& lines) {
         constexpr std::size_t kLeast = 3;
         const std::vector<std::size_t> samples = samples_of(lines);
@@ -185,7 +185,7 @@ public:
     }
 
 private:
-    // What fits the words best; then what fits some of them much better.
+    // The font that fits the words best; then fonts that fit some of them much better.
     void choose_by_words(const std::vector<std::size_t>& lines) {
         std::vector<std::vector<double>> fit(fonts_.size(), std::vector<double>(lines.size(), 0));
         for (std::size_t f = 0; f < fonts_.size(); ++f)
@@ -213,7 +213,7 @@ private:
         }
     }
 
-    // What the other reader says fits nowhere: a font that reads one of the lines without a doubt shows it wrong.
+    // If the other reading fits no font, a font that reads one of the lines without doubt disproves it.
     void choose_by_looks(std::vector<std::size_t> lines) {
         constexpr std::size_t kMostLines = 4, kLetters = 4, kMostLetters = 24;
         std::erase_if(lines, [&](std::size_t i) { return strips_[i].units() < kLetters || strips_[i].units() > kMostLetters; });
@@ -267,7 +267,7 @@ private:
     const std::vector<OtherReading>& others_;
     std::vector<FormFont> fonts_;
     std::vector<std::size_t> chosen_;
-    std::vector<std::vector<double>> sizes_;  // of each font those that are known, pixels for an em
+    std::vector<std::vector<double>> sizes_;  // known sizes of each font, pixels per em
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace tactics {
 
-/// What another reader made of a line.
+/// Another reader's result for a line.
 struct OtherReading {
     std::string text;    ///< empty: nothing
     bool alike = false;  ///< it was read the same more than once
@@ -25,7 +25,7 @@ struct FormWords {
     int font = -1;         ///< number of the font; -1: none
 };
 
-/// A letter by itself that is easily something drawn: a circle, a stroke, a cross.
+/// A single letter that could easily be a drawn thing: a circle, a stroke, a cross.
 bool may_be_drawn(char32_t code);
 
 /// One for each strip; none at all where no font is installed. Fonts are chosen by what the other reader made of the lines, or,

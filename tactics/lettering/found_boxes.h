@@ -12,7 +12,7 @@ namespace tactics {
 
 class FoundBoxes {
 public:
-    /// Of a picture of that size, which they lie in.
+    /// For a picture of that size, in whose coordinates they are.
     FoundBoxes(int width, int height);
 
     void add(const PixelBox& box);

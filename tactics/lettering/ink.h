@@ -18,8 +18,8 @@ struct InkPiece {
     std::vector<InkRun> runs;
 };
 
-/// Ink is what is darker than `level`, or, if it is light, what is not. Pieces touch along sides or corners; none is wider or
-/// higher than `largest` pixels.
+/// Ink is every pixel darker than `level`, or, for light ink, every other pixel. Pieces touch along sides or corners; none is
+/// wider or higher than `largest` pixels.
 std::vector<InkPiece> pieces_of(const Image& grey, int level, bool light, int largest);
 
 }  // namespace tactics

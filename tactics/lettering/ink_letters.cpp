@@ -13,11 +13,11 @@ namespace tactics {
 
 namespace {
 
-// What is not darker than that is noise of the ground. A setting.
+// Anything lighter is noise of the background. A setting.
 constexpr double kFaint = 0.12;
 
-// Where ink begins, from the darkest pixel of each row or column on the way: of one that is half as dark as the next the ink
-// fills half. Thin serifs are pale all along.
+// The beginning of the ink, from the darkest pixel of each row or column: in one half as dark as the next, the ink fills half.
+// Thin serifs are pale throughout.
 template <typename Dark>
 double edge(int from, int to, int step, Dark darkest) {
     for (int at = from; at != to; at += step) {

@@ -24,9 +24,9 @@ public:
 
     /// From the left to the right: pieces of ink, those above each other as one, as the dot of an i is.
     std::size_t units() const { return units_.size(); }
-    /// Of all its pixels, each as dark as it is.
+    /// From all its pixels, with their darkness.
     double ink() const { return std::accumulate(dark_.begin(), dark_.end(), 0.0); }
-    /// Of the ink of those units and what fades from it, and of no other.
+    /// From the ink of those units and its fading edges only.
     InkBox measure(std::size_t first, std::size_t last) const;
     /// 1: the ink of those units looks as the letter does when it fills that box; 0: nothing alike.
     double likeness(std::size_t first, std::size_t last, const InkBox& box, const LetterForm& form) const;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kSquares = 96;  // of an em; print in figures has 10 to 50 pixels for one
 constexpr double kMostEm = 4;    // of a letter; more is no letter
 
-// Where a line across at that height enters and leaves the shape: x, and whether the ring goes up there.
+// Crossings of a horizontal line at that height with the shape: x, and whether the ring runs upwards there.
 void find_crossings(const FontShape& shape, double y, std::vector<std::pair<double, int>>& found) {
     found.clear();
     for (const auto& ring : shape.rings)

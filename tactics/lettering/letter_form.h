@@ -21,7 +21,7 @@ using FontShapes = std::map<char32_t, FontShape>;
 /// Looks at one font after the other, the likely ones first, until `goes_on` says no: those of these letters that it has.
 using PrintFonts = std::function<void(const std::vector<char32_t>& codes, const std::function<bool(FontShapes)>& goes_on)>;
 
-/// A shape as large as it is and, once it was drawn, in so many squares, of which any part tells at once how much of it is ink.
+/// A shape in its original size and, after drawing, as a grid of squares from which the ink in any part can be read at once.
 class LetterForm {
 public:
     LetterForm() = default;

@@ -25,7 +25,7 @@ constexpr std::size_t kMostLines = 300;  // of a picture; more is a page of text
 // "025" with 96 of 100, twice alike. A setting.
 constexpr int kLeastHeight = 9;
 
-constexpr double kSureAlone = 80;  // of a lone letter that stands in line with words. A setting
+constexpr double kSureAlone = 80;  // for a single letter in line with words. A setting
 
 bool is_dash(char32_t letter) {
     return letter == '-' || letter == '~' || (letter >= 0x2010 && letter <= 0x2015) || letter == 0x2212;
@@ -38,7 +38,7 @@ std::vector<char32_t> letters_of(std::string_view text) {
     return letters;
 }
 
-// A stroke before a figure is a minus sign, whichever dash it was taken for.
+// A stroke before a digit is a minus sign, whichever dash was read.
 std::string with_minus(std::string_view text) {
     const std::vector<char32_t> letters = letters_of(text);
     std::string out;
@@ -80,7 +80,7 @@ Guess joined(const Guess& base, const Guess* raised) {
     return guess;
 }
 
-// Marks of a plot are as large as letters, too: a letter by itself is believed where it stands in line with words.
+// Marks of a plot are also as large as letters: a single letter is accepted only in line with words.
 bool stands_with(const LetteringLine& lone, const std::vector<ReadLine>& all) {
     const double height = lone.letter_height;
     return std::any_of(all.begin(), all.end(), [&](const ReadLine& other) {
@@ -94,7 +94,8 @@ bool stands_with(const LetteringLine& lone, const std::vector<ReadLine>& all) {
     });
 }
 
-// What is neither sure nor looks like print is part of the drawing, and not told: the bends of a curve would be letters.
+// Ink that is neither certain nor looks like print belongs to the drawing and is not reported; otherwise the bends of a curve
+// would be letters.
 bool may_be_words(const ReadLine& one, const std::vector<ReadLine>& all) {
     constexpr double kLikely = 30, kLikelyAlone = 80;  // settings; a mark of a plot is read as a letter with 50 to 75
     const bool alone = one.line.letters.size() < 2;
@@ -106,7 +107,7 @@ bool may_be_words(const ReadLine& one, const std::vector<ReadLine>& all) {
            });
 }
 
-// Each line as Tesseract reads it, at two sizes. Letters that stand alone are asked for where no font can tell them.
+// Tesseract's reading of each line, at two sizes. Single letters are also read if no font can identify them.
 struct Asked {
     std::vector<ReadLine> all;
     std::string trouble;

@@ -15,7 +15,7 @@ namespace tactics {
 struct PrintedWords {
     std::string text;      ///< as it was read, UTF-8
     double sureness = 0;   ///< 0 to 100
-    bool sure = false;     ///< sure enough to stand in braille without a person having looked
+    bool sure = false;     ///< certain enough to be set in braille without a person's check
     bool upwards = false;  ///< it runs from the bottom to the top
     int letter_height = 0;
     PixelBox box;
@@ -25,13 +25,13 @@ struct PrintedWords {
 };
 
 struct Lettering {
-    int width = 0, height = 0;        ///< of the picture that was looked at, which the boxes are in
+    int width = 0, height = 0;        ///< of the examined picture, in whose coordinates the boxes are
     std::vector<PrintedWords> words;  ///< from the top to the bottom, from the left to the right
     std::string trouble;              ///< why nothing was read and how to mend it; empty: all is well
     bool found_any = false;           ///< something that looks like lettering is there
 };
 
-/// The longer side, in pixels, at which a picture is best looked at: A4 at 200 dpi, where letters of 8 pt are 16 pixels high.
+/// The best longer side of a picture for reading, in pixels: A4 at 200 dpi, where 8 pt letters are 16 pixels high.
 inline constexpr int kLookForWords = 2400;
 
 /// Words are sure that are read alike at two sizes with at least `least_sure`, and have as many parts as they have gaps. Where
@@ -44,7 +44,7 @@ Lettering read_lettering(const Image& picture, std::string_view language, double
 /// letters or more that is wrong reaches it twice alike. Shorter ones need more.
 inline constexpr double kSureEnough = 60;
 
-/// Paints the ground over the ink of those words. `picture` shows the same as the one that was looked at, at any size.
+/// Paints the background over the ink of those words. `picture` shows the same as the examined one, at any size.
 void take_out(Image& picture, const Lettering& lettering, bool only_sure);
 
 }  // namespace tactics

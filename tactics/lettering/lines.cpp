@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-// Below this many pixels no letter can be told from another; above, it is a thing that is drawn.
+// Below this many pixels letters cannot be distinguished; above, the ink is a drawn thing.
 constexpr int kLeastHeight = 5;
 constexpr int kMostHeight = 100;
 constexpr int kLeastTallest = 7;  // of a line: an x of 5 pixels stands beside capitals of 7
@@ -94,7 +94,7 @@ std::uint8_t middle_of(std::vector<std::uint8_t>& values) {
     return *middle;
 }
 
-// How far the level is from the middle between letters and the ground around them; 256 if they hardly differ.
+// The distance of the level from the middle between letters and their background; 256 if they hardly differ.
 int off_middle(const Image& grey, const LetteringLine& line) {
     std::vector<std::uint8_t> ground;
     int deepest = line.light ? 0 : 255;
@@ -210,7 +210,7 @@ private:
         return lines;
     }
 
-    // What is around holes of letters, by what their ink is like.
+    // The ink around holes of letters, by its darkness.
     struct Containers {
         Containers(int width, int height) : boxes(width, height) {}
         FoundBoxes boxes;
@@ -310,7 +310,7 @@ private:
         drop_ticks(boxes, group);
         for (const std::size_t letter : group.letters) line.letter_height = std::max(line.letter_height, boxes[letter].height());
         if (line.letter_height < kLeastTallest) return;
-        // Where most letters stand: their middle foot is the line, whatever hangs below it.
+        // The baseline of most letters: their median foot, ignoring descenders.
         int top = boxes[group.letters.front()].top, bottom = boxes[group.letters.front()].bottom;
         PixelBox seen = boxes[group.letters.front()];
         line.box = pieces[group.letters.front()].box;
@@ -321,7 +321,7 @@ private:
             if (!raised) {
                 top = std::min(top, box.top);
                 bottom = std::max(bottom, box.bottom);
-                // What is followed by a letter of the line is none of its end.
+                // Ink followed by a letter of the line does not belong to its end.
                 line.letters.insert(line.letters.end() - 1, line.raised.begin(), line.raised.end());
                 line.raised.clear();
             }

@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-constexpr int kLeastHeight = 9;  // pixels, of the tallest letter of a line; smaller print is told, not set. A setting
+constexpr int kLeastHeight = 9;  // pixels, of the tallest letter of a line; smaller print is reported, not set. A setting
 
 bool is_ink(const Image& grey, const LetteringLine& line, int x, int y) {
     return x >= 0 && y >= 0 && x < grey.width && y < grey.height && (grey.row(y)[x] < line.level) != line.light;
@@ -56,7 +56,7 @@ struct Held {
 Held held(const Image& grey, ReadLine read, FormWords form) {
     Belief belief = believe(form, {read.words.text, read.words.sureness, read.alike, read.words.sure});
     const bool cut = belief.sure && is_cut(grey, read.line);
-    // Where the readers part words differently, or the gaps say otherwise, one may have lost a point.
+    // If the readers divide words differently, or the gaps disagree, one may have missed a point.
     const auto parts = static_cast<std::size_t>(std::count(belief.text.begin(), belief.text.end(), ' ')) + 1;
     const WordCount count = words_in(read.line);
     const bool parted = is_words(read.line) && (parts < count.least || parts > count.most);
@@ -69,8 +69,8 @@ Held held(const Image& grey, ReadLine read, FormWords form) {
     return {std::move(read), std::move(form)};
 }
 
-// In a font that nobody has here, print is believed where it is read without the least doubt. Leaves and stones, which are in
-// none either, are read as words with up to 90 of 100.
+// Print in a font that is not installed is accepted only with the highest confidence. Leaves and stones, which match no font
+// either, are read as words with up to 90 of 100.
 void doubt(const Image& grey, ReadLine& one) {
     constexpr double kSure = 93;  // settings, both
     constexpr std::size_t kLetters = 4;
@@ -84,7 +84,7 @@ bool has_ink_of(const PixelBox& box, const std::vector<Held>& lines) {
                        [&](const Held& one) { return one.sure() && overlap(one.read.line.box, box); });
 }
 
-// Signs between two sides: what stands on both sides of them is one label, as wide as the gaps are.
+// Signs between two sides: the text on both sides is one label, however wide the gaps.
 bool is_sign(std::string_view text) {
     constexpr std::string_view kSigns[] = {"=", "<", ">", "\u2248", "\u2264", "\u2265", "\u2260"};
     return std::find(std::begin(kSigns), std::end(kSigns), text) != std::end(kSigns);

@@ -19,7 +19,7 @@ const std::vector<InkPiece>& pieces_of(const LetteringLine& line, Part part) {
     return part == Part::raised ? line.raised : line.letters;
 }
 
-// Where pixel (x, y) of the strip is in the picture. A line that climbs is turned clockwise.
+// The place of the strip's pixel (x, y) in the picture. A rising line is turned clockwise.
 struct View {
     PixelBox box;
     bool upwards = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line of lettering by itself: black on white, upright, as a reader of print wants it.
+// A single line of lettering: black on white, upright, as OCR needs it.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ enum class Part { words, raised };
 /// The line alone, its tallest letter `letter_height` pixels high, nothing around it but white. Gaps between words are
 /// widened, as small print has them hardly wider than those between letters.
 Image strip_of(const Image& grey, const LetteringLine& line, Part part, int letter_height);
-/// The line alone as it is in the picture, upright, with a pixel around it.
+/// The line alone, unchanged and upright, with a pixel around it.
 struct BareStrip {
     Image image;
     std::vector<PixelBox> pieces;  ///< where its pieces are in that
     std::vector<int> owner;        ///< of each pixel the piece that it is of or fades from; -1: none
 };
 BareStrip bare_strip(const Image& grey, const LetteringLine& line);
-/// How many words the gaps tell of: not fewer and not more than these.
+/// The smallest and largest number of words by the gaps.
 struct WordCount {
     std::size_t least = 1, most = 1;
 };

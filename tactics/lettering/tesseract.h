@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Print read by Tesseract, a program of its own: it is asked for at run time and nothing else depends on it.
+// Print read by the program Tesseract, which is looked for at run time; nothing else depends on it.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace tactics {
 
-/// What a strip of lettering was read as.
+/// The reading of a strip of lettering.
 struct Guess {
     std::string text;     ///< UTF-8, words with one space between them; empty: nothing was read
     double sureness = 0;  ///< of its least sure word, 0 to 100, as Tesseract says it
@@ -24,7 +24,7 @@ struct Guesses {
 /// Each strip holds one line of black letters on white. `language` is a tag of BCP 47. `program` is for tests.
 Guesses read_strips(const std::vector<Image>& strips, std::string_view language, const std::string& program = "tesseract");
 
-/// Tesseract's table of words, page by page; what is not of that form is passed over.
+/// Tesseract's table of words, page by page; ignores lines of another form.
 std::vector<Guess> parse_guesses(std::string_view table, std::size_t pages);
 
 /// Its name for a language: "deu" for "de-AT". Empty: not known here.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of what is drawn people would have drawn, and how much of what they agree on is drawn.
+// The share of a drawing's line that people would have drawn, and the share of their agreed lines that is drawn.
 #pragma once
 
 #include <cstdint>
@@ -14,24 +14,23 @@ namespace tactics {
 /// So many people make an agreement.
 inline constexpr int kAgree = 3;
 
-/// Of the pixels of a page's lines, thinned to one pixel, at the picture's size. "Near" is within 0.75 % of the picture's
+/// Scores of the pixels of a page's lines, thinned to one pixel, at the picture's size. "Near" is within 0.75 % of the picture's
 /// diagonal; pixels are not matched one to one.
 struct PageShares {
     double p3 = 0;             ///< share near lines of at least kAgree annotators
     double p1 = 0;             ///< share near a line of any annotator
     std::optional<double> r3;  ///< share of the lines of at least kAgree annotators that is drawn near; nothing: there are none
-    std::optional<double> main_object;  ///< share of the main object's outline that is drawn near; nothing: nobody drew one
+    std::optional<double> main_object;  ///< share of the main object's outline that is drawn near; nothing: no person drew one
     double diagonals = 0;               ///< pixels of line, in diagonals of the picture
 };
 
-/// A page that is not fit to be handed out, as far as people's contours say: less than two thirds of its line is what people
-/// agree on, or less than 45 % of what they agree on is drawn and less than 60 % of the main object; and the page of one person,
-/// `person` (against the others), is better by 0.1 in that, so that it is not the people who disagree. Chosen beside 50 pages
-/// that were looked at (every second of BSDS500's 100 photographs for validation): most of the 11 that are poor have lost their
-/// animal or person.
+/// Whether a page is not fit to be handed out, judged by people's contours: less than two thirds of its line is agreed on, or it
+/// has less than 45 % of the agreed lines and less than 60 % of the main object; and the page of one person, `person` (against
+/// the others), is better by 0.1, so that disagreement among people is not the cause. Chosen by inspecting 50 pages (every second
+/// of BSDS500's 100 photographs for validation): most of the 11 that are poor have lost their animal or person.
 bool is_poor(const PageShares& page, const PageShares& person);
 
-/// What some annotators drew of a picture, ready to be compared with.
+/// The drawings of some annotators, prepared for comparison.
 class Consensus {
 public:
     /// Their maps have one size. At least one.

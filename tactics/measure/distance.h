@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far each pixel of a map is from the nearest of a set.
+// The distance of each pixel of a map from the nearest pixel of a set.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What happens to a picture on its way to the user and should change nothing in its drawing: storing, noise, light, a
-// finger's breadth of another position. Each change is a pure function and knows the way back.
+// Changes of a picture on its way to the user that should not change its drawing: storage, noise, light, a slight shift. Each
+// change is a pure function with its inverse.
 #pragma once
 
 #include <cstdint>
@@ -34,8 +34,8 @@ std::span<const Disturbance> disturbances();
 /// picture that it was made of. What falls outside is left out.
 PixelSet brought_back(const PixelSet& lines, const Disturbed& disturbed, int width, int height);
 
-/// Of lines drawn on the picture itself those that both pictures show, farther than `margin` from where one of them ends.
-/// Asked of both sets, so that neither is blamed for what the other could not see.
+/// The lines drawn on the original that both pictures show, farther than `margin` from the border of either. Applied to both
+/// sets, so that neither is penalised for parts that the other picture lacks.
 PixelSet seen_by_both(const PixelSet& lines, const Disturbed& disturbed, double margin);
 
 /// The picture with normal noise of that deviation in every sample, the same on every machine.

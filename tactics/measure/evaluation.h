@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What came out of an evaluation: every row of it, as values. Tables, JSON and charts are made from this.
+// The results of an evaluation: every row, as values, from which tables, JSON and charts are made.
 #pragma once
 
 #include <cstddef>

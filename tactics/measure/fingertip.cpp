@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-// How much wider the neighbourhood is against which an edge is felt, than what is felt as one.
+// The ratio of the neighbourhood against which an edge is felt to the width that is felt as one.
 constexpr double kSurround = 3;
 
 std::vector<float> blurred(const std::vector<float>& map, int cells, double sigma) {
@@ -42,7 +42,7 @@ std::vector<float> blurred(const std::vector<float>& map, int cells, double sigm
     return pass(pass(map));
 }
 
-// What a finger feels of a sheet, to be asked for anywhere.
+// A finger's sensation of a sheet, at any place.
 class Felt {
 public:
     Felt(const Relief& sheet, const FingertipReader& reader) : cells_(sheet.cells), mm_per_cell_(sheet.mm_per_cell) {
@@ -146,14 +146,14 @@ private:
         return static_cast<int>(std::clamp(grades_ * share + 1e-9, 0.0, grades_ - 1));
     }
 
-    // What is kept of a sheet: grades of the squares that were felt; of the others, none.
+    // The memory of a sheet: grades of the squares that were felt.
     struct Memory {
         std::vector<std::size_t> path;
         std::vector<int> grades;  // by square
     };
 
-    // The finger sweeps the sheet until there is something, follows it, and sweeps again when all around is known; what is
-    // swept over in vain is not remembered.
+    // The finger sweeps the sheet until it feels something, follows it, and sweeps again when the surroundings are known; empty
+    // places are not remembered.
     Memory explore(const Felt& felt, RandomNumbers& random) const {
         std::vector<int> left(squares_);  // to be felt; 0 where it has been or where there is nothing
         for (std::size_t square = 0; square < squares_; ++square) left[square] = feel(felt, square, random);

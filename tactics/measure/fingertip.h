@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulated reader who feels raised sheets and finds one again among others: closed-set matching, as in the pilot study of
-// TACTICS (J. P. Fritz, T. P. Way, K. E. Barner, Haptic Representation of Scientific Data for Visually Impaired or Blind
-// Persons, section 2). There a blindfolded person felt one sheet and then looked by touch for the identical one among all
-// sheets that were processed alike. So the reader compares sheets with sheets, both felt, never a sheet with a picture: it
-// says which sheets can be told apart and remembered, not whether anybody knows what they show. It has not been checked
-// on people.
+// A simulated reader who feels raised sheets and finds a sheet again among others: closed-set matching, as in the pilot study of
+// TACTICS (J. P. Fritz, T. P. Way, K. E. Barner, Haptic Representation of Scientific Data for Visually Impaired or Blind Persons,
+// section 2). There a blindfolded person felt one sheet and then looked by touch for the identical one among all sheets that were
+// processed alike. So the reader compares felt sheets with each other, never a sheet with a picture: the result shows which
+// sheets can be told apart and remembered, not whether anybody recognises what they show. The reader has not been validated on
+// people.
 #pragma once
 
 #include <array>
@@ -15,15 +15,15 @@
 
 namespace tactics {
 
-/// A square sheet, as the share of each cell that is raised (0 to 1), row by row.
+/// A square sheet: for each cell the raised share (0 to 1), row by row.
 struct Relief {
     int cells = 0;           ///< along a side
     double mm_per_cell = 0;  ///< 0.5 or less: finer than any fingertip
     std::vector<float> raised;
 };
 
-/// Defaults are a usual reader. Sources are named where there are any; places, edges, following and returning are how a
-/// person goes about it, which nobody has measured on such sheets, and the order of recipes hangs on them most.
+/// The defaults describe a typical reader. Sources are named where they exist; places, edges, following and returning model a
+/// person's strategy, which has not been measured on such sheets, and the order of recipes depends most on these.
 struct FingertipReader {
     /// mm; what lies closer than this is felt as one: width at half height of a Gaussian low-pass (the filter is that of
     /// J. M. Loomis 1990). Gaps of 0.87 mm (K. O. Johnson, J. R. Phillips 1981) and gratings of 0.94 mm (R. W. Van Boven,
@@ -32,29 +32,29 @@ struct FingertipReader {
     /// 0 to 1; how much of what is felt are changes of height rather than height: nerves answer to an edge more than to a
     /// plateau (J. R. Phillips, K. O. Johnson 1981, part II).
     double edges = 0;
-    /// Where the finger is against where it believes to be: standard deviation as a share of the distance from the nearest
-    /// edge of the sheet, on each axis. Distances that an arm moves are told apart at 11 % (F. E. van Beek, W. M. Bergmann
-    /// Tiest, A. M. L. Kappers 2014); that compares two, each with an error of 1 / sqrt(2) of it. On 63.5 mm it is 1.2 mm on
-    /// average. Without any edge to feel it would be 4 to 7 mm or 0.25 to 0.4 (elbow and shoulder are known to 0.6-1.1
-    /// degrees, R. J. van Beers, A. C. Sittig, J. J. Denier van der Gon 1998).
+    /// Error of the finger's believed position: standard deviation as a share of the distance from the nearest edge of the sheet,
+    /// on each axis. Distances that an arm moves are told apart at 11 % (F. E. van Beek, W. M. Bergmann Tiest, A. M. L. Kappers
+    /// 2014); that compares two, each with an error of 1 / sqrt(2) of it. On 63.5 mm it is 1.2 mm on average. Without any edge to
+    /// feel it would be 4 to 7 mm or 0.25 to 0.4 (elbow and shoulder are known to 0.6-1.1 degrees, R. J. van Beers, A. C. Sittig,
+    /// J. J. Denier van der Gon 1998).
     double position_noise = 0.08;
     /// The sheet is remembered as squares, this many along a side: 8 on 63.5 mm are squares as wide as a finger pad.
     int grid = 8;
-    /// How many squares are remembered: the middle of the 8 to 20 of 64 between which the prototype of this reader came
-    /// nearest to the pilot study. Spans of touch in the laboratory are lower (E. Q. Gilson, A. D. Baddeley 1969).
+    /// Number of remembered squares: the middle of the range of 8 to 20 of 64 in which the prototype of this reader came closest
+    /// to the pilot study. Spans of touch in the laboratory are lower (E. Q. Gilson, A. D. Baddeley 1969).
     int places = 14;
-    /// How finely what is felt in a square is remembered: 2 bits are 4 grades. Of one quantity people tell apart 4 to 8
-    /// (G. A. Miller 1956).
+    /// Resolution of the memory of a square: 2 bits are 4 grades. People distinguish 4 to 8 grades of one quantity (G. A. Miller
+    /// 1956).
     double bits = 2;
-    /// 0 to 1; how often the finger goes on beside where it is, to where there is most to feel (contour following, S. J.
+    /// 0 to 1; how often the finger continues next to its position, towards the strongest sensation (contour following, S. J.
     /// Lederman, R. L. Klatzky 1987), rather than to anything anywhere.
     double following = 1;
-    /// 0 to 1; in how many trials each sheet of the collection is felt only in the squares that are remembered of the one
-    /// looked for. In the others each is explored as that one was, from anywhere, and both memories are compared.
+    /// 0 to 1; share of trials in which each sheet of the collection is felt only in the squares remembered from the target. In
+    /// the others, each sheet is explored like the target, from anywhere, and both memories are compared.
     double returning = 0;
 };
 
-/// What a parameter may be in a search for readers under whom a result holds.
+/// The range of a parameter in a search for readers under whom a result holds.
 struct ReaderRange {
     std::string_view name;
     std::string_view unit;
@@ -62,12 +62,12 @@ struct ReaderRange {
     double (*get)(const FingertipReader& reader) = nullptr;
     void (*set)(FingertipReader& reader, double value) = nullptr;
 };
-/// Of all but the grid.
+/// For all parameters except the grid.
 std::array<ReaderRange, 7> reader_ranges();
 /// Each parameter anywhere in its range, evenly.
 FingertipReader random_reader(std::uint64_t seed);
 
-/// Which sheet was taken for which: of reader r who felt sheet s, at r * sheets + s.
+/// The chosen sheet for reader r who felt sheet s, at r * sheets + s.
 struct Answers {
     std::size_t sheets = 0;
     std::vector<std::uint16_t> taken;

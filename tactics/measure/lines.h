@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recipe drew, as a map of lines of the size of the truth, to be scored against it.
+// A recipe's drawing as a map of lines in the size of the truth, for scoring.
 #pragma once
 
 #include "tactics/artwork.h"
@@ -7,9 +7,9 @@
 
 namespace tactics {
 
-/// Where there are lines, and how strong: an edge map's strengths; a drawing's strokes, one pixel wide, and the outlines of
-/// its areas; of a picture the borders between regions of different value. What has no strength of its own is stronger than
-/// all that has one; a stroke without strength among others that have it is weaker than they.
+/// Places and strengths of lines: the strengths of an edge map; the strokes of a drawing, one pixel wide, and the outlines of its
+/// areas; the borders between regions of different value in a picture. Lines without strength are stronger than all others, but a
+/// stroke without strength among strokes with strength is weaker than these.
 EdgeMap lines_of(const Artwork& artwork, int width, int height);
 
 /// The pixels of strength >= level (> 0 for level 0), thinned to one pixel.

@@ -87,7 +87,7 @@ void Matching::match(const PixelSet& lines) {
         present_.push_back(index);
         const bool fresh = !line.present;
         line.present = true;
-        // Who found no partner before will find none now, unless one was given back.
+        // A pixel that found no partner before will find none now, unless one was released.
         if (line.partner == kNone && line.first < line.end && (fresh || freed)) waiting.push_back(index);
     }
     pair_nearest(waiting);

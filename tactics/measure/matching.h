@@ -15,9 +15,9 @@ struct PixelSet {
     std::vector<std::uint32_t> pixels;
 };
 
-/// As many pairs as there can be of a pixel of `truth` and a pixel of the lines at most `reach` pixels away, each pixel in
-/// at most one pair. The lines may change; then the pairs that are still possible are where the search goes on, so that
-/// lines which only grow cost little more than their last state alone.
+/// The maximum number of pairs of a pixel of `truth` and a pixel of the lines at most `reach` pixels away, with each pixel in at
+/// most one pair. If the lines change, the search continues from the pairs that are still possible, so that growing lines cost
+/// little more than their last state alone.
 class Matching {
 public:
     Matching(const PixelSet& truth, double reach);

@@ -10,7 +10,7 @@
 
 namespace tactics {
 
-/// One picture: F at each value of a dial, and what the recipe has by itself.
+/// One picture: F at each value of a dial, and the recipe's own value.
 struct NeededCurve {
     std::vector<double> f;
     double own = 0;
@@ -18,7 +18,7 @@ struct NeededCurve {
     double most = std::numeric_limits<double>::infinity();  ///< a larger value is the same as this
 };
 
-/// Within one percent of the best: what nobody would feel.
+/// Within one percent of the best: a difference that nobody would feel.
 inline constexpr double kEnough = 0.99;
 
 /// Index of the first value whose F is at least kEnough of the greatest; nothing if no F is above 0.
@@ -39,7 +39,7 @@ struct NeededSummary {
     std::size_t more = 0;        ///< of these, where the recipe has more than needed
     std::vector<double> mean_f;  ///< at each value
     double best_f = 0;           ///< mean of the best of each picture
-    double own_f = 0;            ///< mean of what the recipe reaches by itself
+    double own_f = 0;            ///< mean F of the unchanged recipe
     Quartiles needed, own;
 };
 NeededSummary summary_of(const std::vector<NeededCurve>& curves, std::span<const double> values);

@@ -19,17 +19,17 @@ struct AgreedObject {
     int people = 0;
 };
 
-/// Regions of an annotator that so many others have, too, that they are kAgree: with an overlap of 0.7 or more. From 2 % to 50 %
-/// of the picture, and none that touches all four sides, whose box says nothing. Those that most people have come first; what
-/// overlaps an earlier one as much is the same.
+/// Regions on which at least kAgree annotators agree, with an overlap of 0.7 or more. They cover 2 % to 50 % of the picture and
+/// do not touch all four sides, where a box would be meaningless. Regions that most people have come first; a region that
+/// overlaps an earlier one by that much is the same.
 std::vector<AgreedObject> agreed_objects(std::span<const LabelMap> annotators);
 
 /// Intersection over union of what is not 0; 0 if both are empty. Throws std::logic_error if the masks differ in size.
 double overlap_of(std::span<const std::uint8_t> first, std::span<const std::uint8_t> second);
 
-/// What a map of regions takes for the subject: of a point the region that it is in.
+/// The subject by a map of regions: for a point, the region that contains it.
 std::vector<std::uint8_t> region_at(const LabelMap& map, std::array<int, 2> pixel);
-/// Of a box the regions that are in it for the greater part.
+/// For a box, the regions that are mostly inside it.
 std::vector<std::uint8_t> regions_in(const LabelMap& map, const std::array<int, 4>& box);
 
 }  // namespace tactics

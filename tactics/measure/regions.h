@@ -33,11 +33,11 @@ LabelMap connected(std::span<const std::uint32_t> labels, int width, int height)
 /// The same regions on a map of that size.
 LabelMap resized(const LabelMap& map, int width, int height);
 
-/// The pixels that differ in region from the next to the right, below or right below: the line that stands for the borders in the
+/// The pixels that differ in region from the next to the right, below or right below: the line that represents borders in the
 /// benchmark's maps.
 PixelSet borders_of(const LabelMap& map);
 
-/// How two maps of the same pixels overlap. Takes time in proportion to the pixels.
+/// The overlap of two maps of the same pixels. Takes time in proportion to the pixels.
 struct OverlapTable {
     struct Part {
         std::uint32_t first = 0, second = 0;  ///< labels

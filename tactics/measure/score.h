@@ -23,7 +23,7 @@ struct Counts {
     double f() const;          ///< harmonic mean of both
 };
 
-/// How far apart a pair may be: 0.75 % of the diagonal.
+/// The maximum distance of a pair: 0.75 % of the diagonal.
 double reach_of(int width, int height);
 
 /// The strengths at which lines are cut, in grey levels, falling; the last is 0: everything.

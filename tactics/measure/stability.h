@@ -10,8 +10,8 @@
 
 namespace tactics {
 
-/// How well the lines drawn on a changed picture agree with those drawn on the picture itself: F of the one-to-one matching
-/// within 0.75 % of the diagonal. 1 if neither has lines, 0 if one of them has none.
+/// Agreement of the lines drawn on a changed picture with those drawn on the original: F of the one-to-one matching within 0.75 %
+/// of the diagonal. 1 if neither has lines, 0 if one of them has none.
 double agreement(const PixelSet& before, const PixelSet& after);
 
 /// A picture of which it is known what is to be found in it.

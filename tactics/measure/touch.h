@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a drawing asks of a hand: how much line, in how many pieces, how much of it too close to be told apart.
+// The demands of a drawing on a hand: how much line, in how many pieces, and how much of it too close to be told apart.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ struct TouchLoad {
 };
 
 /// A piece of stroke is crowded if a piece of another stroke, or of a far part of its own, is nearer than `least` (mm, between
-/// middle lines). Where a line ends on another, both are free to meet: what lies within twice `least` of such a place, on
-/// either, does not crowd the other.
+/// middle lines). Lines may meet where one ends on another: parts within twice `least` of such a place, on either line, do not
+/// crowd the other.
 TouchLoad touch_load(const Drawing& drawing, double least);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How whole the lines of a page are: a line that ends in nothing bounds nothing.
+// How complete the lines of a page are: a line with a loose end encloses nothing.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,8 @@ struct WholeLines {
 };
 
 /// An end of an open line is loose if no other line, no end of its own line (one longer than four times `reach`) and no side of
-/// the rectangle around all lines is within `reach` mm of it. Outlines of areas are closed lines. Only what the drawing is about.
+/// the rectangle around all lines is within `reach` mm of it. Outlines of areas are closed lines. Only lines of the subject
+/// count.
 WholeLines whole_lines(const Drawing& drawing, double reach = 4);
 
 }  // namespace tactics

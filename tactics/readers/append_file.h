@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are taken as they are.
+// Appends unchanged files.
 #pragma once
 
 #include <string>
 
 namespace tactics {
 
-/// Puts a file behind what is there; "-" is standard input. A pipe can be read once only. Throws Error: not there, cannot be read
-/// to its end, over 256 MB together.
+/// Appends a file to the contents so far; "-" is standard input. A pipe can be read only once. Throws Error if it is missing,
+/// cannot be read to its end, or exceeds 256 MB in total.
 void append_file(std::string& bytes, const std::string& name);
 
 }  // namespace tactics

@@ -61,12 +61,12 @@ void start(const std::string& place, const caged::Program& wanted, Started& prog
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) fail(errno);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    // Where the socket has that number already, this takes its mark of being closed away.
+    // If the socket already has that number, this removes its close-on-exec flag.
     posix_spawn_file_actions_adddup2(&actions, ends[1], caged::kSocket);
     for (const int number : {0, 1, 2}) posix_spawn_file_actions_addopen(&actions, number, "/dev/null", O_RDWR, 0);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    // A group of its own: Ctrl-C, by which a batch ends after the pages under way, is not for it.
+    // A separate process group: Ctrl-C, which ends a batch after its current pages, must not reach it.
     sigset_t none, usual;
     sigemptyset(&none);
     sigfillset(&usual);

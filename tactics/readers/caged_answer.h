@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program's side of `tactics-openimageio` and its like: each is looked for and started when it is first needed, and ends with
-// us.
+// The main program's side of `tactics-openimageio` and similar programs: each is found and started on first use, and ends when we
+// end.
 #pragma once
 
 #include <algorithm>
@@ -20,12 +20,12 @@ struct CagedRequest {
     const caged::Program* program = &caged::kOpenImageIo;
 };
 
-/// What is answered about one file, frame by frame. Several may be under way, in different threads.
+/// The answer about one file, frame by frame. Several may be in progress in different threads.
 class CagedAnswer {
 public:
     /// Throws Error(failed) at `place` if the program is not installed or cannot be started.
     CagedAnswer(const std::string& place, const CagedRequest& request);
-    /// What comes out of a descriptor, which it takes over.
+    /// Reads from a descriptor, which it owns.
     explicit CagedAnswer(int pipe) : pipe_(pipe) {}
     ~CagedAnswer();
     CagedAnswer(const CagedAnswer&) = delete;
@@ -36,7 +36,7 @@ public:
     /// The same, of any size up to `most`.
     bool read(caged::Frame kind, std::string& bytes, std::size_t most);
 
-    /// The same, of so many values; memory is taken as they come.
+    /// The same for that many values; memory grows as they arrive.
     template <typename Value>
     bool read(caged::Frame kind, std::vector<Value>& values, std::size_t count) {
         constexpr std::size_t kBatch = 1 << 16;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one value of a table is: a number, a gap, or neither.
+// Classifies a value of a table: a number, a gap, or neither.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@
 
 namespace tactics {
 
-/// What parts the whole of a number from its fraction.
+/// The decimal separator.
 enum class Decimal : std::uint8_t { point, comma };
 
-/// Nothing is known there: empty, or NaN, NA, N/A, null in any case, or "-".
+/// A gap: empty, or NaN, NA, N/A, null in any case, or "-".
 bool is_gap(std::string_view cell);
 
 bool is_infinity(std::string_view cell);
 
-/// A finite number with that mark, and without any between its thousands.
+/// A finite number with that decimal separator and no thousands separators.
 std::optional<double> number_in(std::string_view cell, Decimal decimal);
 
 /// With either mark.

@@ -12,7 +12,7 @@ namespace tactics {
 namespace {
 
 constexpr std::size_t kChunk = 256 * 1024;      // bytes that are read at a time
-constexpr std::size_t kSampledRecords = 100;    // from which the separator is known
+constexpr std::size_t kSampledRecords = 100;    // used to find the separator
 constexpr std::size_t kSampledBytes = 1 << 20;  // at most
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }

@@ -16,8 +16,8 @@ inline constexpr std::size_t kLongestCsvRecord = 1'048'576;  // bytes
 /// Whether lines of that separator are columns between blanks, as gnuplot and R write them.
 inline constexpr char kBlankSeparator = ' ';
 
-/// Values stand between separators, in double quotes if need be, where they may hold separators and ends of lines; blanks around
-/// them do not count. Lines with # before the first record are comments, in columns between blanks all are.
+/// Values stand between separators; in double quotes they may hold separators and line ends; blanks around them are ignored.
+/// Lines with # before the first record are comments; in blank-separated columns, all lines with # are.
 class CsvRecords {
 public:
     /// Rewinds the source, which must outlive it. Throws Error: UTF-16.
@@ -51,8 +51,8 @@ private:
     std::vector<std::string_view> cells_;
 };
 
-/// The separator that makes all records of the beginning equally long and most of their values numbers: a tab, a semicolon, a
-/// comma or blanks; where none does, what the first line has.
+/// The separator (tab, semicolon, comma or blanks) for which the first records have equal length and mostly numbers; if there is
+/// none, the one in the first line.
 char separator_of(const Source& source);
 
 /// Whether a first line that is one value short leaves out the name of the row names, which come first, as R writes tables.

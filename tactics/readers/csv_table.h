@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables as text in lines: which line names the columns, and all rows.
+// Tables as lines of text: finds the line that names the columns, and reads all rows.
 #pragma once
 
 #include <span>

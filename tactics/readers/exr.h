@@ -15,7 +15,7 @@ namespace tactics {
 
 struct DecimalPicture {
     int width = 0, height = 0;
-    std::vector<float> samples;                              ///< of its first channel, as they are
+    std::vector<float> samples;                              ///< of its first channel, unchanged
     std::vector<std::pair<std::string, std::string>> words;  ///< those of the keys asked for that the file has
     bool grey = true;                                        ///< it has no other channel
 };

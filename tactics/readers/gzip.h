@@ -10,11 +10,11 @@ namespace tactics {
 
 bool is_gzip(std::string_view bytes);
 
-/// No more than the first `most` bytes of what is packed: who asks for one more than it can use sees that there is more. Throws
-/// Error(failed) at `name` if it is cut short or damaged before that.
+/// Unpacks at most the first `most` bytes; ask for one more than you can use to see whether there are more. Throws Error(failed)
+/// at `name` if the data are truncated or damaged before that.
 std::string gunzip(std::string_view bytes, std::size_t most, const std::string& name);
 
-/// The first bytes of what is packed, as far as `bytes`, the beginning of a file, tell.
+/// The first unpacked bytes, as far as `bytes`, the beginning of a file, determine them.
 std::string gunzip_beginning(std::string_view bytes, std::size_t most);
 
 }  // namespace tactics

@@ -217,8 +217,8 @@ void reduce(jpeg_decompress_struct& info, Size wanted) {
     while (info.scale_num < 8 && !enough(info.scale_num)) info.scale_num *= 2;
 }
 
-// Adobe's programs store CMYK inverted (255 = no ink), others as it is. Ink is mixed as light is taken away; what the
-// ink really looks like is in a colour profile, which a drawing of lines has no use for.
+// Adobe's programs store CMYK inverted (255 = no ink), others as it is. Ink mixes subtractively; the true appearance of the ink
+// is in a colour profile, which a line drawing does not need.
 void cmyk_to_rgb(const JSAMPLE* cmyk, std::uint8_t* rgb, std::size_t width, bool inverted) {
     const unsigned flip = inverted ? 0 : 255;
     for (std::size_t x = 0; x < width; ++x, cmyk += 4)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What JPEG leaves of a picture: written and read again, in memory.
+// The loss of JPEG: writes a picture and reads it again, in memory.
 #pragma once
 
 #include "tactics/image.h"

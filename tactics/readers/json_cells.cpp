@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kChunk = 256 * 1024;
 constexpr unsigned kDeepest = 32;  // of what is skipped
 
-// What RapidJSON reads from. A value that is too long ends it.
+// The input stream of RapidJSON. A value that is too long ends it.
 class JsonBytes {
 public:
     using Ch = char;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON (RFC 8259) as the cells of rows or of columns, told one after the other.
+// JSON (RFC 8259) as a sequence of cells, in rows or columns.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct JsonPosition {
     std::size_t since = 0;                 ///< bytes since the last value
 };
 
-/// Numbers stay text. What is nested where a value should be is one cell, "[...]" or "{...}".
+/// Numbers stay text. A nested structure in place of a value is one cell, "[...]" or "{...}".
 class JsonCells {
 public:
     explicit JsonCells(const Source& source) : source_(source) {}
@@ -31,7 +31,7 @@ public:
     /// From the start until the end, or until enough is known. Throws Error with the line and the letter in it.
     void read();
 
-    /// What the reader of JSON tells; whether it is to go on.
+    /// Events of the JSON reader; they return whether to continue.
     bool value(std::string_view text);
     bool name(std::string_view text);
     bool object_begins();

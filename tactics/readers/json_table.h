@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables as JSON (RFC 8259): what it means for rows and columns, value by value, within bounds.
+// Tables in JSON (RFC 8259): interprets rows and columns, value by value, within bounds.
 #pragma once
 
 #include <span>
@@ -18,8 +18,8 @@ bool begins_json(const Source& source);
 /// letter in it.
 TableHead json_table_head(Source& source);
 
-/// As read_rows of read_table.h. Columns of an object stand one behind the other, so that their text is kept until the last is
-/// there: at most kMostJsonColumns bytes.
+/// As read_rows of read_table.h. The columns of an object come one after another, so their text is kept until the last has
+/// arrived: at most kMostJsonColumns bytes.
 void read_json_rows(Source& source, const TableHead& head, std::span<const std::size_t> wanted, const TakeRow& take);
 
 inline constexpr std::size_t kMostJsonColumns = std::size_t{512} << 20;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every reader refuses before it asks for memory: sizes that a file claims and cannot be meant.
+// Checks of every reader before it allocates memory: refuses impossible sizes claimed by a file.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file that is not a picture looks like, and what could be done to get a picture of it.
+// Guesses the kind of a file that is no picture, and how to get a picture from it.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace tactics {
 
-/// How much of the file is looked at.
+/// How much of the file is examined.
 inline constexpr std::size_t kLookBytes = 4096;
 
 /// The end of a sentence that starts with the file's name: "looks like a PDF document, not a picture; ...".

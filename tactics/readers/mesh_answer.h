@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mesh that tactics-assimp answers with (caged/protocol.h). It had a stranger's bytes in it, so nothing that it says is
-// believed.
+// The mesh that tactics-assimp answers with (caged/protocol.h). It comes from untrusted bytes, so nothing in it is trusted.
 #pragma once
 
 #include <string>

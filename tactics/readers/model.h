@@ -14,23 +14,22 @@
 
 namespace tactics {
 
-/// "STL model", "OBJ model", ... by its bytes, or, where those say nothing, by the end of its name; empty: it is no model.
-/// Rewinds it.
+/// "STL model", "OBJ model", ... by its bytes or, if those do not show it, by the ending of its name; empty: no model. Rewinds
+/// it.
 std::string_view model_format(Source& source);
 
 /// STL, OBJ and PLY have no unit and are taken as mm, and z as upwards; the others are in metres with y upwards by their
-/// standards (COLLADA and X3D may say another unit), and are turned. What a file asks for beside itself is not read. `notes`:
-/// what was left out. Throws Error(failed): not as the format has it, a number that is none, no triangles or too many, the
-/// program not there.
+/// standards (COLLADA and X3D may say another unit), and are turned. Files referenced by the model are not read. `notes`: omitted
+/// parts. Throws Error(failed) for invalid format, invalid numbers, no triangles or too many, or if the program is missing.
 Mesh read_mesh(Source& source, std::vector<std::string>& notes);
 
-/// The same with all that the file says of objects. Of formats that have triangles only, those are the faces.
+/// The same with all object data of the file. For formats that have only triangles, these are the faces.
 Model read_model(Source& source, std::vector<std::string>& notes);
 
 /// By its name, as `model_format` gives it: it says how large things are.
 bool has_unit(std::string_view format);
 
-/// Hands out all triangles, in the same order each time. Those of an STL are read anew each time, and none is kept.
+/// Visits all triangles, in the same order each time. Those of an STL are read anew each time and not stored.
 using Triangles = std::function<void(const std::function<void(const Triangle&)>& take)>;
 /// The source must outlive it.
 Triangles triangles_of(Source& source, std::vector<std::string>& notes);

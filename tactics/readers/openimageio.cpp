@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that JPEG, PNG and TIFF are not, by OpenImageIO, which is in a program of its own: see caged/protocol.h.
+// All formats except JPEG, PNG and TIFF, by OpenImageIO in a separate program: see caged/protocol.h.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -24,7 +24,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-// How a format starts, what people and what OpenImageIO call it, and whether it is decoded whole.
+// The first bytes of a format, its common name and its name in OpenImageIO, and whether it is decoded whole.
 struct Form {
     std::string_view name;
     const char* plugin;
@@ -120,7 +120,7 @@ void check_claim(const std::string& name, const Form& form, Bytes head) {
     if (form.whole) check_whole_size(name, form.name, width, height);
 }
 
-// How long the file says that it is, or 0. Some writers leave nonsense there, so it only explains a failure.
+// The length that the file claims, or 0. Some writers store nonsense there, so it only explains a failure.
 long long claimed_bytes(const Form& form, Bytes head) {
     if (form.name == "BMP") return number_at(head, 2, 4);
     if (form.name == "WebP") return number_at(head, 4, 4) + 8;
@@ -137,7 +137,7 @@ long long size_of(std::FILE* file) {
 class Picture {
 public:
     Picture(Source& source, std::string_view verb, std::vector<std::string> keys = {}) : name_(source.name) {
-        std::array<unsigned char, 64> buffer{};  // zeros behind a shorter file
+        std::array<unsigned char, 64> buffer{};  // zeros after a shorter file
         std::rewind(source.file.get());
         const auto size = std::fread(buffer.data(), 1, buffer.size(), source.file.get());
         const Form* form = form_of(Bytes(buffer).first(size));
@@ -254,7 +254,7 @@ private:
                (said.find("asked for ") != std::string_view::npos && said.find(" bytes, got ") != std::string_view::npos);
     }
 
-    // What OpenImageIO said, as part of our line: no line ends, no name of a descriptor.
+    // OpenImageIO's message as part of our line: without line ends and descriptor names.
     std::string why() const {
         std::string text = answer_->why();
         const std::string path = "/dev/fd/0", quoted = '"' + path + '"';
@@ -297,8 +297,8 @@ extern const Reader openimageio_reader;
 const Reader openimageio_reader{
     .name = "OpenImageIO",
     .summary =
-        "the rest: WebP, GIF (first frame), BMP, PNM, HEIC, AVIF, TGA; EXR and HDR, "
-        "whose value 1 is white unless that is far too dark or bright (then the 99th percentile is); PSD and ICO if allowed",
+        "the rest: WebP, GIF (first frame), BMP, PNM, HEIC, AVIF, TGA; EXR and HDR, where the value 1 is white, or the 99th "
+        "percentile if that would be far too dark or bright; PSD and ICO if allowed",
     .extensions = "webp gif bmp dib pbm pgm ppm pnm pfm exr hdr heic heif avif psd tga ico",
     .recognises = recognises,
     .inspect = inspect,

@@ -28,9 +28,9 @@ public:
     /// Grey of 16 bits and nothing else.
     bool is_deep_grey() const;
 
-    /// From here on rows are grey or RGB of 8 bits, with alpha behind if the file has any kind of transparency.
+    /// From here on rows are 8-bit grey or RGB, followed by alpha if the file has any kind of transparency.
     RowShape start();
-    /// From here on rows are as they are stored: of deep grey, 16 bits, the higher byte first.
+    /// From here on rows are in stored form: for deep grey, 16 bits with the high byte first.
     void start_deep();
     /// All rows in their order.
     void read(std::size_t row_bytes, const std::function<void(const std::uint8_t* row)>& take);

@@ -124,7 +124,7 @@ Source open_source(const std::string& path) {
 Source memory_source(std::span<const unsigned char> bytes, std::string name) {
     Source source{std::move(name), {nullptr, &std::fclose}};
     if (bytes.empty()) return source;
-    // fmemopen wants to be able to write; in mode "r" it never does.
+    // fmemopen takes a writable buffer; in mode "r" it never writes.
     source.file.reset(fmemopen(const_cast<unsigned char*>(bytes.data()), bytes.size(), "rb"));
     if (source.file == nullptr) fail(source.name, "cannot be opened in memory: " + reason());
     return source;

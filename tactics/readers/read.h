@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a file of any kind to an Image, no larger than it is needed.
+// From a file of any kind to an Image, no larger than needed.
 #pragma once
 
 #include <cstdio>
@@ -13,7 +13,7 @@
 
 namespace tactics {
 
-/// Formats whose libraries break on hostile files: one is read where somebody trusts the file and asks for it by this name.
+/// Formats whose libraries break on hostile files: they are read only if the user trusts the file and names the format.
 inline constexpr std::string_view kAskedFormats[] = {"psd", "ico"};
 
 /// An open, seekable stream of bytes and the name to use in messages.
@@ -23,21 +23,21 @@ struct Source {
     std::vector<std::string> allowed = {};  ///< of kAskedFormats
 };
 
-/// Opens a file for reading; "-" is standard input (spooled to an unnamed temporary file, at most kMaxInputBytes).
-/// Throws Error(failed): missing, a directory, unreadable, empty.
+/// Opens a file for reading; "-" is standard input (spooled to an unnamed temporary file, at most kMaxInputBytes). Throws
+/// Error(failed) for a missing, unreadable or empty file, or a directory.
 Source open_source(const std::string& path);
 
 /// Bytes in memory as a source; they must outlive it.
 Source memory_source(std::span<const unsigned char> bytes, std::string name);
 
-/// What is known before any pixel is decoded.
+/// The facts known before any pixel is decoded.
 struct PictureInfo {
     std::string format;  ///< "JPEG", "PNG", ...
     int width = 0;       ///< as shown, after the EXIF orientation
     int height = 0;
 };
 
-/// What is wanted of the picture.
+/// The request for the picture.
 struct ReadRequest {
     /// The picture is shrunk by area averaging so that its longer side has at most this many pixels; 0 = as it is.
     /// It is never enlarged and keeps its shape to within half a pixel.
@@ -51,7 +51,7 @@ inline constexpr int kMaxSide = 200'000;                     ///< pixels
 inline constexpr long long kMaxPixels = 1'000'000'000LL;     ///< width * height
 inline constexpr long long kMaxWholePixels = 120'000'000LL;  ///< where a format can only be decoded whole
 
-/// What a reader says of itself. The readers are in readers/, one format family a file.
+/// The description of a reader. The readers are in readers/, one file for each format family.
 struct Reader {
     std::string_view name;        ///< "JPEG"
     std::string_view summary;     ///< one line

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A table of any form, row by row: its beginning is looked into, then those of its columns that are wanted are read.
+// A table of any form, row by row: examines its beginning, then reads the requested columns.
 #pragma once
 
 #include <span>

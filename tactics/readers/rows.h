@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part that all readers share: rows as a file has them go in, the picture that was asked for comes out.
+// The part that all readers share: takes the rows of a file and makes the requested picture.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace tactics {
 
 enum class Alpha { none, straight, premultiplied };
 
-/// What the rows of a file are like: 1 (grey) or 3 (red green blue) samples a pixel, then alpha if there is one.
+/// The form of a file's rows: 1 (grey) or 3 (red green blue) samples per pixel, then alpha if there is one.
 struct RowShape {
     Size size;
     int colours = 1;

@@ -39,7 +39,7 @@ RowShrinker<Sample>::RowShrinker(Size from, Size to, int channels, Size eighths)
         sums_.assign(samples + static_cast<std::size_t>(channels), Sum{});
         find_covers();
     }
-    // A claim is not yet a picture: more than this is asked for when the rows have come.
+    // A claimed size is not trusted: more memory than this is allocated only when the rows have arrived.
     constexpr std::size_t kTrustedBytes = 64u << 20;
     const auto all =
         static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height) * static_cast<std::size_t>(channels);

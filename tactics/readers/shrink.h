@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes a picture smaller while it is read: rows go in, a smaller picture comes out, and only one row is in memory.
+// Shrinks a picture while it is read, with only one row in memory.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ public:
 private:
     using Sum = std::conditional_t<std::is_same_v<Sample, float>, double, std::uint32_t>;
 
-    /// What of a row makes an output pixel: a part of `first`, then whole pixels, then a part of the one behind them.
+    /// The part of a row that makes an output pixel: a part of `first`, then whole pixels, then a part of the next one.
     struct Cover {
         std::uint32_t first, whole;
         std::uint32_t first_parts, last_parts;

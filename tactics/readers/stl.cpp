@@ -34,7 +34,7 @@ struct Head {
     bool text = false;
 };
 
-// Binary files may begin with "solid", too; then their size tells.
+// Binary files may also begin with "solid"; then their size decides.
 Head head_of(Source& source) {
     Head head;
     head.size = size_of(source);

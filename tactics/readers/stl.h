@@ -18,8 +18,8 @@ struct Triangle {
 /// By its size (binary), its first word (text) or the end of its name.
 bool is_stl(Source& source);
 
-/// All triangles in the order of the file, none of which is kept: the file may be read again. Throws Error(failed): cut short, no
-/// number, not as STL has it, no triangle at all.
+/// Visits all triangles in the order of the file, without storing them; the file may be read again. Throws Error(failed) if it is
+/// truncated, has an invalid number, is no valid STL, or has no triangle.
 void each_triangle(Source& source, const std::function<void(const Triangle&)>& take);
 
 }  // namespace tactics

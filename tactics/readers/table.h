@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A table of any form: its columns, its first rows, and how the others are read.
+// A table of any form: its columns, its first rows, and how to read the others.
 #pragma once
 
 #include <cstdint>
@@ -45,17 +45,17 @@ struct TableHead {
     std::vector<double> across, up;  ///< x and y of heights; empty: counted from 1
 };
 
-/// Gives what is wanted of a row: its line (its number, where they have no lines), the cells in the order in which they were
-/// wanted (until the next row), and whether it stands apart from the row before, with an empty line between.
+/// Receives a row: its line (or number, if there are no lines), the cells in the requested order (valid until the next row), and
+/// whether an empty line separates it from the previous row.
 using TakeRow = std::function<void(std::size_t line, std::span<const std::string_view> cells, bool apart)>;
 
 /// The same table, its columns named by its first row.
 TableHead named_by_first_row(TableHead head);
 
-/// Where a message about a row points to.
+/// The place of a row, for messages.
 std::string place_of_row(const TableHead& head, std::size_t line);
 
-/// In one line each; those that are empty are called by their number. Throws Error: two are the same.
+/// Names in one line each; empty ones are replaced by their number. Throws Error if two are equal.
 void name_columns(TableHead& head, std::vector<std::string> names, std::size_t line);
 void name_columns_by_number(TableHead& head, std::size_t count);
 

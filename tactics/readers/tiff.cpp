@@ -82,7 +82,7 @@ Image read_floats(TiffFile& file, const ReadRequest& request) {
     return rows.finish();
 }
 
-// From the colours as they are stored to grey or RGB, alpha staying behind them.
+// Converts the stored colours to grey or RGB, followed by alpha.
 void decode_colours(const TiffTags& tags, const std::vector<std::uint8_t>& palette, const std::vector<std::uint8_t>& stored,
                     std::vector<std::uint8_t>& shown) {
     const int extra = tags.alpha == Alpha::none ? 0 : 1;
@@ -138,7 +138,7 @@ Image read_bytes(TiffFile& file, const ReadRequest& request) {
     return rows.finish();
 }
 
-// What libtiff alone knows how to turn into RGB (CIE Lab, subsampled YCbCr, LogLuv): as one picture.
+// Formats that only libtiff can convert to RGB (CIE Lab, subsampled YCbCr, LogLuv): read as one picture.
 Image read_whole(TiffFile& file, const ReadRequest& request) {
     const TiffTags& tags = file.tags();
     check_whole_size(file.name(), "a TIFF in an unusual colour space", tags.width, tags.height);

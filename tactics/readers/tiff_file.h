@@ -14,7 +14,7 @@
 
 namespace tactics {
 
-/// What the tags of the first page say.
+/// The tags of the first page.
 struct TiffTags {
     std::uint32_t width = 0, height = 0, rows_per_strip = 0;
     std::uint16_t bits = 1, samples = 1, format = SAMPLEFORMAT_UINT, photometric = 0, planar = PLANARCONFIG_CONTIG;
@@ -31,7 +31,7 @@ struct TiffTags {
     int stored_colours() const { return palette() ? 1 : ink() ? 4 : colours(); }
 };
 
-/// Throws Error(failed) for everything that libtiff complains of: data that it could not read is not shown.
+/// Throws Error(failed) for every complaint of libtiff, so that no unreadable data are shown.
 class TiffFile {
 public:
     explicit TiffFile(Source& source) : source_(source) {}
@@ -67,7 +67,7 @@ private:
     TiffTags tags_;
     long size_ = 0;        // of the file
     bool broken_ = false;  // libtiff complained
-    bool ended_ = false;   // something was asked for behind the end of the file
+    bool ended_ = false;   // something beyond the end of the file was requested
     std::array<char, 200> message_{};
 };
 

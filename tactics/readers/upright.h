@@ -16,7 +16,7 @@ int exif_orientation(std::span<const unsigned char> block);
 /// Whether width and height change places.
 inline bool turns_sideways(int orientation) { return orientation >= 5 && orientation <= 8; }
 
-/// The picture as it is to be seen.
+/// The picture in its upright orientation.
 Image turn_upright(Image image, int orientation);
 
 }  // namespace tactics

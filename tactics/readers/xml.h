@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// XML as a tree, within limits: what a hostile file may cost is bounded.
+// XML as a tree, within limits that bound the cost of a hostile file.
 #pragma once
 
 #include <string>

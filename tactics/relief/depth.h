@@ -17,8 +17,8 @@ struct ModelBox {
 ModelBox box_of(const Triangles& triangles);
 
 /// x goes to the right, y upwards, z towards the eye. The map is just large enough for the model times `scale`, which stands in
-/// its middle; heights are over its lowest place, times `scale`, and 0 where it is not. A sample is the highest surface above its
-/// centre, exactly. Throws Error(failed) at `name` if so many triangles lie over each other that it would take minutes.
+/// its middle; heights are relative to its lowest place, times `scale`, and 0 outside it. A sample is the highest surface above
+/// its centre, exactly. Throws Error(failed) at `name` if so many triangles lie over each other that it would take minutes.
 HeightMap depth_of(const Triangles& triangles, const ModelBox& box, double scale, double pitch, const std::string& name);
 
 /// As that map would have: they may be many.

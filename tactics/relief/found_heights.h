@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file of heights holds, before it is known what the user wants of it.
+// The contents of a height file, before the user's wishes are applied.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace tactics {
 
 struct FoundHeights {
     int width = 0, height = 0;
-    std::vector<float> values;  ///< 0 (black) to 1 (white); of decimal numbers as they are
+    std::vector<float> values;  ///< 0 (black) to 1 (white); floating-point numbers unchanged
     bool decimal = false;
     HeightWords words;
     std::string format;  ///< "16-bit PNG"

@@ -13,7 +13,7 @@ namespace tactics {
 /// Error(failed) as read_heights does.
 HeightFile model_for_picture(Source& source);
 
-/// Grey, and no larger than `longest` on its longer side (0: as it is), by means of areas.
+/// Grey, and at most `longest` on its longer side (0: unchanged), by area averaging.
 Image picture_of(const HeightFile& file, int longest);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file of heights says of itself, the same in PNG (tEXt), TIFF (lines of ImageDescription) and EXR (attributes):
+// The metadata of a height file, the same in PNG (tEXt), TIFF (lines of ImageDescription) and EXR (attributes):
 //     tactics:pitch-mm    distance of two samples
 //     tactics:black-mm    height of black; of decimal numbers the lowest
 //     tactics:white-mm    height of white; of decimal numbers the highest
@@ -22,11 +22,11 @@ struct HeightWords {
     std::optional<double> pitch, black, white;  ///< mm
     double resolution_pitch = 0;                ///< mm, from the file's own tags for the resolution; 0: none
 
-    /// Other keys and what is no number are passed over.
+    /// Ignores other keys and invalid numbers.
     void take(std::string_view key, std::string_view value);
 };
 
-/// A word a line, `KEY VALUE`. Other lines are passed over.
+/// One entry per line, `KEY VALUE`. Ignores other lines.
 HeightWords height_words(std::string_view lines);
 
 /// In their order; without a profile, no word of it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heights on a regular grid: what a relief, a terrain or the front of a model is to a finger that moves over it.
+// Heights on a regular grid: a relief, a terrain or the front of a model, as felt by a finger that moves over it.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// 16-bit grey PNG whole, and what PNG files say of heights. libpng would keep text only if it stands where it looks; programs
-// that edit pictures move it behind them.
+// Reads whole 16-bit grey PNG, and the height entries of PNG files. libpng keeps text only before the pixels; picture editors
+// move it after them.
 #include <array>
 #include <cstdio>
 
@@ -39,7 +39,7 @@ HeightWords png_height_words(Source& source) {
             const std::string_view text(reinterpret_cast<const char*>(data.data()), size);
             if (const auto end = text.find('\0'); name == "tEXt" && end != text.npos)
                 words.take(text.substr(0, end), text.substr(end + 1));
-            // Pixels that are not square are no grid of ours: they count as told by nobody.
+            // We do not support non-square pixels: the resolution counts as missing.
             const bool metres = name == "pHYs" && size == 9 && data[8] == 1 && number(data.data()) == number(data.data() + 4);
             if (metres && number(data.data()) > 0) words.resolution_pitch = 1000.0 / number(data.data());
         }

@@ -98,7 +98,7 @@ void check_decimals(FoundHeights& found, const std::string& name, HeightFile& fi
                          " as the lowest");
 }
 
-// From what black and white are in the file to what the user wants them to be.
+// Converts the file's heights of black and white to those that the user wants.
 void set_heights(FoundHeights& found, const HeightWish& wish, const std::string& name, HeightFile& file) {
     const bool told = found.words.black && found.words.white;
     Range from{0, 1}, to;
@@ -146,7 +146,7 @@ FoundHeights picture_heights(Source& source, const HeightWords& words, HeightFil
     return found;
 }
 
-// All that the file tells is in its head.
+// All metadata of the file are in its head.
 FoundHeights heights_of_felt_file(Source& source) {
     const LevelMap map = read_levels(source, kMostHeights);
     FoundHeights found{map.columns, map.rows, {}, false, {map.pitch, map.low, map.high}, ".felt file"};
@@ -156,7 +156,7 @@ FoundHeights heights_of_felt_file(Source& source) {
     return found;
 }
 
-// Nothing: it is a picture, of which `words` tells what it says of heights.
+// Nothing: it is a picture; `words` has its metadata on heights.
 std::optional<FoundHeights> find_heights(Source& source, HeightWords& words, HeightFile& file) {
     std::array<unsigned char, 8> head{};
     std::rewind(source.file.get());
@@ -205,7 +205,7 @@ HeightFile model_heights(Source& source, std::string_view format, const ModelWis
                         std::to_string(kMostHeights / 1'000'000) + " million are made, take a larger " + spelled("pitch") +
                         " or a smaller " + spelled("width"));
     file.map = depth_of(triangles, box, scale, pitch, source.name);
-    // Of a flat model there is one height; the map needs a range.
+    // A flat model has a single height, but the map needs a range.
     const double tall = box.size(2) * scale >= kLeastRange ? box.size(2) * scale : 1, low = wish.low.value_or(0);
     const Range to{low, wish.high.value_or(low + tall)};
     check_range(to, wish, source.name);

@@ -14,14 +14,14 @@ namespace tactics {
 
 inline constexpr long long kMostHeights = kMaxWholePixels;  ///< of a map that is read: 480 MB of them
 
-// What is taken where neither the file nor the user tells it, and said.
+// Defaults if neither the file nor the user gives a value; their use is reported.
 inline constexpr double kPixelPitch =
     25.4 / 96;                              ///< mm: a pixel of a screen (W3C CSS Values and Units 3, section 6.2: 1px is 1/96 in)
 inline constexpr double kModelPitch = 0.1;  ///< mm
 inline constexpr double kPictureHeight =
     10;  ///< mm from black to white; ours: a quarter of the wall of the 1-DOF haptic mouse's paper
 
-/// What the user wants; what is absent is the file's, or, if that says nothing, a default that is told.
+/// The user's wishes; absent values come from the file or, failing that, are defaults, which are reported.
 struct HeightWish {
     std::optional<double> pitch = {};  ///< mm; of a picture another size, of a model more or fewer samples
     std::optional<double> width =
@@ -35,7 +35,7 @@ struct HeightFile {
     HeightMap map;
     double low = 0, high = 0;        ///< mm: what black and white stand for; all heights lie between them, and high is over low
     std::string format;              ///< "16-bit PNG", "STL model", ...
-    std::vector<std::string> notes;  ///< what was taken where nothing was told, and what was lost: a sentence each, for the user
+    std::vector<std::string> notes;  ///< defaults used and data lost: one sentence each, for the user
 };
 
 /// Throws Error(usage) for a wish that contradicts itself or the file, with the option's name as its place, and Error(failed),
@@ -43,12 +43,12 @@ struct HeightFile {
 HeightFile read_heights(Source& source, const HeightWish& wish);
 HeightFile read_heights(const std::string& path, const HeightWish& wish);  ///< "-": standard input
 
-/// The same of a model, whose shape decides what is wanted of it.
+/// The same for a model, with wishes that depend on its shape.
 using ModelWish = std::function<HeightWish(const ModelBox& box)>;
 HeightFile read_model_heights(Source& source, const ModelWish& wish);
 
-/// The same of a file that is one of heights: a model, decimal numbers, grey of 16 bits, or a picture that says what its black
-/// and white stand for. Nothing of any other picture. Throws as read_heights does.
+/// The same for a height file: a model, floating-point numbers, 16-bit grey, or a picture that gives the heights of black and
+/// white. Nothing for any other picture. Throws as read_heights does.
 std::optional<HeightFile> read_told_heights(Source& source, const HeightWish& wish);
 
 }  // namespace tactics

@@ -28,7 +28,7 @@ struct Span {
     double begin, end;  // mm along the chain
 };
 
-// How much of the lesser line goes: what is nearer to the other than the gap, to both sides of the crossing.
+// The part of the lesser line to remove: everything closer to the other than the gap, on both sides of the crossing.
 Span span_at(const PageGeometry& geometry, const Station& at, const Chain& other, double clear) {
     const Chain& chain = geometry.chains[at.chain];
     const auto is_near = [&](double along) {

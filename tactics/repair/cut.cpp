@@ -53,8 +53,8 @@ double length_of(const PageGeometry& geometry, const Chain& chain, Run run) {
     return length;
 }
 
-// Of two parts of one line that are too close the later one is less: counted from the farthest tip of a closed line, so that of
-// the outline of a thin bar one whole side stays.
+// Of two parts of one line that are too close, the later one has less worth, counted from the farthest tip of a closed line, so
+// that one whole side of a thin bar's outline stays.
 std::vector<std::size_t> places_of(const PageGeometry& geometry, const Chain& chain) {
     std::vector<std::size_t> places(chain.count);
     std::iota(places.begin(), places.end(), std::size_t{0});

@@ -10,7 +10,7 @@ namespace tactics {
 namespace {
 
 constexpr double kAtEnd = 0.01;  // mm
-// An end points to a line if it would come to it without turning by more than 60 degrees; its direction is that of its last 3 mm.
+// An end points at a line if it can reach it without turning by more than 60 degrees; its direction is that of its last 3 mm.
 constexpr double kPoints = 0.5;
 constexpr double kLastPart = 3;
 // Nearer to touching than to standing clear.
@@ -55,7 +55,7 @@ Mends join_ends(Drawing& drawing, const Medium& medium, const Seen& seen) {
     for (const auto& [end, joint] : joints) {
         const Station at{end.first, end.second ? 0 : geometry.chains[end.first].length};
         if (!points_to(geometry, at, end.second ? 1 : -1, joint.to)) continue;
-        // Of two ends that meet one is led to the other.
+        // If two ends meet, one is extended to the other.
         if (std::any_of(reached.begin(), reached.end(), [&](Point p) { return distance(p, geometry.point_at(at)) < kAtEnd; }))
             continue;
         reached.push_back(joint.to);

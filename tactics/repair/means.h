@@ -13,36 +13,37 @@ namespace tactics {
 
 using Mends = std::vector<Mend>;
 
-/// Of more line than could stand side by side `times` over, the thinnest lines with the least evidence go, so that the rest can
-/// be looked at.
+/// If there is more than `times` the line that could stand side by side, removes the thinnest lines with the least evidence, so
+/// that the rest can be examined.
 Mends thin_out(Drawing& drawing, const Medium& medium, double times);
 
 /// Ends that nearly meet a line, and point to it, are led onto it.
 Mends join_ends(Drawing& drawing, const Medium& medium, const Seen& seen);
 
-/// Lines that are too close bend away from each other, by kFarthestMove at most each. What ends on another line goes with it.
-/// Areas stay. Nothing, if that does not help: then all stays as it is. Bends too small for a word are none of the changes.
+/// Bends lines that are too close away from each other, each by at most kFarthestMove. Lines that end on another move with it.
+/// Areas stay. Nothing if that does not help: then the drawing is unchanged. Bends too small to mention are not among the
+/// changes.
 std::optional<Mends> move_apart(Drawing& drawing, const Medium& medium);
 
-/// A fingertip tells about 25 dots an inch (R. E. Ladner and others): what moves by that is felt at the same place.
+/// A fingertip resolves about 25 dots per inch (R. E. Ladner and others): a thing that moves by less feels as if in the same
+/// place.
 inline constexpr double kFarthestMove = 1;  // mm
 
 /// Areas that are too close to others, or have slits that are too narrow, become outlines; small ones go.
 Mends outline_areas(Drawing& drawing, const Seen& seen);
 
-/// Where the whole is too black, the largest areas become outlines.
+/// If the page is too black, turns the largest areas into outlines.
 Mends lighten(Drawing& drawing, const Medium& medium);
 
-/// Where lines cross and one is less than the other, it gets a gap on both sides of the other.
-/// `geometry` is the drawing's.
+/// Where lines cross, gives the lesser line a gap on both sides of the other. `geometry` is the drawing's.
 Mends break_crossings(Drawing& drawing, const Medium& medium, const PageGeometry& geometry);
 
 /// Takes away what is too close, by more than `lacks` mm, to something of more worth. Once may not be enough, as new ends come
 /// near to others; they do so in `changed` only.
 Mends cut_lesser(Drawing& drawing, const Medium& medium, const Seen& seen, double lacks, Vicinity& changed);
 
-/// Of a stroke the runs of pieces that stay, as strokes; what is shorter than `shortest` goes. `gone` has a flag for each piece
-/// of the chain. Adds what was done; a run beside another line that is longer than `along` is told as merged.
+/// The remaining runs of pieces of a stroke, as strokes, without those shorter than `shortest`. `gone` has a flag for each piece
+/// of the chain. Records the changes; a removed run beside another line that is longer than `along` is reported as merged.
 std::vector<Stroke> without(const Stroke& stroke, const PageGeometry& geometry, const Chain& chain, const std::vector<bool>& gone,
                             double shortest, double along, Mends& changes);
 

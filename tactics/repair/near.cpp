@@ -42,8 +42,8 @@ Page page_of(const Drawing& drawing, const Medium& medium) {
     page.strokes.reserve(drawing.strokes.size());
     for (const Stroke& stroke : drawing.strokes)
         page.strokes.push_back({stroke.points, stroke.closed, width_of(stroke.line, medium), stroke.role});
-    // Patterns are drawn after repair and give way by themselves. Their areas are no ink; an empty one stands in for each, so
-    // that the others keep their numbers.
+    // Patterns are drawn after repair and yield on their own. Their areas are no ink; an empty area replaces each, so that the
+    // others keep their numbers.
     for (const Area& area : drawing.areas) page.areas.push_back(area.texture == 0 ? area : Area{});
     return page;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is too close in a drawing, for all of repair.
+// Things that are too close in a drawing, for all of repair.
 #pragma once
 
 #include <cstdint>
@@ -24,19 +24,19 @@ struct NearPair {
 };
 struct NearPairs {
     std::vector<NearPair> pairs;
-    std::size_t gaps = 0;  ///< the first so many are by the rule gap, the others by merging-dots
-    std::size_t work = 0;  ///< how much was looked at
+    std::size_t gaps = 0;  ///< this many at the beginning break the rule gap, the others merging-dots
+    std::size_t work = 0;  ///< number of comparisons
     bool complete = true;
 };
 /// By the hard rules for distances of that medium: those that lack more than `lacks`, `where` or anywhere.
 NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double lacks = 0, const Vicinity* where = nullptr);
 
-/// The same while lines bend, no farther than `moves` mm from where the geometry has them. The geometry must stay.
+/// The same while lines bend, at most `moves` mm from their place in the geometry, which must outlive it.
 class MovingNearPairs {
 public:
     MovingNearPairs(const PageGeometry& geometry, const Medium& medium, double lacks, double moves);
 
-    /// `now`: where each piece of the geometry is. If there are more than `most` not all are told.
+    /// `now`: current position of each piece of the geometry. If there are more than `most`, not all are reported.
     NearPairs pairs(std::span<const Segment> now, std::size_t most);
 
 private:
@@ -48,7 +48,7 @@ private:
     std::vector<ByRule> rules_;
 };
 
-/// How far from a change such pairs may come or go.
+/// The distance from a change within which such pairs may appear or vanish.
 double reach_of_change(const PageGeometry& geometry, const Medium& medium);
 
 /// A drawing as the rules see it; it stays where it is. Looked at once for all who ask before it is changed.
@@ -70,8 +70,8 @@ struct Broken {
 };
 Broken broken_rules(const Seen& seen, const Medium& medium);
 
-/// How much each chain of the geometry is worth: where two are too close the one of greater worth stays. Areas come before
-/// lines, then the wider line, then the one with more evidence. All are different.
+/// The worth of each chain of the geometry: of two that are too close, the one of greater worth stays. Areas come before lines,
+/// then the wider line, then the one with more evidence. All are different.
 std::vector<std::size_t> worth_of(const PageGeometry& geometry, const Drawing& drawing);
 
 }  // namespace tactics

@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-// New ends may come too close to others; each round has fewer. Then what is left is told, not mended.
+// New ends may come too close to others, but fewer in each round. Afterwards the rest is reported, not mended.
 constexpr int kMostRounds = 40;
 
 // Lines with their gaps that take more than the whole drawing cannot all stay, and looking at them takes long: the least go
@@ -28,7 +28,7 @@ double length_of_all(const Drawing& drawing) {
     return length;
 }
 
-// One mean after the other; what is known of the drawing is kept until one changes it.
+// Applies one remedy after another; the analysis of the drawing is kept until a remedy changes it.
 class Repairing {
 public:
     Repairing(Drawing& drawing, const Medium& medium) : drawing_(drawing), medium_(medium) {}
@@ -49,8 +49,8 @@ public:
         if (add(thin_out(drawing_, medium_, times))) seen_.reset();
     }
 
-    // What no bending would help does not stand in the way of what it helps. It is a small part of what is too close: if all of
-    // that is not known, it is not looked for.
+    // Pairs that bending cannot help must not block those it can. They are a small part of all close pairs; if not all of these
+    // are known, they are not searched for.
     void cut_hopeless() {
         constexpr double kHopeless = 2 * kFarthestMove;
         Vicinity all(drawing_.width, drawing_.height);
@@ -67,7 +67,7 @@ public:
         look_again();  // also at what is bent too little for a word
     }
 
-    // Where lines cross is known without looking for what is too close.
+    // Crossings are known without searching for close pairs.
     void break_crossings() {
         const auto mean = [this](const PageGeometry& geometry) { return tactics::break_crossings(drawing_, medium_, geometry); };
         if (seen_) return use([&](const Seen& seen) { return mean(seen.geometry); });

@@ -38,24 +38,24 @@ struct Repaired {
     std::size_t broken_before = 0;  ///< places that broke a hard rule (of the rules about lines and areas)
     std::size_t broken_after = 0;   ///< 0 but for what cannot be mended
     double kept = 1;                ///< share of the length of lines and outlines that is still there
-    /// False: there is so much in the drawing that not all of it could be looked at.
+    /// False: the drawing has too much line to examine all of it.
     bool complete = true;
 };
 
-/// The drawing in the size in which it will stand on the page. A picture of pixels is left as it is, as are labels and names.
-/// Of more line than there is room for only the strongest is looked at. Pure; without anything to mend the drawing comes back
-/// untouched. Time and memory are bounded.
+/// Takes the drawing in its size on the page. Pixel pictures, labels and names are unchanged. If there is more line than there is
+/// room for, only the strongest is examined. Pure; a drawing with nothing to mend is returned unchanged. Time and memory are
+/// bounded.
 Repaired repair(Drawing drawing, const Medium& medium);
 
 /// Dashed lines (Role::dash), whole till now, get dashes and gaps that a finger can follow; of very many the last stay whole.
 /// False: none was cut. `repair` does that last of all.
 bool cut_dashes(Drawing& drawing, const Medium& medium);
 
-/// Of a drawing that loses more than this it is said that it is not fit to be felt in this size: less than two thirds of what a
-/// reader should find is no longer the drawing. This project's own number.
+/// A drawing that loses more than this is reported as not fit to be felt at this size: with less than two thirds of its contents
+/// it is no longer the same drawing. This project's own number.
 inline constexpr double kLegible = 2.0 / 3;
 
-/// What a transcriber would want to know, a sentence each: "2 lines were moved by up to 0.8 mm." Nothing without changes.
+/// Notes for a transcriber, one sentence each: "2 lines were moved by up to 0.8 mm." Nothing without changes.
 std::vector<std::string> notes_of(const Repaired& repaired);
 
 }  // namespace tactics

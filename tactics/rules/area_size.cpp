@@ -34,8 +34,8 @@ const Rule area_size_rule{
     .summary = "black areas large enough to be felt as areas",
     .mend = "draw it larger, draw its outline or leave it out",
     .source =
-        "L. Hasty, Designing Tactile Graphics: what is to be felt as a texture of its own is at least 1/4 in. Measured the "
-        "longest way",
+        "L. Hasty, Designing Tactile Graphics: a separate texture must be at least 1/4 in to be felt as such. Measured along "
+        "its longest extent",
     .confidence = Confidence::good,
     .limit = {.name = "least",
               .type = Option::Type::length,
@@ -43,7 +43,7 @@ const Rule area_size_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least size of an area, measured the longest way"},
+              .summary = "minimum size of an area, measured along its longest extent"},
     .check = check,
 };
 

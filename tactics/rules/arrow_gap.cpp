@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An arrow that touches what it points to cannot be told from it.
+// An arrow that touches the thing it points to cannot be distinguished from it.
 #include <algorithm>
 #include <limits>
 
@@ -68,8 +68,8 @@ const Rule arrow_gap_rule{
     .summary = "arrows do not touch what they point to",
     .mend = "shorten the arrow",
     .source =
-        "accessiblegraphics.org: arrows have open heads, which must not touch what they point to. How far off is the least gap "
-        "of all, 1/8 in",
+        "accessiblegraphics.org: arrows have open heads, which must not touch what they point to. The distance is the general "
+        "minimum gap, 1/8 in",
     .confidence = Confidence::good,
     .limit = {.name = "least",
               .type = Option::Type::length,
@@ -77,7 +77,7 @@ const Rule arrow_gap_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least distance from the tip to what it points to"},
+              .summary = "minimum distance from the tip to what it points to"},
     .check = check,
 };
 

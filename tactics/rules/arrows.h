@@ -18,7 +18,7 @@ struct ArrowHead {
 /// Nothing for what is closed, filled or straight.
 std::optional<ArrowHead> arrow_head(const PageGeometry& geometry, std::uint32_t chain);
 
-/// Of this page, chains with the role: of an area its first ring only.
+/// The page's chains with the role; of an area, only its first ring.
 std::vector<std::uint32_t> chains_with(const PageGeometry& geometry, Role role);
 
 }  // namespace tactics

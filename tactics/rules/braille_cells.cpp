@@ -18,7 +18,7 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule braille_cells_rule;
 const Rule braille_cells_rule{
     .name = "braille-cells",
-    .summary = "braille cells 6.0 mm (Marburg Medium), 6.2 mm (NLS) or as far apart as another standard has them",
+    .summary = "braille cells 6.0 mm (Marburg Medium) or 6.2 mm (NLS) apart, or as another standard has them",
     .mend = "set the braille in its true size; it cannot be scaled",
     .source =
         "NLS Specification 800: 6.2 mm; Marburg Medium (SONS P4008055): 6.0 mm within 10 %; ABA, ADA 703.3: tactics list cells",
@@ -30,7 +30,7 @@ const Rule braille_cells_rule{
               .min = 0,
               .max = 10,
               .unit = "mm",
-              .summary = "most that cells may be off the nearest standard"},
+              .summary = "maximum deviation of cells from the nearest standard"},
     .check = check,
 };
 

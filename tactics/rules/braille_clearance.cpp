@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing beside braille that could be taken for a dot.
+// Nothing beside braille that could be mistaken for a dot.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-// Looking at pixels of a picture beside braille ends after so many.
+// Limit of pixels examined beside braille.
 constexpr std::size_t kMostPixels = 100'000'000;
 
 struct Nearby {
@@ -19,7 +19,7 @@ struct Nearby {
     std::string what;
 };
 
-// The pixel of a picture that is nearest to the box, if it is nearer than what is known already.
+// The pixel of a picture nearest to the box, if it is nearer than the best so far.
 void look_at_picture(const Bitmap& picture, const Box& box, Nearby& nearest_thing, std::size_t& budget) {
     if (picture.width <= 0 || picture.height <= 0) return;
     const double across = picture.place.width / picture.width, down = picture.place.height / picture.height;
@@ -84,8 +84,7 @@ const Rule braille_clearance_rule{
     .mend = "move the braille or break the line beside it",
     .source =
         "L. Hasty, Designing Tactile Graphics: 1/8 in between any two elements; BANA Guidelines 2.11, 3.4.3.13: blank space "
-        "round "
-        "braille. Measured from the cells, raised or not, between the first and the last with a dot",
+        "round braille. Measured from all cells, blank ones too, between the first and the last with a dot",
     .confidence = Confidence::good,
     .hard = true,
     .limit = {.name = "least",
@@ -94,7 +93,7 @@ const Rule braille_clearance_rule{
               .min = 0.1,
               .max = 50,
               .unit = "mm",
-              .summary = "least distance from a cell to the edge of anything else"},
+              .summary = "minimum distance from a cell to the edge of anything else"},
     .check = check,
 };
 

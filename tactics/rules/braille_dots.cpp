@@ -29,7 +29,7 @@ const Rule braille_dots_rule{
               .min = 0,
               .max = 5,
               .unit = "mm",
-              .summary = "most that dots may be off the nearest standard"},
+              .summary = "maximum deviation of dots from the nearest standard"},
     .check = check,
 };
 

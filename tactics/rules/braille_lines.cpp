@@ -40,7 +40,7 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule braille_lines_rule;
 const Rule braille_lines_rule{
     .name = "braille-lines",
-    .summary = "lines of braille at least 10 mm apart",
+    .summary = "braille lines at least 10 mm apart",
     .mend = "move the lines of braille apart",
     .source = "NLS Specification 800: 10.0 mm; Marburg Medium (SONS P4008055): 10.1 mm within 9 %",
     .confidence = Confidence::good,
@@ -51,7 +51,7 @@ const Rule braille_lines_rule{
               .min = 0,
               .max = 10,
               .unit = "mm",
-              .summary = "most that lines may be nearer than 10 mm"},
+              .summary = "maximum by which lines may be closer than 10 mm"},
     .check = check,
 };
 

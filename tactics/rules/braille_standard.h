@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a page's braille is from the cells that standards describe (cells.inc).
+// The deviation of a page's braille from the cells of the standards (cells.inc).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace tactics {
 /// The least distance from line to line of any standard.
 inline constexpr double kLeastLinePitch = 10;
 
-/// How far it is from the nearest standard that has this.
+/// The deviation from the nearest standard that defines this value.
 inline double off_standard(double pitch, double CellSize::*has) {
     double off = 1e9;
     for (const NamedCell& cell : cells()) off = std::min(off, std::abs(pitch - cell.size.*has));

@@ -106,16 +106,16 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule crossings_rule;
 const Rule crossings_rule{
     .name = "crossings",
-    .summary = "no lines that run through each other",
+    .summary = "no lines that cross each other",
     .mend = "break the lesser line and leave a gap on both sides of the other",
-    .source = "accessiblegraphics.org and BANA Guidelines 2.11, 3.4.3.13: where lines cross the less important one is broken",
+    .source = "accessiblegraphics.org and BANA Guidelines 2.11, 3.4.3.13: where lines cross, the less important one is broken",
     .confidence = Confidence::good,
     .limit = {.name = "most",
               .type = Option::Type::whole,
               .fallback = 1,
               .min = 1,
               .max = 100,
-              .summary = "most lines that may go through a place; 2 allows plain crossings"},
+              .summary = "maximum number of lines through one place; 2 allows plain crossings"},
     .check = check,
 };
 

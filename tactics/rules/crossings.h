@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where lines run through each other.
+// Crossings of lines.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ struct Meeting {
     double reach = 0;  ///< two meetings nearer than this are at one place
 };
 
-/// Each place where one line goes on beyond the ink of another, on both sides of it. `complete`: false if there are too many.
+/// Each place where a line continues beyond the ink of another, on both sides of it. `complete`: false if there are too many.
 std::vector<Meeting> find_meetings(const PageGeometry& geometry, bool& complete);
 
 }  // namespace tactics

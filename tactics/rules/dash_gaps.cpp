@@ -38,14 +38,15 @@ const Rule dash_gaps_rule{
     .summary = "gaps in dashed lines are about half as long as the dashes",
     .mend = "make each gap half as long as its dash",
     .source =
-        "a rule file after BANA 3.4.3.3: gaps about half a dash, known at second hand. How much about is, is our own choice",
+        "a rule file after BANA 3.4.3.3: gaps about half a dash, known at second hand. The tolerance is this project's own "
+        "choice",
     .confidence = Confidence::medium,
     .limit = {.name = "most",
               .type = Option::Type::number,
               .fallback = 0.25,
               .min = 0.01,
               .max = 10,
-              .summary = "how much of a dash its gap may be longer or shorter than half of it"},
+              .summary = "how much a gap may differ from half its dash, as a share of the dash"},
     .check = check,
 };
 

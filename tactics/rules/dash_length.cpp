@@ -42,7 +42,7 @@ const Rule dash_length_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a dash with its ends"},
+              .summary = "minimum length of a dash, ends included"},
     .check = check,
 };
 

@@ -11,7 +11,7 @@ namespace tactics {
 /// Mm of a line with its round ends, as a finger meets it.
 inline double felt_length(const Chain& chain) { return chain.length + 2 * chain.half_width; }
 
-/// What is no longer than wide is a dot, of a dotted line or between two dashes; what is asked of dashes is not asked of it.
+/// A mark no longer than wide is a dot, of a dotted line or between two dashes; the rules for dashes do not apply to it.
 inline bool is_dot(const Chain& chain) { return chain.length <= 2 * chain.half_width; }
 
 /// A line's dashes (chains) stand in their order on the page; what is farther from the last one than two of it begins another

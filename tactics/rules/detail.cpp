@@ -28,9 +28,9 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule detail_rule;
 const Rule detail_rule{
     .name = "detail",
-    .summary = "no specks or holes that a fingertip cannot tell",
+    .summary = "no specks or holes too small for a fingertip",
     .mend = "leave it out or draw it larger",
-    .source = "R. E. Ladner and others: a fingertip tells about 25 dots an inch, 1 mm",
+    .source = "R. E. Ladner and others: a fingertip resolves about 25 dots per inch, 1 mm",
     .confidence = Confidence::medium,
     .limit = {.name = "least",
               .type = Option::Type::length,
@@ -38,7 +38,7 @@ const Rule detail_rule{
               .min = 0.05,
               .max = 20,
               .unit = "mm",
-              .summary = "least size of anything, measured the longest way"},
+              .summary = "minimum size of anything, measured along its longest extent"},
     .check = check,
 };
 

@@ -38,7 +38,7 @@ const Rule filled_arrows_rule{
               .fallback = 0,
               .min = 0,
               .max = 1000,
-              .summary = "most arrow heads that are filled or closed"},
+              .summary = "maximum number of filled or closed arrow heads"},
     .check = check,
 };
 

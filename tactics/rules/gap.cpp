@@ -31,7 +31,7 @@ const Rule gap_rule{
               .min = 0.1,
               .max = 50,
               .unit = "mm",
-              .summary = "least distance from edge to edge"},
+              .summary = "minimum distance from edge to edge"},
     .limit_for = [](const Medium& medium) { return std::optional(medium.gap); },
     .check = check,
 };

@@ -17,7 +17,7 @@ const Rule ink_rule{
               .min = 0,
               .max = 100,
               .unit = "percent",
-              .summary = "most of the page that may be black"},
+              .summary = "maximum share of the page that may be black"},
     .limit_for = [](const Medium& medium) { return only_swell(medium, 40); },
     .check = ink_beyond,
 };

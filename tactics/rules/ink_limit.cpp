@@ -7,7 +7,7 @@ namespace tactics {
 extern const Rule ink_limit_rule;
 const Rule ink_limit_rule{
     .name = "ink-limit",
-    .summary = "never so much black on swell paper that it is spoilt",
+    .summary = "never so much black that swell paper is spoilt",
     .mend = "draw outlines instead of black areas",
     .source = "one tool's own number (fabric-accessible-graphics: refuses at 45 %)",
     .confidence = Confidence::uncertain,
@@ -18,7 +18,7 @@ const Rule ink_limit_rule{
               .min = 0,
               .max = 100,
               .unit = "percent",
-              .summary = "most of the page that may be black"},
+              .summary = "maximum share of the page that may be black"},
     .limit_for = [](const Medium& medium) { return only_swell(medium, 45); },
     .check = ink_beyond,
 };

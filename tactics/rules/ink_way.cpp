@@ -8,7 +8,7 @@ namespace tactics {
 
 namespace {
 
-// In a thicket of lines the way is given up: then the two places count as not joined, and the gap between them is told.
+// In a dense group of lines the search is abandoned: the two places count as not joined, and the gap between them is reported.
 constexpr std::size_t kMostSteps = 1000;
 
 // Ways are sums of many lengths; a rounded one may be shorter than the straight way by so much.
@@ -17,7 +17,7 @@ constexpr double kStraight = 1e-9;
 // Ways that are kept, by their chains; one takes the place of another.
 constexpr std::size_t kMostKnown = 1024;
 
-// So many answers of no are kept, by the places that were asked for, each to so many mm.
+// Number of negative results cached, by the queried places, rounded to this many mm.
 constexpr std::size_t kMostDenied = 2048;
 constexpr double kBeside = 4;
 
@@ -40,7 +40,7 @@ void InkWays::find_contacts_of_pieces() {
         const Chain& chain = geometry_.chains[c];
         const auto& meetings = geometry_.contacts_of[c];
         if (meetings.empty()) continue;
-        std::size_t next = 0;  // contact at or behind the beginning of a piece
+        std::size_t next = 0;  // contact at or after the beginning of a piece
         for (std::size_t i = chain.first; i < chain.first + chain.count; ++i) {
             const Piece& piece = geometry_.pieces[i];
             const double end = piece.along + distance(piece.line.a, piece.line.b);
@@ -61,7 +61,7 @@ bool InkWays::may_join(std::size_t piece, std::size_t other, double most) const 
 bool InkWays::known_within(const Station& from, const Station& to, double most) {
     const Chain& last = geometry_.chains[to.chain];
     if (from.chain == to.chain && geometry_.way(last, from.along, to.along) <= most) return true;
-    // Who asks for one place asks for those beside it, too.
+    // Queries for one place are usually followed by queries for its neighbours.
     const Known& before = known(from, to);
     if (before.first != from.chain || before.last != to.chain) return false;
     const double on = geometry_.way(geometry_.chains[from.chain], from.along, before.departs);
@@ -111,7 +111,7 @@ InkWays::Known& InkWays::known(const Station& from, const Station& to) {
     return known_[(from.chain * 31 + to.chain) % kMostKnown];
 }
 
-// Whoever comes to the goal from another chain comes by a contact, and past the nearest one to that side. Round a closed chain
+// Every path to the goal from another chain comes through a contact, and past the nearest one on that side. Round a closed chain
 // its last contact is also before its beginning, and its first behind its end.
 void InkWays::find_gates(const Station& goal) {
     gates_.clear();
@@ -172,7 +172,7 @@ bool InkWays::go_on(const Station& at, const Step* by, const Goal& goal) {
         return true;
     };
     bool reached = false;
-    // Round a closed chain its beginning is also behind its end.
+    // On a closed chain its beginning also follows its end.
     for (const double lap : {0.0, -chain.length, chain.length}) {
         if (lap != 0 && !chain.closed) continue;
         const double from = at.along + lap;

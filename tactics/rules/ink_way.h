@@ -15,20 +15,20 @@ class InkWays {
 public:
     explicit InkWays(const PageGeometry& geometry);
 
-    /// How far it is from one place to the other through ink, along middle lines: is it no more than `most`?
-    /// Its own part of a chain is one way; the others lead through contacts. With all work done (`exhausted`) the answer is no.
+    /// Whether the distance from one place to the other through ink, along middle lines, is at most `most`. One path is the part
+    /// of the chain between them; others lead through contacts. If the work limit is reached (`exhausted`), the answer is no.
     bool joined_within(const Station& from, const Station& to, double most);
 
-    /// True: so much was found when another way between these lines was looked for. To be asked first, as it takes no looking.
+    /// True: an earlier search between these lines already showed it. Call it first, because it needs no search.
     bool known_within(const Station& from, const Station& to, double most);
 
-    /// False: these two pieces are so far from all contacts that no way between them through contacts is that short. To be asked
-    /// before joined_within, which takes longer.
+    /// False: these two pieces are too far from all contacts for a path that short. Call it before joined_within, which takes
+    /// longer.
     bool may_join(std::size_t piece, std::size_t other, double most) const;
 
-    /// So much was looked at that it was ended.
+    /// Whether the work limit was reached.
     bool exhausted() const { return left_ == 0; }
-    std::size_t work() const { return kMostWork - left_; }  ///< contacts looked at so far
+    std::size_t work() const { return kMostWork - left_; }  ///< contacts visited so far
 
 private:
     struct Step {

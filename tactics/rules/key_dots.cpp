@@ -36,16 +36,18 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule key_dots_rule;
 const Rule key_dots_rule{
     .name = "key-dots",
-    .summary = "each two letters of a key have a dot 3 or 6",
+    .summary = "every two-letter key entry has a dot 3 or 6",
     .mend = "take letters with a low dot, such as k to z",
-    .source = "NBA Tactile Graphics Committee: two letters; single letters are not recommended, and each two have a dot 3 or 6",
+    .source =
+        "NBA Tactile Graphics Committee: two letters, of which at least one has a dot 3 or 6; single letters are not "
+        "recommended",
     .confidence = Confidence::good,
     .limit = {.name = "most",
               .type = Option::Type::whole,
               .fallback = 0,
               .min = 0,
               .max = 1000,
-              .summary = "most entries without a low dot"},
+              .summary = "maximum number of entries without a low dot"},
     .check = check,
 };
 

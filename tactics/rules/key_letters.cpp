@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands on a drawing for words in a key is two letters.
+// A key entry is marked in the drawing by two letters.
 #include <cmath>
 
 #include "tactics/rules/page_geometry.h"
@@ -28,7 +28,7 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule key_letters_rule;
 const Rule key_letters_rule{
     .name = "key-letters",
-    .summary = "a key stands on its drawing as two letters",
+    .summary = "a key entry is marked in the drawing by two letters",
     .mend = "take two letters for each thing that the key explains",
     .source = "NBA Tactile Graphics Committee: two letters; single letters are not recommended",
     .confidence = Confidence::good,
@@ -37,7 +37,7 @@ const Rule key_letters_rule{
               .fallback = 0,
               .min = 0,
               .max = 100,
-              .summary = "most letters that are missing or too many"},
+              .summary = "maximum number of letters missing or in excess"},
     .check = check,
 };
 

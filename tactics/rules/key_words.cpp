@@ -14,7 +14,7 @@ namespace tactics {
 
 namespace {
 
-// Where the words behind the letters are: the first cell after a blank.
+// The beginning of the words after the letters: the first cell after a blank.
 std::size_t words_in(const BrailleLine& line) {
     const auto blank = std::find(line.cells.begin(), line.cells.end(), std::uint8_t{0});
     const auto word = std::find_if(blank, line.cells.end(), [](std::uint8_t cell) { return cell != 0; });
@@ -57,7 +57,7 @@ const Rule key_words_rule{
               .fallback = 0,
               .min = 0,
               .max = 40,
-              .summary = "most cells that the words of an entry begin too early or too late"},
+              .summary = "maximum number of cells by which the words of an entry begin too early or too late"},
     .check = check,
 };
 

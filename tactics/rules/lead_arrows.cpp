@@ -43,7 +43,7 @@ const Rule lead_arrows_rule{
               .fallback = 0,
               .min = 0,
               .max = 1000,
-              .summary = "most lead lines with an arrow head"},
+              .summary = "maximum number of lead lines with an arrow head"},
     .check = check,
 };
 

@@ -24,7 +24,7 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule lead_length_rule;
 const Rule lead_length_rule{
     .name = "lead-length",
-    .summary = "lead lines are not long",
+    .summary = "lead lines are not too long",
     .mend = "move the words nearer, or put two letters there and the words in a key",
     .source =
         "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; "
@@ -36,7 +36,7 @@ const Rule lead_length_rule{
               .min = 1,
               .max = 1000,
               .unit = "mm",
-              .summary = "most length of a lead line"},
+              .summary = "maximum length of a lead line"},
     .check = check,
 };
 

@@ -13,8 +13,8 @@ Findings check(const PageGeometry& geometry, double limit) {
         if (figure.size() != 1) continue;  // a part of something larger
         const Chain& chain = geometry.chains[figure[0]];
         const double width = chain.half_width * 2;
-        // What is no longer than wide is a dot. Round ends are felt as a part of the line.
-        // What is there for something else has rules of its own.
+        // A mark no longer than wide is a dot. Round ends feel like a part of the line. Lines with another role have their own
+        // rules.
         if (geometry.role_of(chain) != Role::line) continue;
         if (chain.ring || chain.closed || chain.length <= width || chain.length + width >= limit - kRounding) continue;
         findings.places.push_back({chain.length + width,
@@ -40,7 +40,7 @@ const Rule line_length_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a line with its ends"},
+              .summary = "minimum length of a line, ends included"},
     .check = check,
 };
 

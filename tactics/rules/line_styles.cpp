@@ -51,7 +51,7 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule line_styles_rule;
 const Rule line_styles_rule{
     .name = "line-styles",
-    .summary = "few styles of lines on one page: widths, whole or dashed",
+    .summary = "few line styles on one page: widths, solid or dashed",
     .mend = "use fewer, or explain them in a key",
     .source = "Tactile Graphics wiki, Design Considerations: at most 5 line styles, else a key",
     .confidence = Confidence::medium,
@@ -60,7 +60,7 @@ const Rule line_styles_rule{
               .fallback = 5,
               .min = 1,
               .max = 100,
-              .summary = "most styles of lines on a page"},
+              .summary = "maximum number of line styles on a page"},
     .check = check,
 };
 

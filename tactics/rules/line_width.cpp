@@ -25,9 +25,8 @@ const Rule line_width_rule{
     .summary = "lines wide enough to be raised and felt",
     .mend = "draw it wider",
     .source =
-        "one tool draws detail 0.7 mm wide (fabric-accessible-graphics), and markers of 1 mm serve on swell paper "
-        "(tactilelibrary.com); "
-        "an embosser's line is one dot; for thermoform this project's own",
+        "one tool draws detail 0.7 mm wide (fabric-accessible-graphics), and 1 mm markers work on swell paper "
+        "(tactilelibrary.com); an embosser's line is one dot; the number for thermoform is this project's own",
     .confidence = Confidence::uncertain,
     .limit = {.name = "least",
               .type = Option::Type::length,
@@ -35,7 +34,7 @@ const Rule line_width_rule{
               .min = 0.05,
               .max = 20,
               .unit = "mm",
-              .summary = "least width of a line"},
+              .summary = "minimum width of a line"},
     .limit_for = [](const Medium& medium) { return std::optional(medium.thin_line); },
     .check = check,
 };

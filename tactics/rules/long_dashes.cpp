@@ -28,7 +28,7 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule long_dashes_rule;
 const Rule long_dashes_rule{
     .name = "long-dashes",
-    .summary = "the dashes of dashed lines are not so long that each is felt as a line",
+    .summary = "dashes short enough that each is not felt as a line of its own",
     .mend = "draw shorter dashes",
     .source =
         "a rule file after BANA 3.4.3.3: dashes 1/4 to 3/8 in (6 to 10 mm) long, gaps about half a dash; known at second hand",
@@ -39,7 +39,7 @@ const Rule long_dashes_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "most length of a dash with its ends"},
+              .summary = "maximum length of a dash, ends included"},
     .check = check,
 };
 

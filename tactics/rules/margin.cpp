@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands in the margin is not printed, not heated or under a hand that holds the page.
+// Things in the margin are not printed, not heated, or under the hand that holds the page.
 #include <algorithm>
 
 #include "tactics/rules/page_geometry.h"
@@ -43,9 +43,7 @@ const Rule margin_rule{
     .name = "margin",
     .summary = "everything within the page's margins",
     .mend = "move or scale it, or set another margin",
-    .source =
-        "this project's margins (tactics help swell). Lines are measured by their middles, and letters of print are not looked "
-        "at",
+    .source = "this project's margins (tactics help swell). Lines are measured by their middles; print letters are not measured",
     .confidence = Confidence::uncertain,
     .hard = true,
     .limit = {.name = "most",
@@ -54,7 +52,7 @@ const Rule margin_rule{
               .min = 0,
               .max = 50,
               .unit = "mm",
-              .summary = "most that anything may stand in the margin"},
+              .summary = "maximum distance by which anything may reach into the margin"},
     .check = check,
 };
 

@@ -32,7 +32,7 @@ const Rule merging_dots_rule{
               .min = 0.1,
               .max = 50,
               .unit = "mm",
-              .summary = "least distance from the middle of one to the middle of the other"},
+              .summary = "minimum distance from the middle of one to the middle of the other"},
     .limit_for = [](const Medium& medium) { return has_fixed_dots(medium) ? std::optional(kTwoRows) : std::nullopt; },
     .check = check,
 };

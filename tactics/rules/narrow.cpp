@@ -13,7 +13,7 @@ namespace tactics {
 namespace {
 
 constexpr std::size_t kMostPairs = 100'000'000;
-// Pairs that are near enough to be looked at closely.
+// Pairs near enough for a closer examination.
 constexpr std::size_t kMostCandidates = 1'000'000;
 
 struct Candidate {
@@ -93,7 +93,7 @@ public:
             findings.places.push_back(
                 {best.apart, best.one, best.other, pair_words(geometry_.chains[a], geometry_.chains[b], a == b)});
         }
-        // The map has no order; two places at one point are told apart by their sizes.
+        // The map has no order; two places at one point are distinguished by their sizes.
         std::sort(findings.places.begin(), findings.places.end(), [](const Finding& a, const Finding& b) {
             return std::tie(a.at.y, a.at.x, a.measured, a.other->y, a.other->x) <
                    std::tie(b.at.y, b.at.x, b.measured, b.other->y, b.other->x);
@@ -154,7 +154,7 @@ private:
         return best_.size() <= kMostPlaces;
     }
 
-    // What most pairs are is told at once: too far from each other, or of one line, where a bend is between them.
+    // Most pairs are dismissed quickly: too far apart, or parts of one line with a bend between them.
     bool is_far_or_bend(std::size_t i, std::size_t j) const {
         const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
         const bool one = patterns_[p.chain], other = patterns_[q.chain];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where two things come too near to each other with white between them.
+// Places where two things are too close, with white between them.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace tactics {
 
-/// What `apart` counts: from edge to edge, or between middle lines.
+/// How `apart` is measured: from edge to edge, or between middle lines.
 enum class Apart { edges, middles };
 
 /// As the spacing of drawings counts (filters/spacing.cpp): a corner of 29 degrees.
@@ -37,7 +37,7 @@ struct NarrowPair {
 /// All that make the narrow places, not just the narrowest between each two things.
 struct NarrowPairs {
     std::vector<NarrowPair> pairs;
-    std::size_t work = 0;  ///< how much was looked at; unlike time it is the same for the same page
+    std::size_t work = 0;  ///< number of comparisons; unlike time, it is the same for the same page
     bool complete = true;
 };
 /// Those of which one piece has its middle `where`; nullptr: anywhere.
@@ -45,16 +45,16 @@ NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart
 
 class NarrowSearch;
 
-/// The same again and again while lines bend: what no point does is to go farther than `moves` mm from where the geometry has it.
-/// A bend, a meeting and what is covered are told once, of where it all begins, and stay what they are. The geometry must stay.
+/// The same, repeatedly, while lines bend: no point may move farther than `moves` mm from its place in the geometry. Bends,
+/// meetings and covered parts are determined once, from the initial state, and do not change. The geometry must outlive it.
 class MovingNarrowPairs {
 public:
     MovingNarrowPairs(const PageGeometry& geometry, double limit, Apart apart, double moves);
     ~MovingNarrowPairs();
     MovingNarrowPairs(MovingNarrowPairs&&) noexcept;
 
-    /// `now`: where each piece of the geometry is. Of more pairs than `most` only that there are more is told. `work` is what
-    /// this time was looked at.
+    /// `now`: current position of each piece of the geometry. If there are more pairs than `most`, only that fact is reported.
+    /// `work` counts the comparisons of this call.
     NarrowPairs pairs(std::span<const Segment> now, std::size_t most);
 
 private:

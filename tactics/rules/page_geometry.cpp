@@ -156,7 +156,7 @@ bool PageGeometry::black_among(std::span<const Part> parts, Point p) const {
     const Part& part = parts[middle];
     if (!(p.x <= part.farthest)) return false;
     if (black_among(parts.first(middle), p)) return true;
-    if (!(p.x >= part.left)) return false;  // nor of those behind it, which begin farther right
+    if (!(p.x >= part.left)) return false;  // nor are later ones, which begin farther right
     bool inside = false;
     if (p.x <= part.right)
         for (const std::uint32_t i : part.pieces)

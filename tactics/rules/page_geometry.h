@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the rules need to know of a page, worked out once: lines and edges cut into short pieces, where ink meets ink,
-// what hangs together, where there is black.
+// The geometry of a page for the rules, computed once: lines and edges cut into short pieces, contacts of ink, connected parts,
+// black areas.
 #pragma once
 
 #include <cstddef>
@@ -77,7 +77,7 @@ struct PageGeometry {
         return chain.closed && chain.length - straight < straight ? chain.length - straight : straight;
     }
     Point point_at(const Station& station) const;  ///< beyond an open end: the end
-    /// Within an area, by the even-odd rule for each. Lines are not looked at.
+    /// Whether it is within an area, by the even-odd rule for each. Ignores lines.
     bool black_area_at(Point point) const;
     /// The inside of this ring, just beside its edge, is white.
     bool is_hole(const Chain& ring) const;
@@ -100,7 +100,7 @@ private:
         std::vector<std::uint32_t> pieces = {};
         double farthest = 0;  ///< right of all in the half, quarter ... of its band that it is the middle of
     };
-    /// A band's parts stand by where they begin, and are halved again and again: few of thousands are looked at.
+    /// A band's parts are sorted by their beginnings and searched by halving, so only few of thousands are visited.
     static double tell_farthest(std::span<Part> parts);
     bool black_among(std::span<const Part> parts, Point point) const;
     double band_ = 1;

@@ -29,8 +29,8 @@ const Rule paper_rule{
     .summary = "a page no larger than A3",
     .mend = "use A4, or divide the drawing over several pages",
     .source =
-        "tacticos.eu guidelines, chapter 4: A4 suits two hands, more than A3 is inconvenient. Measured by its surface, so 11 x "
-        "17 in passes",
+        "tacticos.eu guidelines, chapter 4: A4 suits two hands, more than A3 is inconvenient. Measured by area, so 11 x 17 in "
+        "passes",
     .confidence = Confidence::good,
     .limit = {.name = "most",
               .type = Option::Type::number,
@@ -38,7 +38,7 @@ const Rule paper_rule{
               .min = 10,
               .max = 1e6,
               .unit = "square cm",
-              .summary = "most surface of a page"},
+              .summary = "maximum area of a page"},
     .check = check,
 };
 

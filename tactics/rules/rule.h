@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What makes a page fit to be felt. Each rule reads a finished page, measures one thing and says where it is broken; its
-// number comes from a published source. The rules are one a file, in the order of list.inc.
+// The rules that make a page fit to be felt. Each rule reads a finished page, measures one thing and reports where it is broken;
+// its number comes from a published source. Each rule has one file, in the order of list.inc.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ struct Findings {
     bool complete = true;  ///< false: there is so much on the page that looking was ended before its end
 };
 
-/// A rule looks no further after so many places; a page that is wrong everywhere needs no longer list.
+/// A rule stops after this many places; a page that is wrong everywhere needs no longer list.
 inline constexpr std::size_t kMostPlaces = 10'000;
 
 /// Files are written in hundredths of a millimetre. What misses a limit by half of one misses it by rounding only.
@@ -49,7 +49,7 @@ struct Rule {
     bool hard = false;  ///< a page that breaks it is not fit to be used; otherwise a person should look
     /// Called "least" or "most". Its default is the one for swell paper.
     Option limit;
-    /// The limit for a medium; nothing: the rule is not about that medium. nullptr: the default, whatever the medium.
+    /// The limit for a medium; nothing: the rule does not apply to that medium. nullptr: the default, for every medium.
     std::optional<double> (*limit_for)(const Medium& medium) = nullptr;
     Findings (*check)(const PageGeometry& geometry, double limit) = nullptr;
 };
@@ -73,7 +73,7 @@ struct Verdict {
     Demand demand;
     Findings findings;
 };
-/// In the order of the demands. Pure: the same page, the same verdicts. Time and memory are bounded whatever is on the page.
+/// In the order of the demands. Pure: the same page gives the same verdicts. Time and memory are bounded for any page.
 std::vector<Verdict> check_page(const Page& page, std::span<const Demand> demands);
 
 }  // namespace tactics

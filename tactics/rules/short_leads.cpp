@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A short lead line may be taken for a part of what it leads to.
+// A short lead line may be mistaken for a part of the thing it leads to.
 #include "tactics/rules/arrows.h"
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
@@ -28,8 +28,8 @@ const Rule short_leads_rule{
     .mend = "put the words right beside the thing, or farther off",
     .source =
         "a rule file after BANA 3.4.3.5: the least line of the page, 3/4 to 1 1/2 in (2 to 3.75 cm) long, without arrow head; "
-        "known at second hand. That a shorter one is worse than none has no source that we know; names that TACTICS sets itself "
-        "may have shorter ones",
+        "known at second hand. We know no source that says a shorter one is worse than none; names that TACTICS places itself "
+        "may have shorter lead lines",
     .confidence = Confidence::medium,
     .limit = {.name = "least",
               .type = Option::Type::length,
@@ -37,7 +37,7 @@ const Rule short_leads_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a lead line"},
+              .summary = "minimum length of a lead line"},
     .check = check,
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStraight = 0.25;       // mm that a straight side may bow out
 constexpr std::size_t kMostCorners = 8;  // a shape with more is round
-// A shorter side is a rounded or cut-off corner to a fingertip, which tells 1 mm (25 dpi) at best.
+// To a fingertip, which resolves 1 mm (25 dpi) at best, a shorter side is a rounded or cut-off corner.
 constexpr double kCorner = 2.5;
 
 // Corners of a closed line by Douglas and Peucker's division; empty if there are more than kMostCorners.
@@ -110,7 +110,7 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule side_length_rule;
 const Rule side_length_rule{
     .name = "side-length",
-    .summary = "sides of closed shapes long enough for the shape to be known",
+    .summary = "sides of closed shapes long enough for the shape to be recognised",
     .mend = "draw it larger, or use a point symbol with a key",
     .source =
         "APH guide: shapes with sides under 1/2 in may not be recognised. Shapes of up to 8 straight sides are measured by their "
@@ -122,7 +122,7 @@ const Rule side_length_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a side"},
+              .summary = "minimum length of a side"},
     .check = check,
 };
 

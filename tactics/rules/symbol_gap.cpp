@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-// Looking ends after so many pairs of pieces.
+// Limit of examined pairs of pieces.
 constexpr std::size_t kMostPairs = 100'000'000;
 
 Findings check(const PageGeometry& geometry, double limit) {
@@ -67,7 +67,7 @@ const Rule symbol_gap_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least distance between two point symbols, edge to edge"},
+              .summary = "minimum distance between two point symbols, edge to edge"},
     .check = check,
 };
 

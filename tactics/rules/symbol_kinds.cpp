@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-// Of one form, symbols that differ by less in size are one to a finger ("differ 25 to 30 %", a rule file after BANA).
+// Symbols of one form that differ by less in size feel the same ("differ 25 to 30 %", a rule file after BANA).
 constexpr double kOther = 1.25;
 
 Findings check(const PageGeometry& geometry, double limit) {
@@ -55,7 +55,7 @@ const Rule symbol_kinds_rule{
               .fallback = 5,
               .min = 1,
               .max = 100,
-              .summary = "most kinds of point symbols on a page"},
+              .summary = "maximum number of kinds of point symbols on a page"},
     .check = check,
 };
 

@@ -31,7 +31,7 @@ const Rule symbol_size_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least size of a point symbol, measured the longest way"},
+              .summary = "minimum size of a point symbol, measured along its longest extent"},
     .check = check,
 };
 

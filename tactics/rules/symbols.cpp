@@ -9,7 +9,7 @@
 namespace tactics {
 
 std::vector<Symbol> symbols_of(const PageGeometry& geometry) {
-    // A symbol may touch the curve that it stands on, so figures are not asked; the parts of one touch each other.
+    // A symbol may touch the curve that it stands on, so connected figures do not help; the parts of a symbol touch each other.
     std::vector<Symbol> symbols;
     std::map<std::uint32_t, std::size_t> symbol_of;  // each chain's
     for (std::uint32_t c = 0; c < geometry.chains.size(); ++c) {

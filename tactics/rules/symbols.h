@@ -9,12 +9,12 @@
 
 namespace tactics {
 
-/// What marks a point: all that has this role and hangs together.
+/// Point symbols: all connected things with this role.
 struct Symbol {
     std::vector<std::uint32_t> chains;
     Point middle;
     double size = 0;   ///< mm, the longest way
-    std::string kind;  ///< "filled circle", "square": what a finger tells it by, besides its size
+    std::string kind;  ///< "filled circle", "square": by which a finger recognises it, besides its size
 };
 
 /// Only a file that says what its shapes are for has any.

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostPairs = 300'000'000;
 
 Findings check(const PageGeometry& geometry, double limit) {
-    // Of each line or edge the place that is nearest to a texture: a pattern has thousands of marks.
+    // For each line or edge, only the place nearest to a texture, because a pattern has thousands of marks.
     std::map<std::uint32_t, Nearest> worst;
     Findings findings;
     const auto is_mark = [&](std::size_t chain) { return geometry.role_of(geometry.chains[chain]) == Role::pattern; };
@@ -55,8 +55,8 @@ const Rule texture_clearance_rule{
     .mend = "cut the pattern back there",
     .source =
         "L. Hasty, Designing Tactile Graphics: 1/8 in is the absolute minimum between any two elements. The marks of a texture "
-        "are one element, the line round it is another; how near marks stand to each other is not looked at. For thermoform "
-        "this project asks for more",
+        "are one element, the line round it is another; the distance between marks is not measured. For thermoform this project "
+        "asks for more",
     .confidence = Confidence::good,
     .hard = true,
     .limit = {.name = "least",
@@ -65,7 +65,7 @@ const Rule texture_clearance_rule{
               .min = 0.1,
               .max = 50,
               .unit = "mm",
-              .summary = "least distance from edge to edge"},
+              .summary = "minimum distance from edge to edge"},
     .limit_for = [](const Medium& medium) { return std::optional(medium.gap); },
     .check = check,
 };

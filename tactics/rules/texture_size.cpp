@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-// Looking for the area of each mark ends after so many sides.
+// Limit of sides examined to find the area of each mark.
 constexpr std::size_t kMostSides = 500'000'000;
 
 struct Component {
@@ -89,11 +89,11 @@ Findings check(const PageGeometry& geometry, double limit) {
 extern const Rule texture_size_rule;
 const Rule texture_size_rule{
     .name = "texture-size",
-    .summary = "textured areas large enough for the texture to be known",
+    .summary = "textured areas large enough for the texture to be recognised",
     .mend = "draw the area larger, or leave it blank",
     .source =
-        "L. Hasty, Designing Tactile Graphics: a component is felt as a texture of its own from 1/4 in on. Measured is what is "
-        "drawn of the pattern, the narrowest way",
+        "L. Hasty, Designing Tactile Graphics: a component is felt as a separate texture from 1/4 in on. Measured across the "
+        "drawn part of the pattern, where it is narrowest",
     .confidence = Confidence::good,
     .limit = {.name = "least",
               .type = Option::Type::length,
@@ -101,7 +101,7 @@ const Rule texture_size_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least width of what is drawn of a texture"},
+              .summary = "minimum width of the drawn part of a texture"},
     .check = check,
 };
 

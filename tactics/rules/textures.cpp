@@ -31,14 +31,16 @@ const Rule textures_rule{
     .name = "textures",
     .summary = "few textures on one page",
     .mend = "leave areas that need no name blank, or divide the drawing over several pages",
-    .source = "BANA Guidelines 3.2.2, as the NBA and the Tactile Graphics wiki tell it: at most 5 textures that differ clearly",
+    .source =
+        "BANA Guidelines 3.2.2, as quoted by the NBA and the Tactile Graphics wiki: at most 5 textures that differ "
+        "clearly",
     .confidence = Confidence::good,
     .limit = {.name = "most",
               .type = Option::Type::whole,
               .fallback = 5,
               .min = 1,
               .max = 100,
-              .summary = "most textures on a page; blank and black are none"},
+              .summary = "maximum number of textures on a page; blank and black do not count"},
     .check = check,
 };
 

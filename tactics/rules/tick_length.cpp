@@ -30,8 +30,8 @@ const Rule tick_length_rule{
     .summary = "tick marks long enough to be found",
     .mend = "draw them longer, on both sides of the axis",
     .source =
-        "NBA Tactile Graphics Committee on BANA 3.4.3.4 and 6.6.2.2: tick marks are 1/2 in long in all, 1/4 in on each side of "
-        "the axis",
+        "NBA Tactile Graphics Committee on BANA 3.4.3.4 and 6.6.2.2: tick marks are 1/2 in long in total, 1/4 in on each side "
+        "of the axis",
     .confidence = Confidence::good,
     .limit = {.name = "least",
               .type = Option::Type::length,
@@ -39,7 +39,7 @@ const Rule tick_length_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a tick mark with its ends"},
+              .summary = "minimum length of a tick mark, ends included"},
     .check = check,
 };
 

@@ -15,7 +15,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const std::uint32_t c : chains_with(geometry, Role::tick)) {
         const Chain& chain = geometry.chains[c];
-        // Where it meets each other line: of the contacts of their pieces the one that is nearest.
+        // The meeting with each other line: the nearest contact of their pieces.
         std::map<std::size_t, std::pair<double, double>> axes;  // chain: how near, where along the tick
         for (const PageGeometry::Meets& meets : geometry.contacts_of[c]) {
             const Contact& contact = geometry.contacts[meets.contact];
@@ -46,8 +46,8 @@ const Rule tick_sides_rule{
     .summary = "tick marks reach to both sides of their axis",
     .mend = "draw them as long on the other side",
     .source =
-        "NBA Tactile Graphics Committee on BANA 3.4.3.4 and 6.6.2.2: tick marks are 1/2 in long in all, 1/4 in on each side of "
-        "the axis",
+        "NBA Tactile Graphics Committee on BANA 3.4.3.4 and 6.6.2.2: tick marks are 1/2 in long in total, 1/4 in on each side "
+        "of the axis",
     .confidence = Confidence::good,
     .limit = {.name = "least",
               .type = Option::Type::length,
@@ -55,7 +55,7 @@ const Rule tick_sides_rule{
               .min = 0.1,
               .max = 100,
               .unit = "mm",
-              .summary = "least length of a tick mark on each side of the axis"},
+              .summary = "minimum length of a tick mark on each side of the axis"},
     .check = check,
 };
 

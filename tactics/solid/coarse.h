@@ -12,7 +12,7 @@ namespace tactics {
 
 inline constexpr std::size_t kMostWorkedCorners = 600'000;  ///< of faces; three times as many as triangles
 
-/// Of the faces of its objects.
+/// Number of corners of the faces of its objects.
 std::size_t corners_of(const Model& model);
 
 /// The same objects with so few corners, if that can be: vertices in one cell of a grid become one (J. Rossignac and P. Borrel,

@@ -30,12 +30,12 @@ std::vector<int> levels_of(const FlatLayout& layout, const Panels& panels, const
     return level;
 }
 
-// What lies over a side: panels that hide it, and those beside whose border it could not be told.
+// Panels over a side: those that hide it, and those whose border is so close that the side could not be felt separately.
 struct Over {
     std::vector<const PlacedPanel*> hiding, drowning;
 };
 
-// What of a side is not under any of those, nor so near to a border of them that both would be felt as one line.
+// The parts of a side that are not under any of these, nor so close to their borders that both would feel like one line.
 void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const Over& over, double touching, double as_one) {
     const double length = distance(side.from, side.to);
     if (!(length > touching)) return;

@@ -8,9 +8,9 @@
 
 namespace tactics {
 
-/// mm of the model. What lies on something else is drawn with thick lines (M. Kurze, CHI 1997: background thin, foreground
-/// thick), a side that is shown twice as a dashed one, and a bar along the line of sight is no stroke.
-/// Where things lie as they are, a line that runs nearer than `as_one` along a border above it is one with that.
+/// mm of the model. Things that lie on others have thick lines (M. Kurze, CHI 1997: background thin, foreground thick), a side
+/// shown twice is dashed, and a bar along the line of sight has no stroke. Where things keep their places, a line closer than
+/// `as_one` to a border above it merges with that border.
 std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels,
                              const std::vector<std::uint32_t>& thing, double as_one = 0);
 

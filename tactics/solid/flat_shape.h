@@ -23,7 +23,7 @@ enum class ShapeMeeting {
     round,     ///< the first lies round the second
 };
 
-/// What is nearer than `touching` to a border is on it, mm.
+/// Points closer than `touching` to a border are on it, mm.
 ShapeMeeting meeting_of(const FlatShape& one, const FlatShape& other, double touching);
 /// The same for a straight line: inside, crossing or apart.
 ShapeMeeting meeting_of(Point from, Point to, const FlatShape& shape, double touching);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a bar comes to lie that is turned into the plane about the end that it is held by.
+// The place of a bar after it is turned into the plane about the end that holds it.
 #pragma once
 
 #include <vector>

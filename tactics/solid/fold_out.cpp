@@ -73,13 +73,13 @@ Laid lay(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& 
         return made;
     }();
     Laid best{lay_flat(parts, panels, thing, view, layout), panels, thing};
-    // Where all is shown already there is nothing to be won.
+    // If everything is shown already, there is nothing to gain.
     if (!wish.move || best.layout.rating.shown > 1 - kWorthMoving) return best;
     const double value = best.layout.rating.value();
     for (const double spread : kSpreads) {
         const std::vector<Point3> by = spread_by(parts, thing, view, spread);
         if (by.empty()) break;
-        // What a hand reaches is a matter of where things are in truth.
+        // A hand's reach depends on the true positions of things.
         Laid other{{}, moved(panels, by), thing, spread};
         other.layout = lay_flat(parts, other.panels, thing, view, layout);
         other.layout.rating.asked += kMoving * std::log2(spread);

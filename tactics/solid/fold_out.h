@@ -29,8 +29,8 @@ struct FoldWish {
     ReaderWish reader = {};
     int effort = 64;  ///< as LayoutWish
     std::vector<ObjectWish> objects = {};
-    /// Of several views: where the section is, from the front (0) to the back (1). 0: where it cuts most parts, as near to the
-    /// middle as can be.
+    /// For several views: the position of the section, from the front (0) to the back (1). 0: where it cuts most parts, as near
+    /// to the middle as possible.
     double section = 0;
     bool move = true;  ///< things may be moved off each other
 };
@@ -40,12 +40,12 @@ struct FoldOut {
     std::vector<FoldedObject> objects;
     FoldPlane plane = FoldPlane::above;
     double scale = 1;   ///< mm of the drawing for one of the model
-    double spread = 1;  ///< the places of things are so many times farther from the middle than in the model
+    double spread = 1;  ///< factor by which things are farther from the middle than in the model
     Rating rating;
 };
 
-/// As large as the room allows. `notes` is told what is not drawn as it is. Throws Error(usage): there is no such part;
-/// Error(failed): the model has no faces.
+/// As large as the room allows. `notes` receives deviations from the model. Throws Error(usage) if there is no such part;
+/// Error(failed) if the model has no faces.
 FoldOut fold_out(const Model& model, double width, double height, const Medium& medium, const FoldWish& wish,
                  std::vector<std::string>& notes);
 

@@ -22,7 +22,7 @@ void count(FoldedObject& told, Handling handling) {
     }
 }
 
-// One for each object that has parts, and where it stands in the list.
+// One for each object that has parts, with its position in the list.
 std::vector<FoldedObject> all_of(const Model& model, const std::vector<ModelPart>& parts, const std::vector<char>& is_small,
                                  std::vector<std::size_t>& place) {
     constexpr std::size_t kNone = static_cast<std::size_t>(-1);

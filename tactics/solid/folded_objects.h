@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What became of each object of a model that was folded out.
+// The result for each object of a folded-out model.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tactics {
 
-/// What became of an object.
+/// The result for an object.
 struct FoldedObject {
     std::uint32_t object = 0;  ///< place in Model::objects
     std::string name;          ///< its own, or that of what it belongs to; empty: none has one

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kUpright = 0.7;  // cosine up to which something that leans is straightened, and beyond which it is laid down
 
-// Where panels may come to lie: round all as they stand, and as far again as the largest is long.
+// The area for panels: around all of them in place, extended by the length of the largest.
 Box room_of(const Panels& panels, const ViewPlane& view) {
     Box all = kNothing;
     double longest = 0;

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kOtherWay = 0.9;         // cosine of two directions that are as good as one
 constexpr std::size_t kMostCorners = 12;  // of a face; with more it is round
-constexpr double kBeside = 0.1;   // of the width of a round face: what is farther from its middle has a direction of its own
+constexpr double kBeside = 0.1;   // share of the width of a round face: a thing farther from its middle has its own direction
 constexpr double kAsNear = 0.01;  // of the width of a face, which two of its sides may differ by and be as near
-constexpr std::size_t kMostHanging = 256;   // more would be felt by nobody, and each takes a look from the side
+constexpr std::size_t kMostHanging = 256;   // more could not be felt, and each needs a side view
 constexpr std::size_t kMostDirections = 4;  // one has to have room
 
 // A side of a face, and how far from it something is.
@@ -54,7 +54,7 @@ std::vector<NearSide> ways_off_a_curve(const Panel& face, const Point3& at, cons
         const Point3& last = *std::max_element(ring.begin(), ring.end(),
                                                [&](const Point3& a, const Point3& b) { return dot(a, out) < dot(b, out); });
         const Point3 way = cross(face.normal, out);
-        // Where the direction leaves the middle, on the tangent there.
+        // The point where the direction from the middle meets the border, on its tangent.
         sides.push_back({last + dot(middle_of(face) - last, way) * way, way, out, 0, 0});
     }
     return sides;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands under a face that hides it (the column of a café table, the thick legs of a bench, a cupboard under its top) is
-// laid out over the border of that face, as slender legs are: M. Kurze, CHI 1997, step 4, for what is too thick to be a line.
+// Things under a face that hides them (the column of a café table, the thick legs of a bench, a cupboard under its top) are laid
+// out over the border of that face, like slender legs: M. Kurze, CHI 1997, step 4, for things too thick to be lines.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@
 
 namespace tactics {
 
-/// What was done with a panel or a bar to get it into the plane.
+/// The manipulation that brought a panel or a bar into the plane.
 enum class Handling : std::uint8_t {
     kept,          ///< parallel to the plane: it lies where it is
     straightened,  ///< it leant, and was turned upright about its middle
@@ -58,8 +58,7 @@ struct Rating {
     double value() const { return shown - asked; }
 };
 
-/// How hard a reader finds each manipulation: what one more of it in every face
-/// of a model would cost of the rating.
+/// How hard a reader finds each manipulation: the loss of rating if every face of a model had one more of it.
 struct ReaderWish {
     double fold = 0.15, fold_again = 0.4, flatten = 0.1, straighten = 0.1, lay = 0.15, wedge = 0.3, kind = 0.02;
 };
@@ -72,7 +71,7 @@ struct FlatLayout {
 
 /// mm: what is nearer than that in a layout touches.
 double touching_in(const std::vector<ModelPart>& parts);
-/// Outlines of one part from other sides say what so many of them say.
+/// The largest number of outlines of a part that is useful; further sides show nothing new.
 std::size_t most_outlines(PartForm form);
 
 struct LayoutWish {

@@ -11,8 +11,8 @@ namespace tactics {
 /// "Kitchen/Table/Top": of those that have a name.
 std::string path_of(const Model& model, std::uint32_t object);
 
-/// It has that path, or one that ends so, "Top" of "Table/Top": with the names of the file, or with those that are spoken, where
-/// a shape has no name beside its object's ("Chair" of OB_Chair/ME_Chair).
+/// Whether it has that path, or one that ends in it, as "Top" for "Table/Top": by the names in the file, or by the plain names,
+/// where a shape has no name apart from its object's ("Chair" of OB_Chair/ME_Chair).
 bool is_named(const Model& model, std::uint32_t object, const std::string& path);
 
 /// Only that object and what belongs to it. The path may begin anywhere: "Top"

@@ -14,7 +14,7 @@ namespace tactics {
 
 namespace {
 
-// mm: WCAG 2.2, 2.5.8, wants what is pointed at to be 24 CSS pixels wide, 96 of which are an inch.
+// mm: WCAG 2.2, 2.5.8, requires pointer targets of 24 CSS pixels, 96 of which are an inch.
 constexpr double kTarget = 24 * 25.4 / 96;
 
 // The first ring is the outer one and the largest; its holes run the other way.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a folded model tells of its objects: where each lies in the drawing, and what was done with it.
+// The description of a folded model's objects: where each lies in the drawing, and what was done with it.
 #pragma once
 
 #include <string>
@@ -17,10 +17,10 @@ std::vector<Region> object_regions(const std::vector<FoldedObject>& objects, con
                                    const Panels& panels, const FlatLayout& layout, const IntoDrawing& into,
                                    std::string_view seen);
 
-/// What a drawing has that wants a word: dashed lines, thick ones, wedges, things that were moved apart.
+/// Things in a drawing that need an explanation: dashed lines, thick lines, wedges, things moved apart.
 std::vector<std::string> fold_remarks(const Drawing& drawing, std::string_view seen, double spread);
 
-/// In an order to be read, from the top down and from left to right, but what lies over others behind them.
+/// In reading order, from the top down and from left to right, except that things on top of others come after them.
 std::vector<Region> in_reading_order(std::vector<Region> regions, const std::vector<double>& height);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a solid looks like from one side: the outline of its shadow.
+// The outline of a solid's shadow from one side.
 #pragma once
 
 #include <vector>

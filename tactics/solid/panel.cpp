@@ -24,8 +24,7 @@ using Ring = std::vector<Point3>;
 
 double thickness(const ModelPart& part) { return 2 * part.box.half[2]; }
 
-// How far apart two parts may be where they meet: each lies on its own middle,
-// or on one of its sides.
+// The allowed distance of two parts where they meet: each lies on its own middle, or on one of its sides.
 double slack(const ModelPart& a, const ModelPart& b) {
     return thickness(a) * (a.form == PartForm::face) + thickness(b) * (b.form == PartForm::face) +
            kLoose * std::min(a.box.half[0], b.box.half[0]);
@@ -112,8 +111,8 @@ void add_round(Panels& made, const ModelPart& part, std::uint32_t number, const 
         const Ring ring =
             cone ? Ring{foot - across, foot + across, head} : Ring{foot - across, foot + across, head + across, head - across};
         add_panel(made, number, PanelKind::outline, unit(out), {ring}, (cone ? 2 : 4) * radius * length_of(axis));
-        // From the side a vessel looks like a U: its opening is told from its bottom, which readers of closed outlines took one
-        // for the other (M. Kurze, CHI 1997, fig. 8).
+        // From the side a vessel looks like a U, which distinguishes its opening from its bottom; with closed outlines, readers
+        // confused the two (M. Kurze, CHI 1997, fig. 8).
         if (open_below) made.panels.back().open_sides.push_back(0);
         if (!cone && open) made.panels.back().open_sides.push_back(2);
         if (!cone) made.hinges.push_back({first, place, head - across, head + across, head - across, head + across});

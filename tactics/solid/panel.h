@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a model can be laid into a drawing in its true shape: plane panels,
-// hinges between them, and bars. M. Kurze, CHI 1997, steps 2 to 4.
+// The parts of a model that can be drawn in their true shape: plane panels, hinges between them, and bars. M. Kurze, CHI 1997,
+// steps 2 to 4.
 #pragma once
 
 #include <cstdint>
@@ -39,8 +39,7 @@ struct Panel {
     std::vector<std::uint32_t> open_sides = {};  ///< of the first ring, that are no lines: a vessel is open there
 };
 
-/// Where two panels hang together. The other's side lies where the one's does,
-/// or would if both parts had no thickness.
+/// A connection of two panels. Their sides coincide, or would if both parts had no thickness.
 struct Hinge {
     std::uint32_t one = 0, other = 0;  ///< places in Panels::panels
     Point3 one_from, one_to;           ///< as the one goes round it

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWeld = 1e-5;             // of a model's extent, as millimetres of a house are none
 constexpr std::size_t kMostSides = 64;     // patches that a hand could tell one from the other; more are a curve
-constexpr std::size_t kMostShells = 2000;  // pieces of an object; A4 has room for as many places that a finger tells apart
+constexpr std::size_t kMostShells = 2000;  // pieces of an object; A4 has room for as many places that a finger can tell apart
 constexpr double kSmallSide = 0.02;        // of the area, below which a patch is a facet of something curved
 
 double extent_of(const Model& model) {
@@ -28,8 +28,7 @@ double extent_of(const Model& model) {
     return model.vertices.empty() ? 0 : length_of(high - low);
 }
 
-// The directions of sides: those of the most area first, each across those
-// before. What has none is upright.
+// The directions of sides, those with the most area first, each perpendicular to those before. Upright if there are none.
 std::array<Point3, 3> directions_of(const Solid& solid) {
     struct Lot {
         Point3 normal;

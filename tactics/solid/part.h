@@ -16,8 +16,8 @@ namespace tactics {
 
 enum class PartForm : std::uint8_t {
     solid,   ///< plane sides that can be folded out
-    face,    ///< flat: its larger side stands for all of it
-    line,    ///< slender: its axis stands for all of it
+    face,    ///< flat: its larger side represents it
+    line,    ///< slender: its axis represents it
     round,   ///< a cylinder, a cone or a sphere: its outline and its ends
     curved,  ///< many small patches: its outline
 };
@@ -70,7 +70,7 @@ struct Stretch {
 Stretch stretch_of(const Solid& solid, const Point3& direction);
 
 double extent_of(const ModelPart& part);  ///< mm, the longest
-/// Of a line: the middles of its two ends.
+/// For a line: the middles of its two ends.
 std::array<Point3, 2> ends_of(const ModelPart& part);
 /// mm from a place to the surface; 0 within a closed convex part.
 double distance(const Point3& at, const ModelPart& part);

@@ -17,7 +17,7 @@ constexpr double kEdgeShows = 1.0 / 3;  // of a face, which is counted already
 Rating rating_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels, const ReaderWish& reader) {
     double all = 0, all_area = 0, shown = 0, shown_area = 0, asked = 0;
     std::vector<std::size_t> outlines(parts.size(), 0);
-    // What hangs is told by one look at it, and no more is asked for.
+    // Hanging parts are shown by a single view; no more is required.
     std::vector<bool> hangs(parts.size(), false);
     for (const PlacedPanel& placed : layout.panels) {
         const Panel& panel = panels.panels[placed.panel];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How good a layout is for a reader.
+// The rating of a layout for a reader.
 #pragma once
 
 #include "tactics/solid/layout.h"

@@ -13,9 +13,9 @@ namespace tactics {
 namespace {
 
 constexpr double kReachedShare = 0.5;  // of the places on a face that a hand comes to
-constexpr double kBehind = 1e-3;       // of the room for a hand: what is no farther behind a place lies on it
+constexpr double kBehind = 1e-3;       // share of the room for a hand: a thing no farther behind a place lies on it
 
-// What may be in a hand's way: all patches of a model.
+// Possible obstacles for a hand: all patches of a model.
 class Obstacles {
 public:
     explicit Obstacles(const std::vector<ModelPart>& parts) : near_(boxes_of(parts)) {

@@ -227,7 +227,7 @@ SeenEdges seen_edges(const std::vector<ModelPart>& parts, const ViewPlane& view,
 std::vector<DrawnSide> cut_sides(const ModelPart& part, const ViewPlane& view, double at) {
     std::vector<DrawnSide> sides;
     for (const Patch& patch : part.solid.patches) {
-        // What lies in the plane counts as before it, so that every ring crosses it an even number of times.
+        // Points in the plane count as in front of it, so that every ring crosses it an even number of times.
         const Point3 along = cross(patch.normal, view.toward);
         std::vector<std::pair<double, Point3>> places;
         for (const auto& ring : patch.rings)

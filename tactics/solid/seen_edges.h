@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is seen of parts from one side, without perspective: edges, and where they are hidden.
+// The view of parts from one side, without perspective: edges, and where they are hidden.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct SeenEdges {
     /// so that it is the outline of all; normal: the outline of a part before others; thin: a crease.
     std::vector<DrawnSide> edges;
     std::vector<std::uint32_t> part;  ///< of each edge
-    bool complete = true;             ///< false: there is so much that the smaller parts were not looked at
+    bool complete = true;             ///< false: there are too many parts, and the smaller ones were skipped
 };
 
 /// Hidden is what a patch that faces the reader lies before. A crease is an edge where a closed surface turns by over 23 degrees.

@@ -9,7 +9,7 @@
 
 namespace tactics {
 
-/// Of the panels' hinges those where both panels lie, and lie apart.
+/// The hinges whose two panels are both laid out, but apart.
 std::vector<std::uint32_t> shown_twice(const FlatLayout& layout, const Panels& panels, double touching);
 
 }  // namespace tactics

@@ -156,7 +156,7 @@ CornerRing take_ring(Border& border, const WeldedSurface& surface, const Point3&
         if (gone.insert(next).second) continue;
         const auto again = std::find(ring.begin(), ring.end(), at);
         if (again == ring.begin()) break;
-        // A loop that closed early is a ring of its own; what led to it goes back.
+        // A loop that closes early is a separate ring; the path that led to it is returned.
         for (auto one = ring.begin(); one != again; ++one) border[*one].push_back(one + 1 == again ? at : *(one + 1));
         ring.erase(ring.begin(), again);
         break;

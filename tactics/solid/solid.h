@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A solid as a hand knows it: plane patches and the seams between them,
-// whatever polygons they were cut into.
+// A solid as a hand knows it: plane patches and the seams between them, however the file divides them into polygons.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +9,7 @@
 
 namespace tactics {
 
-/// What of a surface lies in one plane and hangs together.
+/// A connected part of a surface in one plane.
 struct Patch {
     Point3 normal;    ///< of length 1, outwards
     double area = 0;  ///< mm2
@@ -19,7 +18,7 @@ struct Patch {
     std::vector<std::vector<Point3>> rings;
 };
 
-/// Where two patches meet: a straight side of both, or a part of one.
+/// A line where two patches meet: a straight side of both, or a part of one.
 struct Seam {
     std::uint32_t one = 0, other = 0;  ///< places in Solid::patches
     Point3 from, to;                   ///< as `one` goes round it

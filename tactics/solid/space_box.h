@@ -6,7 +6,7 @@
 
 namespace tactics {
 
-/// Of an extent, that parts of a model may be apart where they are meant to meet.
+/// Share of an extent by which parts of a model may be apart where they are meant to meet.
 inline constexpr double kLoose = 0.02;
 
 struct SpaceBox {

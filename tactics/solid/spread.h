@@ -9,8 +9,8 @@
 
 namespace tactics {
 
-/// How far each part goes so that things are `times` as far from their common middle, in the plane of the view. What touches in
-/// that plane, or lies over another, stays together. Empty: all does.
+/// The displacement of each part that puts things `times` as far from their common middle, in the plane of the view. Things that
+/// touch or overlap in that plane stay together. Empty: all do.
 std::vector<Point3> spread_by(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view,
                               double times);
 

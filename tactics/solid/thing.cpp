@@ -34,7 +34,7 @@ std::vector<std::uint32_t> things_of(const Model& model, const std::vector<Model
     const auto top = [&](std::uint32_t object) {
         while (model.objects[object].parent >= 0 && !whole[static_cast<std::size_t>(model.objects[object].parent)])
             object = static_cast<std::uint32_t>(model.objects[object].parent);
-        // What has no name is told apart by touch alone.
+        // Things without a name are distinguished only by touch.
         const ModelObject& found = model.objects[object];
         return found.parent < 0 && found.name.empty() ? static_cast<std::uint32_t>(model.objects.size()) : object;
     };

@@ -97,7 +97,7 @@ std::vector<Stroke> lines_of(const View& view, double scale, double touching, co
     return strokes;
 }
 
-// Where a part lies in a view: its outline; of the section, what is cut.
+// The place of a part in a view: its outline; in the section, its cut.
 std::vector<std::vector<Point>> rings_of(const View& view, const ModelPart& part, std::uint32_t number, double touching) {
     std::vector<std::vector<Point>> rings;
     if (view.title == "section") {
@@ -174,7 +174,7 @@ private:
         drawing.height = (upper + lower) * made_.scale + 2 * kTitle + 2 * edge;
         const double first = edge + kTitle, second = first + upper * made_.scale + kTitle;
         const double beside = edge + left * made_.scale + kBetween;
-        // What is seen from above stands on the front view, the section at the height of its row's lower end.
+        // The view from above stands on the front view, the section at the height of its row's lower end.
         const auto sink = [&](const View& view) { return (upper - view.box.height()) * made_.scale; };
         top.at = {edge, first + sink(top)};
         front.at = {edge, second};

@@ -7,10 +7,10 @@
 namespace tactics {
 
 /// The front view lies below the one from above, and the one from the right-hand side beside it (ISO 5456-2, third angle); in the
-/// fourth place is what a plane parallel to the front cuts, without what lies behind it. Each has its title, "top", "front",
+/// fourth place is the cut by a plane parallel to the front, without the things behind it. Each has its title, "top", "front",
 /// "side" or "section", as a name above it. Nothing is folded or simplified. A name stands in the first view in which its object
-/// is felt; an object has a region in each. Outlines come before creases where there is no room for both: no two lines are nearer
-/// than the medium wants, but where they meet. Errors as fold_out.
+/// can be felt; an object has a region in each view. Outlines take precedence over creases where there is no room for both: lines
+/// keep the medium's gap, except where they meet. Errors as fold_out.
 FoldOut views_of(const Model& model, double width, double height, const Medium& medium, const FoldWish& wish,
                  std::vector<std::string>& notes);
 

@@ -197,7 +197,7 @@ WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, 
             lots.join(corner, other);
             fresh = false;
         });
-        // One stands for all that are joined to it: however many lie in one place, a cell holds few.
+        // One vertex represents all that are joined to it, so a cell holds few, however many coincide.
         if (fresh) cells.put(surface.corners[corner], corner);
     }
     for (CornerRing& ring : rings) {

@@ -81,7 +81,7 @@ std::optional<Day> take_day(std::string_view& text, DateOrder order) {
     return order == DateOrder::day_first ? Day{*year, *second, *first} : Day{*year, *first, *second};
 }
 
-// Seconds into the day, minus what its clock is ahead of UTC; nothing if it is no time. `possible` tells of 25:00.
+// Seconds into the day, minus the offset from UTC; nothing if it is no time. `possible` is false for 25:00.
 std::optional<double> take_time(std::string_view& text, bool& possible) {
     const auto hour = take_digits(text, 2, 2);
     if (!hour || !take(text, ':')) return std::nullopt;

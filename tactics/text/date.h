@@ -8,12 +8,12 @@
 
 namespace tactics {
 
-/// Which part of a date is what. Four digits that stand first are the year in any order.
+/// The order of the parts of a date. Four digits at the beginning are the year in any order.
 enum class DateOrder : std::uint8_t { year_first, day_first, month_first };
 
 enum class DateFault : std::uint8_t {
     none,
-    other,       ///< it is no date of that order
+    other,       ///< no date in that order
     impossible,  ///< 31 April, 29 February of a common year, 25:00
     old,         ///< before 15 October 1582, when the Gregorian calendar began
 };
@@ -24,17 +24,17 @@ struct DateReading {
 };
 
 /// 2024-02-29, 2024/02/29, 2024-02, 2024-Q1, and 29.2.2024, 29/2/2024 or 29-2-2024 in an order that has the year last; then,
-/// behind a T or a blank, 13:05, 13:05:07 or 13:05:07.25, and Z or an offset, +02:00 (ISO 8601-1:2019). Without one it is UTC. A
-/// month and a quarter are their first day. 23:59:60 is the second after, as in POSIX.
+/// after a T or a blank, 13:05, 13:05:07 or 13:05:07.25, and Z or an offset, +02:00 (ISO 8601-1:2019). The default is UTC. A
+/// month and a quarter mean their first day. 23:59:60 is the following second, as in POSIX.
 DateReading read_date(std::string_view text, DateOrder order);
 
-/// The first two numbers of what may be a date with its year last: 29.2.2024, 2/29/2024.
+/// The first two numbers of a possible date with its year last: 29.2.2024, 2/29/2024.
 struct DayAndMonth {
     int first = 0, second = 0;
 };
 std::optional<DayAndMonth> day_and_month(std::string_view text);
 
-/// Of the Gregorian calendar, also before it began: the days from 1970-01-01. Month 1 to 12.
+/// Days from 1970-01-01 in the Gregorian calendar, also before it began. Month 1 to 12.
 long long days_from_1970(int year, int month, int day);
 
 }  // namespace tactics

@@ -14,7 +14,7 @@ constexpr std::string_view kComma[] = {
     "af", "az", "be", "bg", "br", "bs", "ca", "cs", "da", "de", "el", "eo", "es", "et", "eu", "fi", "fo", "fr", "fy", "gl", "hr",
     "hu", "hy", "ia", "id", "is", "it", "ka", "kk", "kl", "ku", "ky", "lb", "ln", "lo", "lt", "lv", "mk", "nb", "nl", "nn", "no",
     "oc", "os", "pl", "pt", "ro", "ru", "sc", "se", "sk", "sl", "sq", "sr", "sv", "tg", "tk", "tr", "tt", "uk", "uz", "vi", "wo"};
-// Where a country writes another mark than its language does elsewhere.
+// Countries that use another decimal mark than their language does elsewhere.
 constexpr std::string_view kPointThere[] = {"de-ch", "de-li", "es-419", "es-br", "es-bz", "es-cu", "es-do", "es-gt", "es-hn",
                                             "es-mx", "es-ni", "es-pa",  "es-pe", "es-pr", "es-sv", "es-us", "it-ch"};
 constexpr std::string_view kCommaThere[] = {"en-at", "en-be", "en-cz", "en-de", "en-dk", "en-ee", "en-es", "en-fi", "en-fr",

@@ -8,13 +8,13 @@
 
 namespace tactics {
 
-/// A JSON string with its quotes. A byte that is not UTF-8 (names of files may hold any) becomes the lone surrogate
-/// \udc80 + (byte - 80h), as Python's "surrogateescape" has it, so that the name can be got back exactly.
+/// A JSON string with its quotes. A byte that is not UTF-8 (possible in file names) becomes the lone surrogate \udc80 + (byte -
+/// 80h), as in Python's "surrogateescape", so that the exact name can be recovered.
 std::string json_text(std::string_view bytes);
 std::string json_array(const std::vector<std::string>& values);      ///< of JSON
 std::string json_text_array(const std::vector<std::string>& texts);  ///< of bytes
 
-/// An object on one line; members stay in the order in which they are added.
+/// An object on one line; members keep the order of adding.
 class JsonObject {
 public:
     void add(std::string_view name, std::string_view text) { add_raw(name, json_text(text)); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The name of a quantity and its unit, as they stand above a column or at an axis.
+// The name of a quantity and its unit, as written above a column or at an axis.
 #pragma once
 
 #include <string_view>
@@ -11,8 +11,8 @@ struct NamedUnit {
     std::string_view unit;  ///< empty: there is none
 };
 
-/// "time (s)", "time [s]" and "time, s" are time in s. What is behind a comma is a unit if it has no blank and no word in it of
-/// more than six letters: "time for a picture, ms" and "force, N/mm", not "rivers, unnamed". They look into `text`.
+/// "time (s)", "time [s]" and "time, s" are time in s. Text after a comma is a unit if it has no blank and no word of more than
+/// six letters: "time for a picture, ms" and "force, N/mm", not "rivers, unnamed". The views point into `text`.
 NamedUnit name_and_unit(std::string_view text);
 
 }  // namespace tactics

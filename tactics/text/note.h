@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sentence for the person who made a page, and whether it asks for something.
+// A sentence for the person who makes a page, and whether it requires action.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace tactics {
 
 struct Note {
-    /// know: what was done or chosen, for whoever wants to know. act: something is missing or wrong on the page, and a person
-    /// must look at it or do something about it, such as words that are left out.
+    /// know: information on what was done or chosen. act: something on the page is missing or wrong, such as words left out, and
+    /// a person must look at it or act.
     enum class Kind { know, act };
 
     std::string text;  ///< one line, without the name of the picture

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kHyphen = "-", kSoft = "\u00AD", kTrue = "\u2010";
 constexpr std::size_t kNamed = 5;  // guesses that are remembered
 
-// Before these a hyphen stands for what comes later: "pre- and post-war".
+// Before these words, a hyphen stands for a part that follows later: "pre- and post-war".
 constexpr std::array<std::string_view, 12> kAnd = {"und", "oder", "bzw", "and", "or", "to", "et", "ou", "y", "o", "i", "e"};
 // English numbers and words that keep their hyphen; syllables that follow the latter in words without one are shorter.
 constexpr std::array<std::string_view, 8> kTens = {"twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety"};

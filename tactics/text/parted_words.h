@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of a text put together again, and the words that were parted at their ends.
+// Joins the lines of a text, and the words that were divided at their ends.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,22 @@
 
 namespace tactics {
 
-/// Puts a line behind the text before it, as whoever typed the hyphen wrote it: "e-" and "mail" become "e-mail". A soft hyphen
-/// (U+00AD) and U+2010 part a word, and go; a hyphen that leaves out what comes later stays as it is: "Vor- und Nachteile". All
-/// other lines are parted by a blank.
+/// Appends a line to the text before it and keeps typed hyphens: "e-" and "mail" become "e-mail". A soft hyphen (U+00AD) and
+/// U+2010 divide a word and are removed; a hyphen for an omitted part stays: "Vor- und Nachteile". Other lines are separated by a
+/// blank.
 void join_typed_line(std::string& text, std::string_view line);
 
-/// Of a text that was set in lines by a program: a hyphen at the end of a line may be the program's or the word's own.
+/// For text set in lines by a program: a hyphen at the end of a line may come from the program or belong to the word.
 class PartedWords {
 public:
-    /// Shows it a line of the text. All are shown before the first is put behind another.
+    /// Passes it a line of the text. Pass all lines before joining the first.
     void show(std::string_view line);
 
-    /// As join_typed_line, but the hyphen goes if the text has the word without it elsewhere, or tells nothing of the word and
-    /// the next line begins with a small letter.
+    /// As join_typed_line, but removes the hyphen if the word occurs elsewhere without it, or if the word does not occur and the
+    /// next line begins with a lower-case letter.
     void join(std::string& text, std::string_view line);
 
-    /// How many words were put together although the text does not show elsewhere how they are written, and the first of them.
+    /// The number of words joined without evidence elsewhere in the text, and the first of them.
     std::size_t guesses() const { return guesses_; }
     const std::vector<std::string>& guessed() const { return guessed_; }
 
@@ -37,7 +37,7 @@ private:
     std::vector<std::string> guessed_;
 };
 
-/// Whether it ends with a word that a hyphen parts.
+/// Whether it ends with a word divided by a hyphen.
 bool ends_parted(std::string_view text);
 bool begins_small(std::string_view text);
 

@@ -50,7 +50,7 @@ std::size_t letters_in(std::string_view text) {
     return count;
 }
 
-// Where a small letter or a digit stands before a capital; none if a word would be too short.
+// Positions where a lower-case letter or a digit precedes a capital; none if a word would be too short.
 std::vector<std::size_t> humps_of(std::string_view word) {
     constexpr std::size_t kShortest = 3;
     std::vector<std::size_t> humps = {0};

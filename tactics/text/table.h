@@ -12,11 +12,11 @@ using Row = std::vector<std::string>;
 /// Without the locale, with all its digits: "0.640".
 std::string fixed(double value, int digits);
 std::string percent(double share);
-/// To a tenth, and never all where something is left, nor nothing where something is: "> 99.9 %".
+/// To a tenth, but never 100 % if something is missing, nor 0 % if there is something: "> 99.9 %".
 std::string exact_percent(double share);
 
-/// Columns stand under each other, two blanks between them; the first and the last start at the left, the others end at the
-/// right. What is empty is a "-". All rows have as many fields.
+/// Aligned columns with two blanks between them; the first and the last are left-aligned, the others right-aligned. Empty fields
+/// become "-". All rows have the same number of fields.
 std::string aligned(std::vector<Row> rows);
 /// With commas (RFC 4180).
 std::string comma_separated(const std::vector<Row>& rows);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Letters of UTF-8 text, with nothing in it that a page or a file format could trip over.
+// Letters of UTF-8 text, cleaned of everything that could disturb a page or a file format.
 #pragma once
 
 #include <string>
@@ -7,25 +7,25 @@
 
 namespace tactics {
 
-/// Takes the first letter off `rest` (not empty). A byte that begins no valid UTF-8 sequence is taken alone and gives
-/// kNoLetter, so that every text can be walked to its end.
+/// Removes the first letter from `rest` (not empty). A byte that begins no valid UTF-8 sequence is removed alone and gives
+/// kNoLetter, so that every text can be read to its end.
 char32_t take_letter(std::string_view& rest);
 inline constexpr char32_t kNoLetter = 0xFFFFFFFF;
 
-/// What a terminal or a log would obey and not show: control characters (of ISO 6429's second set, too: 0x9B is ESC [), ends of
-/// lines, and marks that turn the direction of writing. kNoLetter is one, for it may be read as Latin-1.
+/// Characters that a terminal or a log would obey instead of showing: control characters (including ISO 6429's second set: 0x9B
+/// is ESC [), line ends, and marks that change the writing direction. kNoLetter counts, because it may be read as Latin-1.
 bool steers(char32_t letter);
 
-/// Some letter of Hebrew, Arabic or another script that is written from right to left.
+/// Whether it has a letter of Hebrew, Arabic or another right-to-left script.
 bool runs_from_right(std::string_view text);
 
 void append_letter(std::string& text, char32_t letter);
 
-/// Text for one line: valid UTF-8, nothing that is not seen (control characters, marks of direction or shape); blanks and
-/// line ends become single spaces, none at the ends; each run of bytes that is not UTF-8 becomes one question mark.
+/// Text for one line: valid UTF-8 without invisible characters (control characters, marks of direction or shape); blanks and line
+/// ends become single spaces, with none at the ends; each run of invalid bytes becomes one question mark.
 std::string to_line(std::string_view text);
 
-/// What a message says of it: all, or its first 80 bytes (less for a whole letter) and "...".
+/// The text for a message: all of it, or its first 80 bytes (fewer, to end on a whole letter) and "...".
 std::string beginning_of(std::string text);
 
 }  // namespace tactics

@@ -8,16 +8,16 @@
 
 namespace tactics {
 
-/// What separates words. A carriage return is one: recipes are written on any system.
+/// Separators of words. They include the carriage return, because recipes are written on any system.
 inline constexpr std::string_view kBlanks = " \t\r";
 
-/// They look into `line`, which must outlive them.
+/// The words point into `line`, which must outlive them.
 std::vector<std::string_view> words_of(std::string_view line);
 
 /// Without the blanks at both ends.
 std::string_view trimmed(std::string_view line);
 
-/// With `last` before the last of them: "a, b and c" of ", " and " and ".
+/// Joined with `last` before the last one: "a, b and c" for ", " and " and ".
 std::string joined(const std::vector<std::string_view>& words, std::string_view between, std::string_view last);
 
 }  // namespace tactics

@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-// Of a device or a link to one, what it is in /dev; empty: it is none.
+// The name in /dev of a device or a link to one; empty: no device.
 std::string device_of(const std::string& path) {
     std::error_code fault;
     const std::string real = std::filesystem::weakly_canonical(path, fault).string();

@@ -43,7 +43,7 @@ struct Globals {
 struct Field {
     BrailleReports::Line line;
     int columns = 0, dots = 0;
-    std::size_t row = 0;  // counted from 1; 0: it stands in none
+    std::size_t row = 0;  // counted from 1; 0: it is in none
 };
 
 // Several in their order. One of four bytes names its page itself; any other is of the page that is set when its main item comes
@@ -141,7 +141,7 @@ private:
         }
     }
 
-    // Where the item stands in its report; nothing: it is larger than any.
+    // The position of the item in its report; nothing: it is larger than any report.
     std::optional<std::uint64_t> room_in(std::map<int, std::uint64_t>& reports) {
         const std::uint64_t many = static_cast<std::uint64_t>(globals_.size) * globals_.count;
         std::uint64_t& end = reports[globals_.report];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the cells of a braille display stand in what is sent to it, and its keys in what it sends, read from its report
-// descriptor (HID 1.11, 6.2.2; HID Usage Tables 1.4, page 41h). Sure for one row, as drivers of screen readers have it; several
-// rows are read as the standard has them, a collection each, and were not seen on a device.
+// Positions of a braille display's cells in the reports sent to it, and of its keys in the reports received, from its report
+// descriptor (HID 1.11, 6.2.2; HID Usage Tables 1.4, page 41h). Reliable for one row, as in the drivers of screen readers;
+// several rows are read by the standard, one collection each, and were not tested on a device.
 #pragma once
 
 #include <cstdint>
@@ -28,8 +28,8 @@ struct BrailleReports {
     bool numbered = false;                  ///< reports begin with their id, those from the device as well
 };
 
-/// Of any bytes. A line is what of a row stands together in a report; without rows all that does. Where lines differ, those that
-/// have the most cells together are the display; the others show its status.
+/// Accepts any bytes. A line is a contiguous part of a row in a report; without rows, any contiguous part. If lines differ in
+/// length, the longest ones form the display; the others show its status.
 BrailleReports braille_reports(std::span<const std::uint8_t> descriptor);
 
 /// Follows which keys are down.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The braille display of a screen reader, by BrlAPI (BRLTTY's manual, "The BrlAPI C library"). Its library is opened only when it
-// is asked for, so that the program runs where it is not installed.
+// The braille display of a screen reader, by BrlAPI (BRLTTY's manual, "The BrlAPI C library"). Its library is opened only on
+// demand, so that the program runs without it.
 #include "tactics/error.h"
 #include "tactics/transport/cell_display.h"
 #include "tactics/transport/shared_library.h"
@@ -65,7 +65,7 @@ Library open_library() {
     return library;
 }
 
-// What a call came to, and why it failed, which the library keeps for each thread.
+// The result of a call, and the reason of a failure, which the library keeps per thread.
 struct Said {
     int result = 0;
     std::string why;
@@ -126,8 +126,8 @@ public:
     }
 
 private:
-    // The library waits for its server without end. A call that does not come back stays in a thread of its own, with the locks
-    // of the library: nothing of it is called after that.
+    // The library waits for its server without limit. A call that does not return stays in its own thread and keeps the library's
+    // locks, so the library is not called again.
     template <class Call>
     Said ask(const Call& call) {
         std::packaged_task<Said()> task([call, library = library_] {

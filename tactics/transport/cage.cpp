@@ -32,7 +32,7 @@ void limit(__rlimit_resource what, std::size_t value) {
     setrlimit(what, &wanted);
 }
 
-// All rights that Linux 5.13 knows: none is given for writing. A rule may name a file as well as a folder (landlock(7)).
+// All rights of Linux 5.13; none for writing is granted. A rule may name a file as well as a folder (landlock(7)).
 #if defined(LANDLOCK_ACCESS_FS_READ_FILE) && defined(SYS_landlock_create_ruleset)
 class FileRules {
 public:
@@ -80,7 +80,7 @@ struct FileRules {
 };
 #endif
 
-// What decoding needs of the kernel: memory, threads, time, and files that are open.
+// The system calls that decoding needs: memory, threads, time, and open files.
 constexpr auto kAllowed = std::to_array<std::uint32_t>({
     SYS_read,
     SYS_write,
@@ -302,7 +302,7 @@ constexpr auto kRefused = std::to_array<std::uint32_t>({
 // (fchmodat2, setxattrat), and programs must do without it on older kernels. The old calls of x32 lie above it, too.
 constexpr std::uint32_t kNewestKnown = 449;
 
-// What a library asks of a file that may be a terminal.
+// The queries of a library about a file that may be a terminal.
 constexpr auto kHarmlessOrders = std::to_array<std::uint32_t>({TCGETS, TIOCGWINSZ, FIONREAD, FIONBIO, FIOCLEX, FIONCLEX});
 
 void refuse_many_calls() {
@@ -321,10 +321,10 @@ void refuse_many_calls() {
     rules.signals_to_itself({SYS_kill, SYS_tgkill});
     for (const std::uint32_t call : {SYS_sched_setaffinity, SYS_sched_setscheduler, SYS_sched_setparam, SYS_sched_setattr})
         rules.on_value(call, 0, 0, kAllow, kRefuse);  // 0: the thread that asks
-    // Who shares a core with whom may be said of others, too.
+    // Core scheduling could also be set for other processes.
     rules.on_value_else_go_on(SYS_prctl, 0, PR_SCHED_CORE, kRefuse);
     rules.on_value(SYS_prctl, 0, PR_SET_PDEATHSIG, kRefuse, kAllow);
-    rules.unless_null(SYS_prlimit64, 2, kRefuse);  // limits may be asked for, not set
+    rules.unless_null(SYS_prlimit64, 2, kRefuse);  // limits may be read, not set
     rules.end(kAllow);
     rules.hold();
 }

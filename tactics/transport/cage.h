@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process shuts itself in before it touches what a stranger wrote. From then on it can compute, read what it needs and write to
-// what it has open, and nothing else, whatever the stranger's bytes make of it.
+// A process isolates itself before it reads untrusted input. From then on it can only compute, read what it needs and write to
+// open descriptors, even if the input takes control of it.
 #pragma once
 
 #include <sys/types.h>
@@ -17,17 +17,17 @@ struct CageLimits {
     unsigned seconds = 600;                     ///< by the clock
 };
 
-/// Ends this process when its parent ends, also if that has ended already: `parent` is its id. Or when a limit is passed. It
-/// opens no file but the one behind `readable`, and that only for reading (Landlock, Linux 5.13); no socket, no other program, no
-/// other process, no file written, removed or renamed (seccomp). Where the kernel has one of the two only, that one holds; the
-/// limits hold everywhere. Threads may still be started. There is no way back. Called while there is one thread. Never fails
-/// loudly: what the kernel refuses is left out.
+/// Makes this process end when its parent (with id `parent`) ends, even if that has ended already, or when a limit is passed. It
+/// can open no file except the one behind `readable`, and that only for reading (Landlock, Linux 5.13); no socket, no other
+/// program, no other process, no file written, removed or renamed (seccomp). If the kernel has only one of the two, that one
+/// applies; the limits always apply. Threads may still be started. It cannot be undone. Call it while there is one thread. It
+/// never reports failure: protections that the kernel refuses are left out.
 void shut_in(int readable, pid_t parent, const CageLimits& limits = {});
 
-/// The same for another program that takes this process over next (exec) and reads its standard input, which it may open again as
-/// /dev/fd/0. It opens files in or at `readable` paths for reading, as programs need libraries and data; paths that are not there
-/// are passed over. What it may ask of the kernel differs from version to version, so here calls are refused by name: sockets,
-/// processes, signals to others, changes of any file, leaving its group or its limits.
+/// The same for another program that replaces this process (exec) and reads its standard input, which it may reopen as /dev/fd/0.
+/// It may open files in or at `readable` paths for reading, because programs need libraries and data; missing paths are ignored.
+/// The system calls that it needs differ between versions, so calls are refused by name: sockets, processes, signals to others,
+/// changes of any file, leaving its group or its limits.
 void shut_in_program(std::span<const std::string> readable, pid_t parent, const CageLimits& limits);
 
 }  // namespace tactics

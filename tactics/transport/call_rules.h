@@ -26,11 +26,11 @@ constexpr std::uint32_t kMachine = AUDIT_ARCH_X86_64;
 #elif defined(__aarch64__)
 constexpr std::uint32_t kMachine = AUDIT_ARCH_AARCH64;
 #else
-constexpr std::uint32_t kMachine = 0;  // calls are not looked at
+constexpr std::uint32_t kMachine = 0;  // calls are not examined
 #endif
 
 // A program of the kernel's packet filter over struct seccomp_data (seccomp(2)): a call that is refused fails with EPERM, as it
-// would for lack of rights, and the library goes on or gives up by itself.
+// would for lack of rights, and the library continues or gives up on its own.
 constexpr std::uint32_t kAllow = SECCOMP_RET_ALLOW, kRefuse = SECCOMP_RET_ERRNO | EPERM;
 constexpr std::uint16_t kEqual = BPF_JMP | BPF_JEQ | BPF_K, kAnyBit = BPF_JMP | BPF_JSET | BPF_K;
 
@@ -70,15 +70,16 @@ public:
         end(verdict);
     }
     void end(std::uint32_t verdict) { put(BPF_RET | BPF_K, verdict); }
-    // Of all that fcntl can do: a descriptor may be set to send signals, SIGKILL among them, to any process of the same user; a
-    // pipe to keep a megabyte for as long as it is open, which no limit of memory counts; a file to make others wait (locks,
-    // leases; F_SETDELEG of Linux 6.19).
+    // Dangerous uses of fcntl: making a descriptor send signals, even SIGKILL, to any process of the same user; making a pipe
+    // hold a megabyte while it is open, which no memory limit counts; making others wait for a file (locks, leases; F_SETDELEG of
+    // Linux 6.19).
     void descriptors_as_they_are() {
         for (const std::uint32_t order : {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL, F_SETFL})
             on_value_else_go_on(SYS_fcntl, 1, order, kAllow);
         on(SYS_fcntl, kRefuse);
     }
-    // RLIMIT_DATA counts what is private and does not grow by itself (mm/mmap.c, is_data_mapping); all else would have no limit.
+    // RLIMIT_DATA counts private mappings that do not grow automatically (mm/mmap.c, is_data_mapping); other mappings would have
+    // no limit.
     void memory_that_counts() {
         constexpr std::uint32_t kShared = MAP_ANONYMOUS | MAP_SHARED;
         put(kEqual, SYS_mmap, 0, 6);

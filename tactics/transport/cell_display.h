@@ -16,7 +16,7 @@ struct CellDisplaySize {
     int dots = 8;  ///< of a cell, 6 or 8
 };
 
-/// What BrlAPI answers of its display, which has 8 dots. A number that no display has (over a million) becomes 0.
+/// BrlAPI's answer about its display, which has 8 dots. An impossible number (over a million) becomes 0.
 CellDisplaySize told_size(unsigned columns, unsigned lines);
 
 class CellDisplay {
@@ -29,12 +29,12 @@ public:
     virtual bool key_within(std::chrono::milliseconds time) = 0;
 };
 
-/// The braille display of a screen reader, by the BrlAPI of BRLTTY: on this machine (""), or "HOST:PORT" as BrlAPI has it. Throws
-/// Error(failed): its library is not installed, nobody answers within `patience`, then or later, no display.
+/// The braille display of a screen reader, by the BrlAPI of BRLTTY: on this machine (""), or at "HOST:PORT" in BrlAPI's notation.
+/// Throws Error(failed) if its library is not installed, there is no answer within `patience` now or later, or there is no
+/// display.
 std::unique_ptr<CellDisplay> open_brlapi(const std::string& host, std::chrono::milliseconds patience = std::chrono::seconds(10));
 
-/// A braille display of the HID standard (usage page 41h): "" = the only one that is there, or "/dev/hidraw0". Throws
-/// Error(failed).
+/// A braille display of the HID standard (usage page 41h): "" = the only one attached, or "/dev/hidraw0". Throws Error(failed).
 std::unique_ptr<CellDisplay> open_hid_display(const std::string& path);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ways to a device, each in a file of its own. They throw Error(failed) when there is no way.
+// The connections to a device, each in its own file. They throw Error(failed) if the device cannot be reached.
 #pragma once
 
 #include <functional>
@@ -10,16 +10,14 @@
 
 namespace tactics {
 
-/// A USB printer by the kernel's driver: /dev/usb/lp0. Its status tells of paper.
+/// A USB printer through the kernel's driver: /dev/usb/lp0. Its status reports the paper.
 std::unique_ptr<Channel> open_usblp(const std::string& path);
 
-/// A USB printer without the kernel's driver, which is taken off and given back when the channel is closed. `choice` is what
-/// stands behind "usb:". `look` is told its IEEE-1284 id (empty: it does not tell) before anything is taken or sent, and may
-/// throw.
+/// A USB printer without the kernel's driver, which is detached, and attached again when the channel closes. `choice` is the part
+/// after "usb:". `look` receives its IEEE-1284 id (empty: none) before anything is detached or sent, and may throw.
 std::unique_ptr<Channel> open_usb(const std::string& choice, const std::function<void(const std::string& id)>& look);
 
-/// How a machine on a serial line says that it can take no more: by the wires RTS and CTS, by the bytes XON and XOFF, or not at
-/// all.
+/// Flow control on a serial line: by the wires RTS and CTS, by the bytes XON and XOFF, or none.
 enum class Flow { rtscts, xonxoff, none };
 
 /// A serial line, or a USB adapter that acts as one: /dev/ttyUSB0. 8 bits, no parity, one stop bit.
@@ -28,13 +26,12 @@ std::unique_ptr<Channel> open_serial(const std::string& path, int baud, Flow flo
 /// A machine in the network that takes raw bytes (port 9100). IPv4, IPv6 or a name.
 std::unique_ptr<Channel> open_tcp(const std::string& host, const std::string& port);
 
-/// What is written in "TO": queue:NAME, tcp:HOST or tcp:HOST:PORT, /dev/usb/lpN, usb:, usb:VID:PID[:SERIAL], usb:BUS-PORT,
-/// /dev/tty... with
-/// @BAUD or @BAUD,FLOW behind it, or a file.
+/// The address in --to: queue:NAME, tcp:HOST or tcp:HOST:PORT, /dev/usb/lpN, usb:, usb:VID:PID[:SERIAL], usb:BUS-PORT,
+/// /dev/tty... optionally followed by @BAUD or @BAUD,FLOW, or a file.
 struct Address {
     enum class Kind { queue, tcp, usblp, usb, serial, file };
     Kind kind = Kind::file;
-    std::string name;  ///< of the queue, the host, the path, what stands behind usb:
+    std::string name;  ///< of the queue, the host or the path, or the part after usb:
     std::string port = "9100";
     int baud = 9600;
     Flow flow = Flow::rtscts;

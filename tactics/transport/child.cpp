@@ -52,7 +52,7 @@ bool put(int file, std::string_view input) {
     return lseek(file, 0, SEEK_SET) == 0;
 }
 
-// The input as a file in memory: it is there as a whole, so that nobody waits for the other to read or write. -1: no room.
+// The input as a file in memory: it is complete from the start, so neither side waits for the other. -1: no memory.
 int kept_in_memory(std::string_view input) {
     if (input.empty()) return open("/dev/null", O_RDONLY | O_CLOEXEC);
     const int file = memfd_create("input", MFD_CLOEXEC);
@@ -63,7 +63,7 @@ int kept_in_memory(std::string_view input) {
 
 constexpr std::size_t kMostComplaint = 4096;
 
-// What is there of its standard error, without waiting; only the beginning is kept.
+// The available part of its standard error, without waiting; only the beginning is kept.
 void hear_complaint(int from, std::string& err) {
     std::array<char, 1024> buffer{};
     for (ssize_t count; (count = read(from, buffer.data(), buffer.size())) > 0 || (count < 0 && errno == EINTR);)
@@ -117,7 +117,7 @@ std::vector<std::string> environment_with(std::vector<std::string> settings) {
     return settings;
 }
 
-// Those that run, each with a group of its own. An id is forgotten before another process can have it.
+// The running children, each in its own process group. An id is removed before another process can get it.
 struct Running {
     std::mutex guard;
     std::set<pid_t> groups;
@@ -155,8 +155,8 @@ int start(pid_t& child, std::vector<std::string> words, std::vector<std::string>
     posix_spawn_file_actions_adddup2(&actions, in, 0);
     posix_spawn_file_actions_adddup2(&actions, out, 1);
     posix_spawn_file_actions_adddup2(&actions, err, 2);
-    // A group of its own, so that what it starts ends with it; and Ctrl-C, which a batch holds back for itself, is not held back
-    // from it.
+    // A separate process group, so that its own children end with it; and so that Ctrl-C, which a batch blocks for itself, is not
+    // blocked for it.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t none;

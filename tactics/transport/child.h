@@ -16,10 +16,10 @@ struct ChildLimits {
     std::size_t bytes = 64u << 20;  ///< of its answer
 };
 
-/// How it went. Whatever went wrong, the program is no longer there.
+/// The result. In every case the program has ended.
 struct ChildAnswer {
     enum class End {
-        done,      ///< it ended by itself and said that all is well
+        done,      ///< it ended on its own with success
         missing,   ///< there is no such program
         failed,    ///< it could not be started, said that something is wrong, or crashed
         too_long,  ///< it was ended at the limit of time
@@ -32,9 +32,8 @@ struct ChildAnswer {
     std::string fault;     ///< why it could not be started, in words; else empty
 };
 
-/// `words` are the program, found as a shell would, and what it is told; no shell reads them. `input` is its standard input and
-/// leaves no file behind. `settings` ("NAME=VALUE") stand before those of our own
-/// environment. Never throws Error. Thread-safe.
+/// `words` are the program, found as by a shell, and its arguments; no shell interprets them. `input` is its standard input and
+/// leaves no file. `settings` ("NAME=VALUE") take precedence over our own environment. Never throws Error. Thread-safe.
 ChildAnswer run_child(const std::vector<std::string>& words, std::string_view input, const ChildLimits& limits,
                       const std::vector<std::string>& settings = {});
 
@@ -49,7 +48,7 @@ struct CagedChild {
     std::vector<std::string> settings = {};
 };
 
-/// The same, shut in (cage.h, shut_in_program) by our program `tactics-cage`, and ended when this process ends.
+/// The same, isolated (cage.h, shut_in_program) by our program `tactics-cage`, and ended when this process ends.
 ChildAnswer run_caged(const CagedChild& child);
 
 /// A program that runs beside us, unheard, until it is over or ended. For one thread at a time. None of it throws Error or waits
@@ -71,7 +70,7 @@ private:
     ChildAnswer::End how_ = ChildAnswer::End::done;
 };
 
-/// Ends all that run, with what they started, for a program that is about to end itself; none is started after it.
+/// Ends all running children and their own children, for a program that is about to end; no more can be started afterwards.
 void end_children();
 
 }  // namespace tactics

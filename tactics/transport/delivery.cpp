@@ -49,7 +49,7 @@ public:
 private:
     Cancel cancel() const { return wish_.cancel ? wish_.cancel() : Cancel::no; }
 
-    // The page that was begun is handed over to its end, if it is known where that is.
+    // The current page is sent to its end, if that is known.
     void look_for_cancel() {
         const Cancel now = cancel();
         if (now == Cancel::at_once) end_ = accepted_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes handed to a device, with what can go wrong on the way told apart. Nothing is ever sent twice: an embosser that is sent
-// half a page again spoils two.
+// Delivers bytes to a device and distinguishes the possible failures. Nothing is ever sent twice: an embosser that receives half
+// a page again spoils two.
 #pragma once
 
 #include <chrono>
@@ -34,13 +34,13 @@ public:
     virtual Taken take(std::string_view bytes) = 0;
     /// Until it takes more, at most that long; false: not yet.
     virtual bool wait(std::chrono::milliseconds time) = 0;
-    /// What the device says is wrong while it takes nothing; stalled: nothing that it could tell.
+    /// The device's reason for accepting nothing; stalled: no reason known.
     virtual Ending trouble() = 0;
-    /// How many bytes that were taken are still on their way to the device, as far as can be known.
+    /// The number of accepted bytes still on their way to the device, as far as known.
     virtual std::size_t on_the_way() = 0;
-    /// What the device says within that time, empty if nothing, as most do; no value: it is gone.
+    /// The device's output within that time, empty if none, as for most; no value: it is gone.
     virtual std::optional<std::string> hear(std::chrono::milliseconds) { return ""; }
-    /// What is on its way is thrown away, where that can be done: closing would still send it.
+    /// Discards the bytes on their way, if possible; closing would still send them.
     virtual void discard() {}
 };
 
@@ -56,15 +56,15 @@ struct DeliveryWish {
 
 struct Delivery {
     Ending ending = Ending::done;
-    std::size_t accepted = 0;  ///< bytes that the device took; what it punched of them nobody knows
+    std::size_t accepted = 0;  ///< bytes accepted by the device; how many it punched is unknown
     std::string why;           ///< of Ending::failed
 };
 
-/// Hands over all bytes, in their order, each at most once. Returns when everything has left or nothing more will; what then has
-/// not left is thrown away, so that going on behind it doubles nothing.
+/// Sends all bytes in order, each at most once. Returns when everything has left or nothing more will; the rest is discarded, so
+/// that continuing after it repeats nothing.
 Delivery deliver(Channel& channel, std::string_view bytes, const DeliveryWish& wish);
 
-/// How many of the pages that end there are complete.
+/// The number of complete pages.
 std::size_t pages_within(const std::vector<std::size_t>& pages, std::size_t accepted);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A file descriptor that is closed at the end, and what is asked of those that lead to devices.
+// A file descriptor that closes itself, and queries for descriptors of devices.
 #pragma once
 
 #include <string>
@@ -25,8 +25,7 @@ private:
 /// For a path of a device, not to wait. Throws Error(failed): missing, busy, not permitted (with what to do about it), no device.
 Descriptor open_device(const std::string& path);
 
-/// What open_device throws where open(2) failed with that errno; what to do depends on what the path leads to, not on how it is
-/// named.
+/// The error of open_device for that errno of open(2); the remedy depends on the kind of device, not on its name.
 Error refusal_of(const std::string& path, int fault);
 
 /// write(2) as a channel has it: nothing is taken while it would have to wait; ENODEV, EIO after an unplug and EPIPE are gone.

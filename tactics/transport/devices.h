@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is attached that could be an embosser, or a braille display of the HID standard.
+// Attached devices that could be an embosser, or a braille display of the HID standard.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace tactics {
 struct AttachedDevice {
     std::string address;  ///< as parse_address takes it, but those of displays
     std::string id;       ///< its IEEE-1284 id, or maker and product; empty: it does not tell
-    std::string note;     ///< why it cannot be used as it is, and what to do, or how it is used; may be empty
+    std::string note;     ///< why it cannot be used now, and the remedy, or how to use it; may be empty
 };
 
 /// Printers on USB, serial adapters and braille displays (hid:/dev/hidraw0), as the kernel lists them below `root` ("" but in

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Touch devices through libevdev, which tells again what the kernel had to drop.
+// Touch devices through libevdev, which repeats events that the kernel had to drop.
 #include <fcntl.h>
 #include <libevdev/libevdev.h>
 #include <time.h>
@@ -69,8 +69,8 @@ public:
             throw Error(Fault::failed, path,
                         "its events cannot be timed by CLOCK_MONOTONIC, to which a mouse is compared; use a kernel from 3.4 on");
         take_what_is_down();
-        // Or the hand on the mouse would move the pointer and click. What cannot be had so is used as it is; if another program
-        // has grabbed it, the kernel tells that one alone until it lets go.
+        // Otherwise the hand on the mouse would move the pointer and click. If exclusive use is impossible, the device is shared;
+        // if another program has grabbed it, only that program receives events until it lets go.
         libevdev_grab(device_.get(), LIBEVDEV_GRAB);
     }
     ~Evdev() override { libevdev_grab(device_.get(), LIBEVDEV_UNGRAB); }
@@ -83,7 +83,7 @@ public:
     State read(TouchFrame& frame) noexcept override {
         if (!begun_) {
             begun_ = true;
-            // A finger that rests on it is told of no more.
+            // A resting finger causes no more events.
             timespec now{};
             clock_gettime(CLOCK_MONOTONIC, &now);
             frame = {static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec), contacts_.down()};
@@ -99,7 +99,7 @@ public:
             }
             if (answer == -EAGAIN || answer == -EINTR) return State::nothing;
             if (answer < 0) return State::gone;
-            // The kernel has dropped events (SYN_DROPPED): what differs since is told next.
+            // The kernel has dropped events (SYN_DROPPED): the differences follow.
             if (answer == LIBEVDEV_READ_STATUS_SYNC) catching_up_ = true;
             if (!take(event)) continue;
             frame = {static_cast<double>(event.input_event_sec) + 1e-6 * static_cast<double>(event.input_event_usec),

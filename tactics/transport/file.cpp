@@ -43,8 +43,8 @@ private:
     int number_;
 };
 
-// A reader that has gone and a file that grows too large are told by a signal that ends the program. They are wanted as
-// errors instead, without changing what other threads or the program itself do with signals.
+// A closed pipe and a file that grows too large raise signals that end the program. Here they must be errors instead, without
+// changing how other threads or the program handle signals.
 class SignalsAsErrors {
 public:
     SignalsAsErrors() {
@@ -75,7 +75,7 @@ std::string folder_of(const std::string& path) {
     return slash == 0 ? "/" : path.substr(0, slash);
 }
 
-// What the user calls the output, and where it is after all symbolic links.
+// The user's name for the output, and its place after all symbolic links.
 struct Output {
     std::string path;
     std::string end;
@@ -84,7 +84,7 @@ struct Output {
 [[noreturn]] void fail(const Output& output, int reason) {
     const std::string folder = folder_of(output.end);
     struct stat there {};
-    // That is how /proc and its like answer to a new file.
+    // /proc and similar file systems answer in this way to a new file.
     if (reason == ENOENT && stat(folder.c_str(), &there) == 0) reason = EACCES;
     std::string message;
     switch (reason) {
@@ -139,7 +139,7 @@ void write_straight(const Output& output, int number, std::string_view bytes) {
     if (reason != 0 && reason != EPIPE) fail(output, reason);
 }
 
-// Where the symbolic links end, whether or not there is a file yet.
+// The end of the symbolic links, whether or not a file exists yet.
 std::string follow_links(const std::string& path) {
     std::string end = path;
     for (int links = 0; links < 40; ++links) {  // as many as Linux follows

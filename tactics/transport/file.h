@@ -37,11 +37,11 @@ struct NewFile {
 void write_files(const std::vector<NewFile>& files);
 
 enum class Keep {
-    on_disk,   ///< what is done is on the disk, whatever happens to the machine
+    on_disk,   ///< finished files are safely on the disk, whatever happens to the machine
     by_system  ///< when the system comes to it: some ms a file quicker
 };
 
-/// The same one after the other, so that nobody needs the bytes of all at once; descriptors of some only are open.
+/// The same one after another, so that the bytes of all are never needed at once; only some descriptors are open.
 class NewFiles {
 public:
     explicit NewFiles(Keep keep = Keep::on_disk);
@@ -56,9 +56,9 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-/// What was written to an open file is on the disk, as far as its file system keeps anything. 0, or what went wrong (errno).
+/// Flushes an open file to the disk, as far as its file system stores anything. Returns 0 or errno.
 int keep_open(int descriptor);
-/// What names a folder holds is on the disk: one that was made, in the folder where it was. 0, or what went wrong (errno).
+/// Flushes the names in a folder to the disk; for a new folder, flush the folder that contains it. Returns 0 or errno.
 int keep_folder(const std::string& folder);
 
 /// Where a file system knows no files without a name (network and FAT file systems), and where files are very many, unfinished

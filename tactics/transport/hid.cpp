@@ -55,7 +55,7 @@ public:
         }
     }
 
-    // Reports tell which keys are down, and of batteries and more besides.
+    // Reports contain the keys that are down, and also batteries and other things.
     bool key_within(milliseconds time) override {
         std::array<std::uint8_t, 4096> report{};
         const auto end = Clock::now() + time;
@@ -92,7 +92,7 @@ public:
             const int count = hid_write(device_.get(), numbered.data(), 1 + size);
             if (count >= 0 || errno != EINTR) return count == static_cast<int>(1 + size);
         }
-        return true;  // whoever presses Ctrl-C has not unplugged it
+        return true;  // Ctrl-C does not mean that it was unplugged
     }
     int read(std::span<std::uint8_t> report, milliseconds time) noexcept override {
         errno = 0;

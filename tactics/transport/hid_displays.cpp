@@ -45,8 +45,8 @@ std::string in_small_letters(std::string text) {
     return text;
 }
 
-// What tells the device from others; empty: the kernel does not say. Only on USB it hangs on a device with these attributes; on
-// Bluetooth its own name has the numbers.
+// The device's distinguishing attributes; empty: the kernel does not give any. Only on USB does its parent device have these
+// attributes; on Bluetooth its own name has the numbers.
 std::string udev_match(std::string_view id) {
     if (id.size() != 22 || id[4] != ':' || id[13] != ':') return "";
     const std::string vendor = four_digits(id.substr(5, 8)), product = four_digits(id.substr(14));

@@ -29,7 +29,7 @@ std::string udev_rule(std::string_view kernel_id);
 
 /// That the user may not open it, and what to do: for now, and the udev rule of that device for good.
 std::string how_to_be_permitted(const HidDisplay& display);
-/// The same for a device of our own reports, by its path.
+/// The same for a device with our own reports, by its path.
 std::string how_to_be_permitted(const std::string& path, const std::string& root);
 
 }  // namespace tactics

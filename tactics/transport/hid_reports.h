@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A HID device that is talked with in reports of one size, without ids.
+// A HID device with reports of one size, without ids.
 #pragma once
 
 #include <chrono>
@@ -24,7 +24,7 @@ public:
 /// but in tests).
 std::vector<std::string> hid_paths(std::uint16_t page, std::uint8_t usage, const std::string& root);
 
-/// What the kernel calls it; empty: nothing.
+/// The kernel's name for it; empty: none.
 std::string hid_name(const std::string& path, const std::string& root);
 
 /// By its path, /dev/hidraw0. Throws Error(failed): missing, not permitted.

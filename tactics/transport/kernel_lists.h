@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the kernel tells of devices in small files below /sys, as every list of devices here reads it.
+// Reads the kernel's small files about devices below /sys, for all lists of devices.
 #pragma once
 
 #include <filesystem>

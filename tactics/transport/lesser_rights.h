@@ -4,9 +4,9 @@
 
 namespace tactics {
 
-/// Becomes the user that print systems have for filters ("lp", else "nobody"), with that user's group and no other, for good.
-/// Does nothing where this process is not root. Called while there is one thread. Throws Error(failed) where it cannot be done:
-/// going on as root would be worse.
+/// Permanently becomes the user for print filters ("lp", else "nobody"), with only that user's group. Does nothing if this
+/// process is not root. Call it while there is one thread. Throws Error(failed) if it is impossible, because continuing as root
+/// would be worse.
 void take_lesser_rights();
 
 }  // namespace tactics

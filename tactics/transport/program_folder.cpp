@@ -52,7 +52,7 @@ std::string folder_of_library() {
 std::string own_program(std::string_view name) {
     const std::string program = folder_of_program(), library = folder_of_library();
     std::vector<std::string> folders;
-    // Not for a program that has more rights than whoever starts it.
+    // Not for a program that has more rights than its user.
     if (const char* named = secure_getenv("TACTICS_PROGRAMS"); named != nullptr && *named != '\0') folders.emplace_back(named);
     if (!program.empty()) folders.insert(folders.end(), {program, program + "/" TACTICS_PROGRAMS});
     if (!library.empty() && library != program) folders.insert(folders.end(), {library, library + "/tactics"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the running program lies, and the library if it is one: what belongs to them is looked for beside them.
+// The folder of the running program, or of the library, beside which its files are found.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A library that the program runs without: looked for when it is asked for, and never linked.
+// An optional library: opened on demand, and never linked.
 #pragma once
 
 #include <span>
@@ -9,8 +9,9 @@ namespace tactics {
 
 class SharedLibrary {
 public:
-    /// The first of these names, or paths, that the system finds; it stays open until the program ends, as libraries have
-    /// threads. Throws Error(failed) at `place`: none is there, and `advice` says where to get it; or what its loader says.
+    /// Opens the first of these names or paths that the system finds; it stays open until the program ends, because libraries
+    /// have threads. Throws Error(failed) at `place` if none exists, with `advice` on where to get it, or with the loader's
+    /// message.
     SharedLibrary(std::span<const std::string> names, std::string place, std::string advice);
 
     /// Throws Error(failed): it has none of that name.

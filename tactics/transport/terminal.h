@@ -6,8 +6,8 @@
 
 namespace tactics {
 
-/// Holds control characters of ASCII other than tabs, ends of lines and of pages: a PDF, a picture, a machine's commands. Braille
-/// in letters (BRF), SVG and other text has none, in whatever coding its letters are.
+/// Whether it has ASCII control characters other than tabs, line ends and form feeds, as in a PDF, a picture or a machine's
+/// commands. BRF, SVG and other text has none, in any encoding.
 bool is_binary(std::string_view bytes);
 
 /// Throws Error(usage), with the cure, if they are binary and standard output is a terminal.

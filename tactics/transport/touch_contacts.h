@@ -14,12 +14,12 @@ struct TouchContact {
     std::uint64_t order = 0;  ///< the higher, the later it came down
 };
 
-/// The kernel's protocol B: each contact has a slot, and of a slot only what changes is told, also from one contact to the next
-/// in it. Any numbers may come in; nothing allocates.
+/// The kernel's protocol B: each contact has a slot, and only changes of a slot are reported, even from one contact to the next
+/// in it. Accepts any numbers; nothing allocates.
 class TouchContacts {
 public:
     void slot(int number) noexcept { slot_ = number; }
-    /// Of the slot: a contact comes down, or (-1) goes up. Another number without -1 before it is another contact.
+    /// For the slot: a contact comes down, or (-1) goes up. A different number without -1 before it is a new contact.
     void tracking(int id) noexcept {
         if (!has_slot()) return;
         Slot& slot = slots_[static_cast<std::size_t>(slot_)];
@@ -40,7 +40,7 @@ public:
         return std::span(down_).first(count);
     }
 
-    static constexpr int kMost = 64;  ///< slots; what comes in others is passed over
+    static constexpr int kMost = 64;  ///< slots; events of further slots are ignored
 
 private:
     struct Slot {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device that sees where it is touched, as the kernel tells of it (evdev): a touch screen, an infrared frame.
+// A touch device of the kernel (evdev): a touch screen or an infrared frame.
 #pragma once
 
 #include <memory>
@@ -27,15 +27,15 @@ public:
     virtual ~TouchDevice() = default;
     virtual TouchAxis x() const = 0;
     virtual TouchAxis y() const = 0;
-    /// The next frame; nothing: it has told no more. Never waits, never allocates.
+    /// The next frame; nothing: no more frames yet. Does not wait or allocate.
     virtual State read(TouchFrame& frame) noexcept = 0;
 };
 
 /// That the user may not open it, and what to do.
 std::string how_to_be_permitted_to_touch(const std::string& path);
 
-/// By its path, /dev/input/event0. Until it is closed no other program is told of its touches, if it can be had so. Throws
-/// Error(failed): missing, not permitted, no touch device.
+/// Opens it by path, /dev/input/event0, for exclusive use if possible. Throws Error(failed) if it is missing, not permitted, or
+/// no touch device.
 std::unique_ptr<TouchDevice> open_touch_device(const std::string& path);
 
 struct TouchPlace {

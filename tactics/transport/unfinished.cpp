@@ -44,8 +44,8 @@ std::string first_of(const char* path, std::size_t most) {
     return {text.data(), size > 0 ? static_cast<std::size_t>(size) : 0};
 }
 
-// When a process began, in ticks since the machine was switched on; empty: there is none. proc(5), /proc/pid/stat, field 22,
-// counted behind the name in brackets, which may hold anything.
+// Start time of a process, in ticks since boot; empty: no such process. proc(5), /proc/pid/stat, field 22, counted after the name
+// in brackets, which may hold anything.
 std::string start_of(const std::string& pid) {
     const std::string text = first_of(("/proc/" + pid + "/stat").c_str(), 1024);
     std::size_t at = text.rfind(')');
@@ -53,8 +53,8 @@ std::string start_of(const std::string& pid) {
     return at == std::string::npos ? "" : text.substr(at + 1, text.find(' ', at + 1) - at - 1);
 }
 
-// Of this machine since it was switched on, and of the processes that can be seen here: containers count theirs anew. Empty: this
-// system does not tell.
+// Identifies this boot of the machine and the visible processes, because containers have their own numbers. Empty: unknown on
+// this system.
 std::string own_boot() {
     const std::string boot = first_of("/proc/sys/kernel/random/boot_id", 8);
     struct stat space {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of files that are not whole yet.
+// Names of unfinished files.
 //
 // .tactics-BOOT-PID-START-NUMBER: of the machine since it was switched on and the processes that see each other there, of the
 // process, and of the moment in which that began, so that a name tells whether anybody still writes to it, although numbers of

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A printer on USB without the kernel's driver, by libusb: USB Printing Devices 1.1 (class 7). A transfer that was ended by its
-// time tells how much of it the printer has taken; what is sent next begins there.
+// A printer on USB without the kernel's driver, by libusb: USB Printing Devices 1.1 (class 7). A transfer that timed out reports
+// how much of it the printer has accepted; the next one begins there.
 #include <fcntl.h>
 #include <libusb.h>
 
@@ -38,7 +38,7 @@ struct CloseHandle {
 using Context = std::unique_ptr<libusb_context, CloseContext>;
 using Handle = std::unique_ptr<libusb_device_handle, CloseHandle>;
 
-// The interface that takes bytes as they are.
+// The interface that takes raw bytes.
 struct Way {
     int interface = -1, setting = 0;
     bool has_settings = false;
@@ -104,7 +104,7 @@ public:
                 taken.why = "the machine refused what it was sent (it stalled its endpoint); switch it off and on";
                 break;
             default:
-                // What has just been unplugged is a fault on the wire until the kernel has seen it.
+                // A device that was just unplugged appears as a fault on the wire until the kernel has noticed it.
                 taken.ending = fault == LIBUSB_ERROR_IO && !is_there() ? Ending::gone : Ending::failed;
                 taken.why = std::string("libusb says ") + libusb_error_name(fault) + "; look at cable and hub";
         }
@@ -140,7 +140,7 @@ private:
     Context context_;
     Handle handle_;
     Way way_;
-    std::optional<Clock::time_point> counted_;  // while it takes nothing: until when delivery has counted
+    std::optional<Clock::time_point> counted_;  // while it accepts nothing: the time up to which delivery has counted
 };
 
 // Two bytes of length, the high one first (some machines turn them round, or count wrongly), then the id. The kernel lets it be

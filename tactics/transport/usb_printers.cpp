@@ -61,7 +61,7 @@ std::string UsbPrinter::node() const {
 std::vector<UsbPrinter> usb_printers(const std::string& root) {
     std::vector<UsbPrinter> printers;
     for (const fs::path& entry : entries_of(root + "/sys/bus/usb/devices")) {
-        // Protocol 4 is IPP over USB, which takes no bytes as they are.
+        // Protocol 4 is IPP over USB, which takes no raw bytes.
         if (line_of(entry / "bInterfaceClass") != "07" || line_of(entry / "bInterfaceProtocol") == "04") continue;
         std::error_code fault;
         const fs::path interface = fs::canonical(entry, fault), device = interface.parent_path();
@@ -86,7 +86,7 @@ std::vector<UsbPrinter> usb_printers(const std::string& root) {
 bool is_usb_choice(std::string_view choice) { return choice.empty() || is_place(choice) || are_numbers(choice); }
 
 UsbPrinter usb_printer(const std::string& choice, const std::string& root) {
-    const std::string place = choice.empty() ? "usb" : "usb:" + choice;  // a colon comes behind it
+    const std::string place = choice.empty() ? "usb" : "usb:" + choice;  // a colon follows
     std::vector<UsbPrinter> meant = usb_printers(root);
     meant.erase(std::remove_if(meant.begin(), meant.end(), [&](const UsbPrinter& printer) { return !is_meant(printer, choice); }),
                 meant.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Printers on USB as the kernel lists them, whoever drives them, and how one of them is named.
+// USB printers as listed by the kernel, with any driver, and the names by which to choose one.
 #pragma once
 
 #include <string>
@@ -22,10 +22,10 @@ struct UsbPrinter {
 /// Below `root` ("" but in tests). Nothing is opened.
 std::vector<UsbPrinter> usb_printers(const std::string& root);
 
-/// Whether that may stand behind "usb:": nothing, VID:PID, VID:PID:SERIAL or BUS-PORT.
+/// Whether that may follow "usb:": nothing, VID:PID, VID:PID:SERIAL or BUS-PORT.
 bool is_usb_choice(std::string_view choice);
 
-/// The one that is meant. Throws Error(failed): none, or several, which are then listed.
+/// The chosen printer. Throws Error(failed) if there is none, or several, which the message lists.
 UsbPrinter usb_printer(const std::string& choice, const std::string& root);
 
 }  // namespace tactics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel's driver for USB printers. What it does was measured on Linux 6.1: a write takes at most 8192 bytes; closing at once
-// after a write that did not wait loses them all, waiting for POLLOUT first loses none; while the printer takes nothing its
-// status can still be asked for.
+// The kernel's driver for USB printers. Its behaviour was measured on Linux 6.1: a write takes at most 8192 bytes; closing at
+// once after a write that did not wait loses them all, waiting for POLLOUT first loses none; while the printer accepts nothing,
+// its status can still be read.
 #include <poll.h>
 #include <sys/ioctl.h>
 

@@ -19,7 +19,7 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 using Stream = beast::websocket::stream<beast::tcp_stream>;
 using std::chrono::milliseconds;
-using Fate = std::optional<beast::error_code>;  // of what was begun; nothing while it goes on
+using Fate = std::optional<beast::error_code>;  // result of the operation; nothing while it is in progress
 
 constexpr milliseconds kFarewell{100};
 
@@ -99,7 +99,7 @@ private:
                                                         [&](beast::error_code error) { fate = error; });
         return finish(fate, time) && !*fate;
     }
-    // Until it has come out, at most that long; a message that is being read goes on beside it.
+    // Waits until it is sent, at most that long; a message being read continues at the same time.
     void run(const Fate& fate, milliseconds time) {
         const auto end = std::chrono::steady_clock::now() + time;
         io_.restart();
@@ -119,7 +119,7 @@ private:
         beast::error_code ignored;
         beast::get_lowest_layer(*stream_).socket().close(ignored);
         io_.restart();
-        io_.run();  // what was begun is told that it is over
+        io_.run();  // completes the cancelled operation
         reading_ = false;
     }
     void lose() noexcept {

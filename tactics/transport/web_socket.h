@@ -21,8 +21,9 @@ public:
     virtual State receive(std::string& text, std::chrono::milliseconds time) noexcept = 0;
 };
 
-/// To a port of this machine, by IPv4 or else by IPv6; no name is looked up, and nothing leaves the machine. `place` is for its
-/// errors. Throws Error(failed): nobody listens there, or who does is no WebSocket. Within `time` for each of the two.
+/// Connects to a port of this machine, by IPv4 or else by IPv6, without looking up names; nothing leaves the machine. `place` is
+/// for its errors. Throws Error(failed) if nothing listens there, or it is no WebSocket. Takes at most `time` for each of the
+/// two.
 std::unique_ptr<WebSocket> open_local_web_socket(unsigned short port, std::size_t most, std::chrono::milliseconds time,
                                                  const std::string& place);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models folded out beside the plain way to unfold a solid: breadth first from its largest face, and never mind what lies on
-// what.
+// Compares folded-out models with plain unfolding of a solid: breadth first from its largest face, regardless of overlaps.
 //
 //   fold_out MODEL...            a line a model, and means
 //   fold_out --effort MODEL...   CSV: rating against milliseconds as the search tries more layouts

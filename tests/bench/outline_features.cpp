@@ -60,7 +60,7 @@ std::vector<std::string> files_in(const std::string& folder) {
 
 void write(const std::vector<float>& row) { std::fwrite(row.data(), sizeof(float), row.size(), stdout); }
 
-// Of each node and person: the person's region that most of the node is in, and the share that is.
+// For each node and person: the person's region that contains most of the node, and that share.
 struct Most {
     std::uint32_t region = 0;
     double share = 0;
@@ -129,7 +129,7 @@ Image copy_of(const Image& picture, std::size_t number) {
     return enlarged(kind->apply(picture).image, picture.width, picture.height);
 }
 
-// Of each pixel the share of those who drew a main object within whose reach of its outline it is.
+// For each pixel, the share of people with a main object whose outline is within reach of it.
 std::vector<float> main_near(const Truth& truth, int width, int height) {
     Truth mains;
     for (const PixelSet& drawn : truth.drawn) {

@@ -40,7 +40,7 @@ TEST_F(HostilePdf, ItsWordsDoNotCountItsPages) {
         EXPECT_EQ(pages_of_pdf(open_source((folder / "lie.pdf").string())), 1) << key;
     }
     EXPECT_TRUE(holds(convert({"lie.pdf", "--page", "2", "-o", "a.svg"}).err, "there is no page 2, but pages 1 to 1"));
-    // As many as no file has: the tree of pages says so, and is believed by nobody.
+    // More pages than any file has: the page tree claims so and must not be believed.
     write_bytes(folder / "many.pdf",
                 pdf_of({"<< /Type /Catalog /Pages 2 0 R >>", "<< /Type /Pages /Kids [4 0 R] /Count 99999999999 >>", "<< >>",
                         "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 9 9] >>"}));

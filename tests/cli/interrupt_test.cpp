@@ -16,7 +16,7 @@ TEST(InterruptDeathTest, ReachesUsByWhicheverThread) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     EXPECT_EXIT(
         {
-            signal(SIGINT, SIG_DFL);  // whatever runs the tests may ignore it
+            signal(SIGINT, SIG_DFL);  // the caller of the tests may ignore it
             std::thread other([] { std::this_thread::sleep_for(std::chrono::seconds(30)); });
             const Interrupt interrupt([] { std::fputs("put away", stderr); });
             pthread_kill(other.native_handle(), SIGINT);

@@ -227,7 +227,7 @@ TEST_F(Pages, ScaleIsRead) {
     EXPECT_TRUE(holds(fault({"--caption", "x", "--bare"}), "--bare: the drawing alone has no caption"));
 }
 
-// Paper for hardly a cell: whatever is asked for is done, or refused with what would do.
+// Paper for hardly a cell: every request is carried out, or refused with an alternative.
 TEST_F(Pages, PaperSmallerThanACellIsTold) {
     int done = 0, refused = 0;
     for (const std::string paper : {"5x5mm", "10x10mm", "12x12mm", "20x20mm", "40x15mm"})

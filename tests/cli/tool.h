@@ -69,7 +69,7 @@ inline pid_t start(const Folder& folder, std::vector<std::string> words, const s
     posix_spawn_file_actions_addopen(&actions, 0, (streams / "in").c_str(), O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, 1, (streams / "out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addopen(&actions, 2, (streams / "err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_addclosefrom_np(&actions, 3);  // whoever runs the tests may have left more open
+    posix_spawn_file_actions_addclosefrom_np(&actions, 3);  // the caller of the tests may have left more open
     posix_spawn_file_actions_addchdir_np(&actions, folder.path().c_str());
     pid_t id = -1;
     if (posix_spawnp(&id, pointers[0], &actions, nullptr, pointers.data(), environ) != 0) id = -1;

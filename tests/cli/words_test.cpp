@@ -86,7 +86,7 @@ TEST_F(PictureWords, ThatAreSureAreSetAndOthersAreTold) {
     EXPECT_FALSE(holds(bytes_of(folder / "c.svg"), "stroke-width=\"")) << removed.err;
 }
 
-// Of many a line says that they are there, and each is told where everything is.
+// For many pictures one line summarises them; the full report names each.
 TEST_F(PictureWords, UnsureOnesAreALineToActOn) {
     std::string picture = "P5\n200 200\n255\n" + std::string(40'000, '\xff');
     for (const std::size_t left : {90u, 101u})

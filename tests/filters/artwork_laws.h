@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is true of every artwork that a filter gives, whatever it was given. Used by tests and by the fuzzer.
+// Laws for every artwork that a filter returns, for any input. Used by tests and by the fuzzer.
 #pragma once
 
 #include <string>

@@ -43,7 +43,7 @@ double mm_of(const AxisPlace& axis, double value) {
     return axis.from + (value - axis.low) / (axis.high - axis.low) * (axis.to - axis.from);
 }
 
-/// Of each line of bars, how far from 0 it reaches.
+/// For each line of bars, its distance from 0.
 std::vector<double> ends_of(const Drawing& chart, const ChartTold& told, const AxisPlace& axis) {
     std::vector<double> ends;
     for (const Stroke& stroke : chart.strokes) {

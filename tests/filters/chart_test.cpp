@@ -175,7 +175,7 @@ TEST(Chart, MarksStandWhereTheTicksSay) {
     }
 }
 
-// On the page as it is felt: from the edge of a braille dot to that of a line, a disc or the like.
+// As felt on the page: from the edge of a braille dot to that of a line, a disc or the like.
 double least_room(const Page& page) {
     double least = INFINITY;
     const auto take = [&](const std::vector<Point>& line, bool closed, double width) {

@@ -33,7 +33,7 @@ EdgeMap strong_edges(const Image& image, double blur) {
     return filtered_edges("kmeans", std::get<EdgeMap>(filtered("sobel blur=" + to_text(blur) + "mm", image)));
 }
 
-// Of 72 directions from the disc's middle, those in which there is ink on its rim; ink elsewhere counts against it.
+// The share of 72 directions from the disc's middle with ink on its rim; ink elsewhere counts against it.
 struct Found {
     std::size_t rim = 0, elsewhere = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sobel, Canny and contours: what they must say of steps, planes, noise and colour, whatever their inner working.
+// Sobel, Canny and contours: required results for steps, planes, noise and colour, regardless of their implementation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -111,7 +111,8 @@ TEST(Contours, AreEmptyOnFlatAndNoisyAndSlantedPictures) {
     EXPECT_GE(ink(edges_of(noisy(make_image(160, 120, 1, kMm, 128), 10, 3), "sobel thin=yes")), 0.1);
 }
 
-// Where all is grain nothing is drawn, however it was stored; where anything stands out, in the last corner, all is looked at.
+// A picture of grain alone draws nothing, however it was stored; if anything stands out, even in the last corner, the whole
+// picture is processed.
 TEST(Contours, OfABlankWallAreNoneAndASmallThingIsFound) {
     for (const int height : {300, 333, 366, 399})
         for (const int place : {0, height / 2, height - 18}) {

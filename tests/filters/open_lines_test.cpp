@@ -163,7 +163,7 @@ TEST(Outlines, AMastOnAHullIsALineAttachedToIt) {
     }
 }
 
-// Of two ships one is pointed at.
+// A person points at one of two ships.
 TEST(Outlines, TheMastOfASubjectStaysWithIt) {
     SKIP_WITHOUT_WEIGHTS();
     const auto hull = [](int x, int y) { return y > 200 && y < 270 && x > (y - 200) / 2 && x < 160 - (y - 200) / 2; };

@@ -24,7 +24,7 @@ TEST(OutlineChoice, KeepsToItsBudget) {
     for (const double most : {0.0, all / 4, all / 2}) EXPECT_LE(length_of(tree, best_parts(tree, chances, 0.1, most)), most);
 }
 
-// A subject that a person points out is drawn whole, whatever the sheet has room for.
+// A subject named by a person is drawn whole, regardless of the room on the sheet.
 TEST(OutlineChoice, WhatIsDrawnAlreadyStaysWhereNoLineIsLeft) {
     const RegionTree tree = leaves();
     Parts drawn{std::vector<std::uint32_t>(tree.faces(), 0)};

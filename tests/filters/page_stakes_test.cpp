@@ -96,8 +96,8 @@ TEST(PageStakes, TheMainThingGoesBeforeAnotherThatIsAsLikely) {
     EXPECT_EQ(drawn_at(tree, parts, 350), 0);
 }
 
-// Of pages with as much line as A4 has, none that one price leads to is better by much; chances from what was fitted. (Who wants
-// much more than is usual may get less than the best: there the slope leads to the nearest hill.)
+// Among pages with as much line as A4 has, none for another price is much better; with fitted probabilities. (A request for much
+// more line than usual may get less than the best: there the slope leads to the nearest maximum.)
 TEST(PageStakes, LeadToAboutTheBestPage) {
     for (Image image : {pictures::leaves(), two_shades()}) {
         image.mm_per_pixel = 0.5;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a message of an Inverse Service: passed over, or a place that an arm can be at; and what is answered is a message
-// again.
+// Any bytes as a message of an Inverse Service are ignored, or give a possible position of an arm; the answer is again a message.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

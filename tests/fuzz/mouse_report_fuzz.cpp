@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a report of a haptic mouse, as they are and with their check put right: what is read is written and read again as
-// the same.
+// Any bytes as a report of a haptic mouse, unchanged and with a corrected checksum: a parsed report is the same after writing and
+// reading.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

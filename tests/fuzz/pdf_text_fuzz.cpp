@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pdftocairo and pdftotext may write of a page, parted by a line of equal signs: an SVG with words, or one line of what is
-// wrong.
+// Possible outputs of pdftocairo and pdftotext for a page, separated by a line of equal signs: an SVG with words, or one line
+// with an error.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

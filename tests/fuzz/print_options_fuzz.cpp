@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any options of a print job, the first line, on a queue of any PPD file, the rest (ours if there is none): whatever they say, a
-// job takes what came with the program and with liblouis, and no file.
+// Any options of a print job, the first line, on a queue of any PPD file, the rest (ours if there is none): in every case, a job
+// uses only parts of the program and of liblouis, and no file.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

@@ -113,7 +113,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     require(rows.has_value());
-    // To its end in so many steps of different length, and beyond it.
+    // To its end in that many steps of different length, and beyond it.
     constexpr int kSteps = 50;
     const double whole = rows->back().time - rows->front().time;
     double time = 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Golden images: what a result looked like when a person last looked at it and found it right.
+// Golden images: results that a person has examined and found right.
 //
 // expect_golden("filters/sobel", picture) compares with tests/golden/filters/sobel.png. When it differs, the build folder
 // gets golden-failures/filters/sobel.png: expected, difference and actual side by side. TACTICS_REGENERATE=1 in the
-// environment writes the golden instead, and the test still fails that once, so that nobody regenerates without a look.
+// environment writes the golden instead, and the test still fails that time, so that nobody regenerates without looking.
 #pragma once
 
 #include <string>

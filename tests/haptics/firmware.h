@@ -50,7 +50,7 @@ inline std::optional<ForceWord> force_word(std::span<const unsigned char> bytes)
 
 class Firmware {
 public:
-    /// While it is played on the hand moves it, so many counts a second to the right, and back after `turns_at` counts.
+    /// During a play the hand moves it to the right by that many counts per second, and back after `turns_at` counts.
     Firmware(double speed, double turns_at) : speed_(speed), turns_at_(turns_at) {}
     bool stop_key = false, too_hot = false;
 
@@ -82,7 +82,7 @@ public:
     }
     static void seal(Report& bytes) { put(bytes, 62, 2, sum_of(std::span(bytes).first(62))); }
 
-    /// false: not whole, and passed over.
+    /// false: damaged, and ignored.
     bool obey(std::span<const unsigned char> bytes) {
         const auto word = force_word(bytes);
         if (!word) return false;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the finger is: laws of dead reckoning, the paper's method as it is, what the learning one must reach, and input that
-// lies.
+// The finger's position: laws of dead reckoning, the paper's method, the required accuracy of the learning one, and false input.
 #include "tactics/haptics/sensing/fusion.h"
 
 #include <gtest/gtest.h>

@@ -42,7 +42,7 @@ struct Led {
         return felt_lines(plot, frame(), kResolution);
     }
     std::optional<LeadGoal> lead(LeadTo where) { return guidance.lead(where, finger, near.at(finger)); }
-    // Until it is let go, with a finger that gives way by so many mm/s for a newton and is held by friction. Gives how it ended.
+    // Until release, with a finger that yields by that many mm/s per newton and is held by friction. Returns how it ended.
     std::optional<LeadEnd> go(double gives = 200, double friction = 0.1, int ticks = 60'000) {
         Point3 velocity;
         for (int i = 0; i < ticks; ++i) {

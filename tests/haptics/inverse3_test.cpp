@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An Inverse3 by a service that does well, and by ones that do not: whatever is said, the force is bounded and nobody hangs.
+// An Inverse3 through a correct service and through faulty ones: for any message, the force is bounded and nothing hangs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

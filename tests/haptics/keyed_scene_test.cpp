@@ -98,7 +98,7 @@ TEST(PlotKeys, EachIsNamedOnceAndDoesOneThing) {
     EXPECT_GE(plot_keys().size(), kNumberedKeys);
 }
 
-// With the two keys that all have: whatever else can be done is chosen by the second and done by the first, or is letting go.
+// With the two keys of every device: the second chooses any other action and the first carries it out, or releases the finger.
 TEST(PlotKeys, TwoReachAll) {
     const std::set<PlotAction> chosen(chosen_actions().begin(), chosen_actions().end());
     EXPECT_EQ(chosen.size(), chosen_actions().size());

@@ -3,12 +3,12 @@
 //     umockdev-wrapper mouse_mock
 //     FILE[,silent=N][,short=N][,magic=N][,sum=N][,random=N][,until=N][,stop=N][,fault=N][,gone=N][,back=MS]
 //                                 [,interrupt=N][,mute][,keyboard][,second] PROGRAM...
-// It has a word for each force that it was written, so that nothing hangs on how quick the machine is. From the word N on (to the
+// It sends a report for each force it receives, so that nothing depends on the speed of the machine. From the word N on (to the
 // word `until`) it is silent, or its words are short, of another kind, with a wrong sum, or of random bytes; it says that the
 // stop key is down, or fault; at the word N it is gone, for ever or until so many ms later, when it is /dev/hidraw1. Where it is
 // interrupted the program gets SIGINT, and when it is gone for ever, a while later. A mute mouse says nothing and a keyboard is
-// no mouse; these interrupt after 6 s. FILE gets a line for each force that is written: how many good words the program has
-// had, of how many, and the report in hexadecimal.
+// no mouse; these interrupt after 6 s. FILE gets a line for each force that is written: how many good words the program has had,
+// of how many, and the report in hexadecimal.
 #include <linux/hidraw.h>
 #include <sched.h>
 #include <signal.h>
@@ -65,7 +65,7 @@ gboolean interrupt(gpointer told) {
 }
 
 gboolean asked(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, gpointer /*mouse*/) {
-    // Who plays goes before all others, if that is permitted; so does who is played on.
+    // The player runs with real-time priority, if permitted; so does the mouse.
     sched_param first{};
     first.sched_priority = 50;
     sched_setscheduler(0, SCHED_FIFO, &first);
@@ -77,8 +77,7 @@ gboolean come_back(gpointer told);
 
 std::string device_of(const Mouse& mouse) { return "/dev/hidraw" + std::to_string(mouse.number); }
 
-// What umockdev calls by that name is one end of a terminal. With a line in it, that nobody ever takes out, poll() finds it
-// readable.
+// The device of that name in umockdev is one end of a terminal. With an unread line in it, poll() finds it readable.
 bool make_readable(const Mouse& mouse) {
     const int other_end = umockdev_testbed_get_dev_fd(mouse.testbed, device_of(mouse).c_str());
     return other_end >= 0 && write(other_end, "\n", 1) == 1;

@@ -21,7 +21,7 @@ public:
     std::function<State(double time)> says = [](double) { return State::fine; };
     std::function<bool(double time, std::string& why)> opens = [](double, std::string&) { return true; };
     std::vector<double> forces, times;
-    int let_go_at = -1;  // after so many forces
+    int let_go_at = -1;  // after this many forces
 
     State read(HapticSample& sample, double) noexcept override {
         const State state = says(clock_.now());

@@ -57,8 +57,8 @@ TEST(Playing, LiftsTheFingerOverATerrain) {
         }
 }
 
-// The hand brakes with 2.5 m/s2 and stops so many mm before a block of 40 mm. The mouse tells places only: how fast the hand is,
-// the play must find out.
+// The hand brakes with 2.5 m/s2 and stops that many mm before a block of 40 mm. The mouse reports only positions, so the play
+// must estimate the speed of the hand.
 double bump_before_a_block(double speed, double before) {
     constexpr double kPitch = 0.1, kFloor = 8, kTop = 48, kEdge = 30, kRun = 8, kBraking = 2500, kRest = 0.8, kTick = 0.0005;
     HeightMap map{600, 4, kPitch, {}};

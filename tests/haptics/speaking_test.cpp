@@ -97,7 +97,7 @@ TEST(Speaking, TheNewestOvertakes) {
 TEST(Speaking, EndsAlthoughTheVoiceHangs) {
     const auto heard = std::make_shared<Heard>();
     heard->hangs = true;
-    heard->trouble = "";  // else whoever is quicker tells the first
+    heard->trouble = "";  // otherwise the order would depend on timing
     {
         Speaking speaking(std::make_unique<Listener>(heard, false), &number_words);
         speaking.ask({.x = 0});

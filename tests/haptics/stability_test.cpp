@@ -108,7 +108,7 @@ TEST(Stability, TheNearestIsStableAndSoSaid) {
     EXPECT_FALSE(check_stable({1, -1}, {}, all).stable);
 }
 
-// A surface that nobody touches any more, and a motor without the friction that was assumed.
+// A surface that is no longer touched, and a motor without the assumed friction.
 TEST(Stability, WhatIsOfferedComesToRestWithoutFingerAndFriction) {
     const std::vector<FingerSettings> all = {kFingers[0].finger, kFingers[1].finger, kFingers[2].finger};
     LeverSettings lever = lever_of(100, 0.0015);

@@ -55,7 +55,7 @@ std::unique_ptr<Overlay> overlay_of(std::deque<Seen>& frames, TouchAxis x, Touch
 // One unit a mm from (0, 0).
 constexpr TouchAxis kWide{0, 1000, 1}, kHigh{0, 500, 1};
 
-// What is told of each frame by itself; an empty place is (-1, -1).
+// The report of each single frame; an empty place is (-1, -1).
 std::vector<Point> places_of(const std::vector<Seen>& all) {
     std::deque<Seen> frames;
     const auto overlay = overlay_of(frames, kWide, kHigh, {});

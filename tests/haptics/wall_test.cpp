@@ -32,7 +32,7 @@ TEST(Walls, AreKnownByName) {
     EXPECT_FALSE(wall_method("brick"));
 }
 
-// What its reference does, an ideal lever does with the forces that it names: none is beyond the motor.
+// An ideal lever follows its reference with the given forces, none of which exceeds the motor.
 TEST(Governor, AsksForNothingThatTheMotorCannotDo) {
     for (const NamedLever& lever : kLevers)
         for (const NamedFinger& finger : kFingers) {

@@ -31,8 +31,8 @@ const Values kFine{{"dpi", std::to_string(kDpi)}};
 
 Pixels by_libpng(const Page& page) { return parse_png(encode(page, "png", kFine)); }
 
-// Poppler sets pictures down on whole device pixels, up to one off on either side. Librsvg smooths them whatever is asked,
-// which moves corners by up to half a pixel of the picture; those here are 6 device pixels large.
+// Poppler sets pictures down on whole device pixels, up to one off on either side. Librsvg always smooths them, which moves
+// corners by up to half a pixel of the picture; pixels here are 6 device pixels large.
 const std::vector<Road> kRoads{
     {"PdfByPoppler", "pdftoppm", 2, false,
      [](const FileFolder& f, const Page& p) { return by_poppler(f, encode(p, "pdf"), kDpi); }},

@@ -84,7 +84,7 @@ TEST(GoldenBytes, AreTheOthersByteForByte) {
         }
 }
 
-// Of the signs that stand for cells, all but five; its { would begin a command.
+// All characters for cells except five, because its { would begin a command.
 TEST(GoldenBytes, MountbattenIsThatOfDotifyButForFiveSigns) {
     constexpr std::string_view kBegin = "{man}{bc 1}{lm 0}{rm 0}{tm 0}", kTheirs = "`{|}~", kOurs = "@[\\]^";
     for (const std::string_view page : kPages) {

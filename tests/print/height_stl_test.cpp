@@ -26,7 +26,7 @@ std::string stl_of(const HeightMap& map, double low, double high, double base) {
     return height_stl(sheet_of(map, low, high), rows_of(map), base, "--pitch");
 }
 
-// Those of the issue: steps, a smooth hill, and noise, the hardest for whoever leaves corners out.
+// Steps, a smooth hill, and noise, the hardest case for leaving out corners.
 std::vector<HeightMap> samples() {
     std::mt19937 chance(6);
     return {map_of(40, 30, 0.5, [](int x, int y) { return (x / 8 + y / 10) % 2 == 0 ? 0 : 3; }),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Documents of several pages, read by programs that are not ours: as many pages as were given, each as it is alone.
+// Documents of several pages, read by independent programs: the right number of pages, each the same as alone.
 #include "tactics/layout/lay_out.h"
 #include "tests/print/brf_reader.h"
 #include "tests/print/hard_pages.h"

@@ -87,7 +87,7 @@ TEST(WordsInFiles, TagsDrawNothing) {
     }
 }
 
-// Tags cost the same whatever is drawn.
+// Tags cost the same for any drawing.
 TEST(WordsInFiles, TheNumberOfTagsDoesNotGrowWithTheDrawing) {
     NEED_TOOL("qpdf");
     const FileFolder folder;

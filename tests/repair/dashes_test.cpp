@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dashed lines as they are cut when all else is mended.
+// Dashed lines, which are cut after everything else is mended.
 #include <gtest/gtest.h>
 
 #include <algorithm>

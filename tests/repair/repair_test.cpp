@@ -184,7 +184,7 @@ TEST(Repair, AreasTooCloseBecomeOutlinesAndSmallOnesGo) {
     EXPECT_FALSE(repaired.drawing.strokes.empty());
 }
 
-// A texture lies along its outline; only what is near that is in the way, and the pattern gives way by itself.
+// A texture lies along its outline; only things near the outline conflict, and the pattern yields on its own.
 TEST(Repair, TexturesStayInTheirOutlines) {
     Drawing drawing = blank();
     const std::vector<Point> ring{{20, 20}, {120, 20}, {120, 120}, {20, 120}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of a key, whatever the order in which a file has them.
+// Words of a key, in any order in the file.
 #include <gtest/gtest.h>
 
 #include "tactics/layout/key.h"

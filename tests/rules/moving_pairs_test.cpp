@@ -54,7 +54,7 @@ TEST(MovingPairs, AreThoseOfThePageWhereNothingMoves) {
     EXPECT_GT(found, 1000u);
 }
 
-// Lines that do not meet, so that no bend can become a gap: the moved page, looked at anew, has the same pairs.
+// Lines that do not meet, so that no bend can become a gap: a new examination of the moved page gives the same pairs.
 TEST(MovingPairs, AreThoseOfTheMovedPage) {
     std::size_t found = 0, fresh = 0;
     for (unsigned seed = 1; seed <= 10; ++seed) {

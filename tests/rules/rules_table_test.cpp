@@ -67,7 +67,7 @@ TEST(RulesTable, HasARowForEveryRule) {
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), rules().size() + 2);
     EXPECT_NE(text.find("| gap |"), std::string::npos);
     EXPECT_NE(text.find("at least 3.2 mm; thermoform 4 mm, embosser 2.5 mm"), std::string::npos) << text;
-    // No bar of ours is taken for one of the table's.
+    // No bar in our text must be taken for a column border.
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '|')), (rules().size() + 2) * 9);
 
     const char* folder = std::getenv("TACTICS_RULES_TABLE");

@@ -164,7 +164,7 @@ TEST(Ink, BeyondALimitIsWhatIsMeasuredBeyondIt) {
     EXPECT_GT(within, 20);
 }
 
-// Few of the areas beside a place are looked at; which it lies in is what looking at all of them says.
+// Few of the areas beside a place are examined; the result equals that of examining all.
 TEST(BlackArea, IsWhatAskingEachAreaSays) {
     Dice chance(4);
     Page page = blank_page(200, 200);

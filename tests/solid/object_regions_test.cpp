@@ -91,7 +91,7 @@ TEST(ObjectRegions, WhatWasDoneIsSaidAndCounted) {
     for (const Region& region : made.drawing.regions)
         for (const auto& [what, count] : region.counts) {
             EXPECT_GT(count, 0);
-            // Clang 14 takes no structured binding into a lambda as it is.
+            // Clang 14 cannot capture structured bindings in lambdas.
             const auto one = std::find_if(made.objects.begin(), made.objects.end(),
                                           [&, what = what, count = count](const FoldedObject& object) {
                                               return object.path == region.path && what == "folded" && object.folded == count;

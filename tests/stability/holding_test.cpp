@@ -133,7 +133,7 @@ TEST(Stability, StrengthsCutWithoutAFloorDrawTheNoiseOfAnEmptyPicture) {
     Image image = known("flat, noise").image;
     image.mm_per_pixel = kPage / image.width;
     EdgeMap edges = std::get<EdgeMap>(run(recipe_of("sobel\n"), std::move(image)));
-    edges.noise = 0;  // nobody measured it, so the floor is only that of ramps
+    edges.noise = 0;  // not measured, so the floor is only that of ramps
     edges.thinned = true;
     const Step cut = parse_step("kmeans k=4 keep=2 floor=0", "test", filters());
     const auto kept = std::get<EdgeMap>(cut.filter->apply(std::move(edges), cut.settings));

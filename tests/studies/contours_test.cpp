@@ -51,12 +51,12 @@ std::string without_times(const std::string& json) {
 }
 
 TEST_F(Evaluate, GivesTheScoresThatAreKnown) {
-    // Of 600 line pixels 450 are right, of 750 people's pixels 450 are found.
+    // 450 of 600 line pixels are right, and 450 of 750 people's pixels are found.
     const Ending table = evaluate(kCut);
     EXPECT_EQ(table.code, 0) << table.err;
     EXPECT_TRUE(table.out.starts_with("recipe ")) << table.out;
     EXPECT_TRUE(holds(table.out, "threshold method=fixed  0.667  0.750  0.600  0.667 ")) << table.out;
-    // Of picture a the two people agree in nothing; of b there is nobody to compare with.
+    // For picture a the two people agree in nothing; for b there is no second person.
     EXPECT_TRUE(holds(table.out, "\npeople                  0.000  0.000  0.000 ")) << table.out;
     EXPECT_TRUE(holds(table.err, "2 pictures with 3 contour maps")) << table.err;
     EXPECT_EQ(evaluate(cut_and({"--quiet"})).err, "");

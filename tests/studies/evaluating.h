@@ -33,8 +33,8 @@ inline Words cut_and(Words words) {
     return words;
 }
 
-/// A dark rectangle on a ground, of which so many people drew the outline; as the benchmark has it, on the pixels that differ
-/// from the next to the right or below.
+/// A dark rectangle on a background, whose outline that many people drew, as in the benchmark: on the pixels that differ from the
+/// next to the right or below.
 class OutlinedRectangle {
 public:
     static constexpr int kWidth = 400, kHeight = 300, kLeft = 100, kTop = 80, kRight = 300, kBottom = 220;

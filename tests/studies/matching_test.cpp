@@ -92,8 +92,8 @@ TEST_F(EvaluateMatching, PicturesAreCutToTheirMiddleSquare) {
 TEST_F(EvaluateMatching, RecallStandsBesideIfThereAreContourMaps) {
     EXPECT_FALSE(holds(study({"-r", "sobel", "--json"}).out, "recall"));
     fs::create_directories(folder / "set/gt");
-    // In the middle of a wide picture somebody saw where the black square ends, and a line that nobody draws. What was seen at
-    // its left and right is not on the sheet.
+    // In the middle of a wide picture a person drew the border of the black square, and a line that no recipe draws. Lines at its
+    // left and right are not on the sheet.
     write_bytes(folder / "set/a.png", png(300, 200, [](int x, int y) { return x >= 55 && x < 145 && y >= 5 && y < 95; }));
     write_bytes(folder / "set/gt/a_gt1.png", png(300, 200, [](int x, int y) {
                     const bool seen = (x == 145 && y >= 5 && y < 95) || (y == 150 && x >= 50 && x < 250) || x < 20 || x > 290;

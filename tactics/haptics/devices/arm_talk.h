@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between the ticks of a loop and who talks with an arm, which may take its time: the last word and the last wish, and neither
-// side waits for the other.
+// The link between the ticks of a loop and the thread that talks to an arm, which may be slow: it holds the last report and the
+// last requested force, and neither side waits for the other.
 #pragma once
 
 #include <atomic>
@@ -11,26 +11,25 @@
 
 namespace tactics {
 
-/// What an arm tells, in the axes that arm_devices.h says.
+/// The report of an arm, in the axes of arm_devices.h.
 struct ArmWord {
     Point3 place;        ///< mm
     unsigned keys = 0;   ///< that are down: bit 0 the first
-    bool fault = false;  ///< it gives no force, or says that it is not fit to
+    bool fault = false;  ///< it applies no force, or reports that it cannot
 };
 
 class ArmTalk {
 public:
-    // Of the ticks.
+    // For the ticks.
     HapticDevice::State read(HapticSample& sample) noexcept;
     /// N; false: gone.
     bool push(const Point3& force) noexcept;
-    /// From now on there is no force; waits until the arm has been told so, 0.1 s at most.
+    /// From now on the force is zero; waits until the arm has received this, 0.1 s at most.
     void let_go() noexcept;
 
-    // Of who talks with the arm.
+    // For the thread that talks to the arm.
     void tell(const ArmWord& word) noexcept;
-    /// The force that is wished for now: finite, 8 N at most, and none where the wish is older than 10 ms or the arm is let go
-    /// of.
+    /// The force requested now: finite, 8 N at most, and zero if the request is older than 10 ms or the arm was released.
     Point3 force() noexcept;
     bool lets_go() const noexcept { return let_go_.load(); }
     void has_let_go() noexcept { lies_ = true; }
@@ -40,8 +39,8 @@ public:
 private:
     struct Told {
         ArmWord word;
-        double time = 0;      // s, when it came in
-        unsigned number = 0;  // of words since it was opened, from 1
+        double time = 0;      // s, time of arrival
+        unsigned number = 0;  // number of the report since opening, from 1
     };
     struct Wish {
         Point3 force;
@@ -55,7 +54,7 @@ private:
     std::atomic<bool> let_go_{false}, lies_{false}, gone_{false};
 };
 
-/// An arm by such talk. What is opened and closed is its own.
+/// An arm with such a link. Derived classes open and close the device.
 class TalkedArm : public HapticDevice {
 public:
     State read(HapticSample& sample, double) noexcept override { return talk_ ? talk_->read(sample) : State::gone; }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arms of Force Dimension (delta, omega, sigma, lambda) and the Novint Falcon, by the maker's own library where the user has it.
-// Its functions are declared here from its public documentation (Force Dimension, "DHD - Haptic SDK Documentation" 3.17: Standard
-// SDK; the same names and arguments since 3.2). Its axes: x towards the user, y to the right, z up, in m; it takes N. Functions
-// answer below zero where they fail; dhdSetForce answers 2 where a motor is at its limit, which is none. Nobody has tried this on
-// a real device yet.
+// Arms of Force Dimension (delta, omega, sigma, lambda) and the Novint Falcon, through the maker's own library, if the user has
+// it. Its functions are declared here from its public documentation (Force Dimension, "DHD - Haptic SDK Documentation" 3.17:
+// Standard SDK; the same names and arguments since 3.2). Its axes: x towards the user, y to the right, z up, in m; it takes N.
+// Functions return a negative value on failure; dhdSetForce returns 2 if a motor is at its limit, which is no failure. This has
+// not been tried on a real device yet.
 #include <chrono>
 #include <thread>
 
@@ -47,7 +47,7 @@ Dhd dhd_of(const std::string& path) {
     return dhd;
 }
 
-// A thread of its own, as each call waits for the USB.
+// A separate thread, because each call waits for the USB.
 class DhdTurns {
 public:
     DhdTurns(const Dhd& dhd, char id, ArmTalk& talk) : dhd_(dhd), id_(id), talk_(talk), thread_([this] { run(); }) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A haptic device: a mouse, whose lever lifts one finger, on something that is moved over a table; or an arm, which pushes a
-// fingertip or a stylus in space. And what it tells, tick by tick.
+// A haptic device and its samples, tick by tick: a mouse, moved over a table, whose lever lifts one finger; or an arm, which
+// pushes a fingertip or a stylus in space.
 #pragma once
 
 #include "tactics/haptics/sensing/fusion.h"
@@ -9,33 +9,33 @@
 namespace tactics {
 
 struct HapticSample {
-    double height = 0;  ///< of the fingertip, mm; of a mouse by its encoder
-    OpticalStep moved;  ///< since the sample before
+    double height = 0;  ///< of the fingertip, mm; for a mouse, by its encoder
+    OpticalStep moved;  ///< since the previous sample
     bool has_overlay = false;
     OverlaySample overlay;     ///< if it has one
-    bool knows_place = false;  ///< it needs no fusion: `place` is where the finger is
-    Point place = kNoPlace;    ///< mm; where the finger is, which a mouse knows only if it is simulated
-    double place_time = 0;     ///< s, CLOCK_MONOTONIC, when that and the height came in, where somebody else told them; or 0
+    bool knows_place = false;  ///< it needs no fusion: `place` is the finger's position
+    Point place = kNoPlace;    ///< mm; the finger's position, known only to arms and simulated mice
+    double place_time = 0;     ///< s, CLOCK_MONOTONIC, arrival of place and height if another thread reported them; or 0
     unsigned words = 0,
              lost = 0;  ///< reports of the mouse since the sample before; and that never came, by their numbers (of 256)
     bool stop_key = false;
     unsigned keys = 0;   ///< that are down: bit 0 the first, as its maker counts them
-    bool fault = false;  ///< its motor is off by itself: too hot, or it had no word for too long
+    bool fault = false;  ///< it switched its motor off: too hot, or without a command for too long
 };
 
 class HapticDevice {
 public:
     enum class State { fine, nothing, over, gone };
     virtual ~HapticDevice() = default;
-    /// What it measured up to now; nothing: no word since the last. `dt` has passed since the last call.
+    /// Its measurements up to now; nothing: no report since the last. `dt` has passed since the last call.
     virtual State read(HapticSample& sample, double dt) noexcept = 0;
-    /// N; a mouse gives what goes upwards. false: gone.
+    /// N; a mouse applies the upward part. false: gone.
     virtual bool push(const Point3& force) noexcept = 0;
-    /// All has been played: its motor may be switched off.
+    /// The play is over: its motor may be switched off.
     virtual void let_go() noexcept {}
-    /// After it was gone: whether it is there again; if it is, and may not be used, `why`. May take a moment.
+    /// After it was gone: whether it is back; `why` if it is back but may not be used. May take a moment.
     virtual bool reopen(std::string& /*why*/) { return false; }
-    /// Whether it moves by the clock on the wall; the others are as quick as the processor.
+    /// Whether it runs in real time; others run as fast as the processor allows.
     virtual bool is_real() const { return false; }
 };
 

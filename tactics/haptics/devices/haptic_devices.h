@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The haptic mice and touch overlays that are there, beside the printers and displays of transport/devices.h.
+// Lists the attached haptic mice and touch overlays; transport/devices.h lists printers and displays.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace tactics {
 
-/// Mice (hid:/dev/hidraw0), then overlays (/dev/input/event5), as the kernel lists them below `root` ("" but in tests), with what
-/// to write for each. Nothing is opened or sent.
+/// Mice (hid:/dev/hidraw0), then overlays (/dev/input/event5), as the kernel lists them below `root` ("" except in tests), with
+/// the option to use for each. Nothing is opened or sent.
 std::vector<AttachedDevice> haptic_devices(const std::string& root);
 
 }  // namespace tactics

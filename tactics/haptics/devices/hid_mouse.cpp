@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kMostQueued = 256;  // reports taken in one tick; the kernel keeps 64
 
-// Where it is: `wished`, a path or a link to it; or the only mouse; of several, where it was `before`. Plugged in again it may
-// have another number, and its old one may be a keyboard by now. Empty: it is not there. Throws Error(failed).
+// The path of the mouse: `wished`, a path or a link; or the only mouse; of several, the one that was `before`. After replugging,
+// it may have another number, and its old one may be a keyboard. Empty: there is no mouse. Throws Error(failed).
 std::string path_of(const std::string& wished, const std::string& before) {
     const std::vector<std::string> paths = hid_paths(kMouseUsagePage, kMouseUsage, "");
     const auto has = [&](const std::string& path) { return std::find(paths.begin(), paths.end(), path) != paths.end(); };
@@ -26,7 +26,7 @@ std::string path_of(const std::string& wished, const std::string& before) {
         if (has(wished)) return wished;
         std::error_code fault;
         if (!std::filesystem::exists(wished, fault)) return "";
-        // A rule of udev can give it a name of its own, which is a link beside it.
+        // A udev rule can give it another name, which is a link.
         const std::string target = "/dev/" + std::filesystem::read_symlink(wished, fault).filename().string();
         if (has(target)) return target;
         throw Error(Fault::failed, wished, "it is no haptic mouse; hid: finds the one that is there; see tactics help play");
@@ -108,7 +108,7 @@ private:
         sample.moved.first.y += mm(report.first_y);
         sample.moved.second.x += mm(report.second_x);
         sample.moved.second.y += mm(report.second_y);
-        // By CLOCK_MONOTONIC, which is what an overlay tells, too.
+        // By CLOCK_MONOTONIC, as for an overlay.
         const double arrival = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
         sample.moved.time = clock_.time(report.microseconds, arrival);
         if (heard_) sample.lost += static_cast<std::uint8_t>(report.number - last_ - 1);

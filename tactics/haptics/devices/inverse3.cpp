@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 constexpr microseconds kPace{500};      // between two messages: twice as often as a loop asks, and no core is worn out
 constexpr milliseconds kOpens{1000};    // until the service has answered at all
 constexpr milliseconds kAnswers{500};   // until it is taken to be gone
-constexpr milliseconds kDoubted{20};    // without an answer: it is told once more that there is no force
+constexpr milliseconds kDoubted{20};    // without an answer: zero force is sent once more
 constexpr milliseconds kPiece{5};       // of a wait, to see whether somebody ends it
 constexpr milliseconds kFarewell{100};  // until it has answered that there is no force any more
 constexpr int kMostUnasked = 64;        // messages of a turn
@@ -78,7 +78,7 @@ private:
             }
             if (silent > (ended_ ? kFarewell : kAnswers)) talk_.lose();
         }
-        // Who answers more than it is asked would be heard later and later.
+        // A service that answers more often than asked would be read later and later.
         for (int i = 0; i < kMostUnasked && hear(milliseconds{0}); ++i) {
         }
     }
@@ -167,7 +167,7 @@ public:
             open();
             return true;
         } catch (const Error& error) {
-            // What is not there is waited for; who would have to choose is told.
+            // Waits for a missing device; reports if the user has to choose.
             if (several_) why = error.what();
             return false;
         }
@@ -205,7 +205,7 @@ private:
 
     Place place_;
     bool several_ = false;
-    std::unique_ptr<Exchange> exchange_;  // behind the talk, which it needs
+    std::unique_ptr<Exchange> exchange_;  // after the talk, which it needs
 };
 
 std::unique_ptr<HapticDevice> open_inverse3(const DeviceWish& wish) { return inverse3_arm(wish.where); }

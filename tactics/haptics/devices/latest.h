@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one thread told last, for another: neither waits for the other, and nothing is torn.
+// The latest value from one thread for another: neither waits, and values are never torn.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace tactics {
 
-/// Three places: one is written, one is read, and one lies between them. For one thread that tells and one that asks.
+/// Three slots: one for writing, one for reading, and one between them. For one writing and one reading thread.
 template <typename T>
 class Latest {
 public:
@@ -15,7 +15,7 @@ public:
         places_[written_] = value;
         written_ = between_.exchange(written_ | kFresh, std::memory_order_acq_rel) & kPlace;
     }
-    /// false: nothing new, and `value` is left as it is.
+    /// false: nothing new, and `value` is unchanged.
     bool ask(T& value) noexcept {
         if ((between_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
         read_ = between_.exchange(read_, std::memory_order_acq_rel) & kPlace;

@@ -33,7 +33,7 @@ public:
 private:
     std::unique_ptr<HapticDevice> device_;
     Mounting mounting_;
-    Point told_;  // what the device said last, which stands where it says nothing
+    Point told_;  // the device's last report, used while it is silent
     double height_ = 0;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a scene is in the workspace of an arm: the paper's plot wall, "defined by the plane equation Ax + By + Cz + D = 0".
+// The position of a scene in the workspace of an arm: the paper's plot wall, "defined by the plane equation Ax + By + Cz + D =
+// 0".
 #pragma once
 
 #include <memory>
@@ -14,16 +15,15 @@ namespace tactics {
 struct ScenePlane {
     double a = 0, b = 0, c = 1, d = 0;
 };
-inline constexpr ScenePlane kUpright{0, 0, 1, 0};  ///< a wall before the person
+inline constexpr ScenePlane kUpright{0, 0, 1, 0};  ///< a wall in front of the person
 inline constexpr ScenePlane kFlat{0, 1, 0, 0};     ///< a table
 
-/// Of the workspace of a device, mm, its origin in the middle.
+/// Size of a device's workspace, mm; its origin is in the middle.
 struct Workspace {
     double width = 0, height = 0, depth = 0;
 };
 
-/// The axes of a scene (x to the right, y downwards, z towards the finger) in those of a device, of length 1, and where its
-/// origin is.
+/// The axes of a scene (x to the right, y downwards, z towards the finger) as unit vectors in those of a device, and its origin.
 struct Mounting {
     Point3 right{1, 0, 0}, down{0, -1, 0}, out{0, 0, 1};
     Point3 origin;
@@ -36,11 +36,11 @@ struct Mounting {
     Point3 turned(const Point3& scene) const noexcept { return scene.x * right + scene.y * down + scene.z * out; }
 };
 
-/// The largest field of a scene of that shape (width over height) in a plane, its middle at the place of the plane that is
-/// nearest to the middle of the workspace, with `margin` mm between it and the sides.
+/// The largest field of a scene of that shape (width over height) in a plane, centred on the point of the plane nearest to the
+/// middle of the workspace, with `margin` mm to the sides.
 struct MountedField {
     Mounting mounting;             ///< its origin is the upper left corner of the field
-    double width = 0, height = 0;  ///< mm; 0 where the plane passes beside the workspace
+    double width = 0, height = 0;  ///< mm; 0 if the plane misses the workspace
 };
 MountedField mount(const ScenePlane& plane, const Workspace& workspace, double aspect, double margin);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reports of a haptic mouse that anyone can build: 64 bytes to the computer and 64 from it, without ids, a thousand times a
 // second (USB full speed, one interrupt endpoint each way, interval 1). Little-endian. The report descriptor begins with usage
-// page FF54h, usage 01h, by which the mouse is known; its vendor and product numbers do not matter. What is in them stands in
-// kMouseFields and kForceFields. Of the sensors x goes to the right and y towards the hand, as on maps.
+// page FF54h, usage 01h, which identify the mouse; its vendor and product numbers do not matter. kMouseFields and kForceFields
+// list the contents. Sensor x points to the right and y towards the hand, as on maps.
 //
-// CRC-16: polynomial 1021h, begins with FFFFh, nothing turned round (CRC-16/CCITT-FALSE). A mouse must ignore reports that are
-// not whole; when the time of the last has passed it takes its force to zero within 2 ms by itself and says fault. `tactics help
-// mouse` tells all this.
+// CRC-16: polynomial 1021h, initial value FFFFh, no reflection (CRC-16/CCITT-FALSE). A mouse must ignore damaged reports; when
+// the time of the last good one has passed, it takes its force to zero within 2 ms on its own and reports a fault. `tactics help
+// mouse` describes all this.
 #pragma once
 
 #include <array>
@@ -21,15 +21,15 @@ namespace tactics {
 inline constexpr std::uint16_t kMouseUsagePage = 0xFF54;
 inline constexpr std::uint8_t kMouseUsage = 0x01;
 
-/// The report descriptor (HID 1.11, 6.2.2), an item a line: 64 bytes each way, without ids.
+/// The report descriptor (HID 1.11, 6.2.2), one item per line: 64 bytes each way, without ids.
 inline constexpr std::array<std::uint8_t, 27> kMouseDescriptor = {
     0x06,
     kMouseUsagePage & 0xFF,
-    kMouseUsagePage >> 8,  // usage page: of a maker's own
+    kMouseUsagePage >> 8,  // usage page: vendor-defined
     0x09,
     kMouseUsage,  // usage
     0xA1,
-    0x01,  // collection of an application
+    0x01,  // application collection
     0x15,
     0x00,  // the least value
     0x26,
@@ -83,7 +83,7 @@ inline constexpr ReportField kForceFields[] = {
     {62, 63, "CRC-16 of bytes 0 to 61"},
 };
 
-/// ms that a force of ours holds for without another; then the mouse lets go by itself.
+/// ms for which a force of ours holds without another; then the mouse lets go on its own.
 inline constexpr unsigned kForceHold = 3;
 
 using ReportBytes = std::array<std::uint8_t, 64>;
@@ -99,11 +99,11 @@ struct MouseReport {
 struct ForceReport {
     bool motor_on = false;
     std::uint8_t number = 0;
-    double force = 0;      ///< N, upwards; what does not fit (32 N) is cut
+    double force = 0;      ///< N, upwards; clamped to the field (32 N)
     unsigned hold_ms = 0;  ///< up to 65535
 };
 
-/// Nothing: it is short, of another kind or version, or damaged.
+/// Nothing: the report is short, of another kind or version, or damaged.
 std::optional<MouseReport> mouse_report(std::span<const std::uint8_t> bytes) noexcept;
 std::optional<ForceReport> force_report(std::span<const std::uint8_t> bytes) noexcept;
 ReportBytes bytes_of(const MouseReport& report) noexcept;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Touch, the Phantom Omni and their kin of 3D Systems, by the maker's own library libHD where the user has it. Its functions
-// and numbers are declared here from its public documentation (3D Systems, "OpenHaptics Toolkit 3.5: API Reference Guide" and
-// "Programmer's Guide"). Its axes are ours: x to the right, y up, z towards the user, in mm; it takes N. The library has a thread
-// of its own that calls back a thousand times a second, and only there, between hdBeginFrame and hdEndFrame, is a device asked
-// and told. Nobody has tried this on a real device yet.
+// The Touch, the Phantom Omni and their kin of 3D Systems, through the maker's own library libHD, if the user has it. Its
+// functions and numbers are declared here from its public documentation (3D Systems, "OpenHaptics Toolkit 3.5: API Reference
+// Guide" and "Programmer's Guide"). Its axes are ours: x to the right, y up, z towards the user, in mm; it takes N. The library
+// has its own thread that calls back a thousand times a second; only there, between hdBeginFrame and hdEndFrame, can a device be
+// read and written. This has not been tried on a real device yet.
 #include <cmath>
 
 #include "tactics/error.h"
@@ -103,7 +103,7 @@ private:
                     what + (why != nullptr ? " (" + std::string(why) + ")" : "") +
                         "; plug it in, and look whether the maker's Touch_Diagnostic finds it");
     }
-    // When the scheduler has stopped nobody calls any more.
+    // There are no more callbacks after the scheduler has stopped.
     void close() {
         talk_.let_go();
         hd_.stop();

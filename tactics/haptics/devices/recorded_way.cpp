@@ -37,7 +37,7 @@ struct Columns {
     std::optional<std::size_t> height;
 };
 
-// By the names of a header, in any order; others are passed over.
+// By the names in a header, in any order; other columns are ignored.
 template <typename Fail>
 Columns columns_of(const std::vector<std::string_view>& cells, const Fail& fail) {
     const auto find = [&](std::string_view name) -> std::optional<std::size_t> {

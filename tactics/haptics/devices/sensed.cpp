@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A simulated mouse that has to be told where it is, as a real one has.
+// A simulated mouse that does not know its place, like a real one.
 #include <algorithm>
 
 #include "tactics/error.h"

@@ -11,8 +11,8 @@
 
 namespace tactics {
 
-/// It knows its place, in its own axes. The hand, which must outlive it, lives in those of the scene; nobody moves an arm whose
-/// file has no finger. It is over after `seconds`, or when the hand is done.
+/// It knows its position, in its own axes. The hand, which must outlive it, uses those of the scene; an arm whose file has no
+/// finger is not moved. It ends after `seconds`, or when the hand is done.
 std::unique_ptr<HapticDevice> simulated_arm(const ArmFile& arm, const Mounting& mounting, Hand& hand, double seconds);
 
 }  // namespace tactics

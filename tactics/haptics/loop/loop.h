@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A loop with an even beat: ticks at a rate, by the monotonic clock, and how punctual they were.
+// A loop with a steady rate by the monotonic clock, with statistics of its punctuality.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace tactics {
 
-/// Time as a loop sees it; the twin of tests moves it by hand.
+/// Time as a loop sees it; tests use a clock that they move by hand.
 class Clock {
 public:
     virtual ~Clock() = default;
@@ -17,9 +17,9 @@ public:
     virtual void wait_until(double time) noexcept = 0;  ///< s; returns at once if that is past
 };
 
-/// CLOCK_MONOTONIC and an absolute clock_nanosleep. While one of these lives its thread is woken without slack (PR_SET_TIMERSLACK
-/// 1, by which half of the ticks come within 20 instead of 70 us), its memory stays in memory, and, if that is permitted, it goes
-/// before all others (SCHED_FIFO).
+/// CLOCK_MONOTONIC and an absolute clock_nanosleep. While this object lives, its thread wakes without slack (PR_SET_TIMERSLACK 1,
+/// with which half of the ticks come within 20 instead of 70 us), its memory is locked, and, if permitted, it runs ahead of all
+/// other threads (SCHED_FIFO).
 class MonotonicClock : public Clock {
 public:
     explicit MonotonicClock(bool before_others);
@@ -35,7 +35,7 @@ private:
     int slack_ = 0;
 };
 
-/// Time that passes only by being waited for: for what is simulated, as quickly as the processor can.
+/// Time that passes only by waiting, for simulations as fast as the processor allows.
 class StepClock : public Clock {
 public:
     double now() noexcept override { return time_; }
@@ -45,14 +45,14 @@ private:
     double time_ = 0;
 };
 
-/// Lateness of ticks, or what they took, in steps of a tenth of themselves, from 20 ns to 150 s: no tick is kept, and none is
-/// lost.
+/// A histogram of the lateness or duration of ticks, in steps of 10 % from 20 ns to 150 s: it stores no single tick, but counts
+/// all.
 class Lateness {
 public:
     void add(double seconds) noexcept;
     void add(const Lateness& other) noexcept;
     std::uint64_t ticks() const noexcept { return ticks_; }
-    /// s; of that share of the ticks none was later (to 10 %).
+    /// s; that share of the ticks was not later (to 10 %).
     double quantile(double share) const noexcept;
 
 private:
@@ -62,14 +62,14 @@ private:
 };
 
 struct LoopReport {
-    Lateness lateness;  ///< behind the moment that the tick was due
+    Lateness lateness;  ///< after the moment when the tick was due
     std::uint64_t long_periods =
         0;  ///< over 1.25 ms at 1 kHz (800 Hz, the least that the paper reached), 5/4 of a period at others
     double seconds = 0;
 };
 
-/// Calls `tick` with the seconds since the last one, as measured, until it answers false. A tick that was missed is not made up
-/// for: the next is due at the next beat.
+/// Calls `tick` with the measured seconds since the last call, until it returns false. A missed tick is not made up for: the next
+/// is due at the next beat.
 LoopReport run_loop(Clock& clock, double rate, const std::function<bool(double dt)>& tick);
 
 }  // namespace tactics

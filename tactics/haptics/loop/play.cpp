@@ -42,7 +42,7 @@ Pose Playing::pose_of(const HapticSample& sample, double dt) noexcept {
 }
 
 Point3 Playing::tick(const HapticSample& sample, double dt) noexcept {
-    // What follows a reference wants a time that can be; safety is told the true one, and begins softly behind a long one.
+    // A scene that follows a reference needs a plausible time step; safety gets the true one, and begins softly after a long one.
     constexpr double kMost = 0.1;
     const double passed = std::isfinite(dt) && dt > 0 ? std::min(dt, kMost) : 0;
     const Pose pose = pose_of(sample, passed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene played on a haptic device: from what the device tells to the force on the finger, once a tick.
+// Plays a scene on a haptic device: from the device's sample to the force on the finger, once per tick.
 #pragma once
 
 #include <memory>
@@ -14,10 +14,10 @@
 namespace tactics {
 
 struct PlaySettings {
-    double rate_hz = 1000;  ///< ticks a second
+    double rate_hz = 1000;  ///< ticks per second
     SafetyLimits safety;
     std::size_t most_records = 1u << 20;  ///< of the last ticks
-    Point begin;                          ///< mm, where the finger is taken to be until an overlay has told
+    Point begin;                          ///< mm, assumed position of the finger until an overlay reports it
 };
 
 class Playing {
@@ -25,9 +25,9 @@ public:
     /// `fusion` may be empty for a device that knows its place. Both must outlive it.
     Playing(Scene& scene, Fusion* fusion, const PlaySettings& settings);
 
-    /// The force to give now, N. A mouse gives its z. Nothing in it allocates, throws or waits.
+    /// The force to apply now, N. A mouse applies its z. Nothing in it allocates, throws or waits.
     Point3 tick(const HapticSample& sample, double dt) noexcept;
-    /// The device was away for so long, s, and let go of the finger: the force begins softly, from zero.
+    /// The device was away for that long, s, and let go of the finger: the force begins softly, from zero.
     void begin_again(double away) noexcept;
     /// From now on the force goes to zero (Safety::stop).
     void stop() noexcept { safety_.stop(); }
@@ -35,7 +35,7 @@ public:
 
     const Recorder& recorder() const noexcept { return recorder_; }
     const Safety& safety() const noexcept { return safety_; }
-    unsigned reports_lost() const noexcept { return lost_; }  ///< of the device, by their numbers
+    unsigned reports_lost() const noexcept { return lost_; }  ///< reports lost by the device, by their numbers
 
 private:
     Pose pose_of(const HapticSample& sample, double dt) noexcept;
@@ -47,7 +47,7 @@ private:
     Recorder recorder_;
     Pose known_;                      // of a device that knows its place
     double height_ = 0;               // mm, at the tick before
-    AdaptiveVelocity course_, rise_;  // over the map; up and down, as its x
+    AdaptiveVelocity course_, rise_;  // velocity over the map; vertical velocity, in the x component
     bool begun_ = false, overlaid_ = false;
     unsigned lost_ = 0;
     double time_ = 0, at_fault_ = 0;

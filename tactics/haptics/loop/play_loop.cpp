@@ -6,17 +6,17 @@ namespace tactics {
 namespace {
 
 constexpr double kSilent = 0.003;  // s without a word: what it felt last is no longer so
-constexpr double kTold = 2;        // s until somebody wants to know
+constexpr double kTold = 2;        // s until the user is notified
 constexpr double kAgain = 0.2;     // s between looking for a mouse that is gone
 
-// false: nobody waits for it any more. `time` is when it went.
+// false: the waiting has ended. `time` is when it was unplugged.
 bool is_back(const PlayLoop& loop, Clock& clock, HapticDevice& device, double time) {
     const double begin = clock.now();
     std::string why, told;
     double refused = begin;  // since
     while (!loop.ended() && !(loop.seconds && time + clock.now() - begin >= *loop.seconds)) {
         if (device.reopen(why)) return true;
-        // Just after it was plugged in nobody may use it until udev has come to it.
+        // Just after plugging in, it cannot be used until udev has processed it.
         if (why.empty())
             refused = clock.now();
         else if (clock.now() - refused >= kTold && why != told)
@@ -31,7 +31,7 @@ class Ticks {
 public:
     Ticks(const PlayLoop& loop, HapticDevice& device, Playing& play) : loop_(loop), device_(device), play_(play) {}
 
-    // false: it is to end, its user is to be told something, or it is gone.
+    // false: the play ends, the user must be notified, or the mouse is gone.
     bool tick(double dt) {
         time += dt;
         const HapticDevice::State state = device_.read(sample_, dt);
@@ -75,7 +75,7 @@ public:
 private:
     bool push(double dt) {
         const bool ended = loop_.ended() || (loop_.seconds && time >= *loop_.seconds);
-        // Where the finger is nobody has said yet. And for a mouse that takes nothing a write would wait 5 s in the kernel.
+        // The finger's position is still unknown. A write to a mouse that accepts nothing would also block for 5 s in the kernel.
         if (!heard_) return !ended;
         if (ended) play_.stop();
         HapticSample now = sample_;

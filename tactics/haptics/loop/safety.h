@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands between a scene and a motor: whatever force is wished for, a finger is not hurt by it.
+// The safety between a scene and a motor: no requested force can hurt a finger.
 #pragma once
 
 #include "tactics/point3.h"
@@ -7,29 +7,29 @@
 namespace tactics {
 
 struct SafetyLimits {
-    double most_force = 8;    ///< N, whichever way; the paper's mouse has no more (1-DOF haptic mouse, section IV.A)
-    double most_slew = 4000;  ///< N/s: from none to all in 2 ms
-    double soft_start = 0.3;  ///< s until all of the force is given
-    double most_dt = 0.005;   ///< s; behind a tick that is later than that, or a longer fault, it begins softly again
+    double most_force = 8;    ///< N, in any direction; the paper's mouse has no more (1-DOF haptic mouse, section IV.A)
+    double most_slew = 4000;  ///< N/s: from zero to full force in 2 ms
+    double soft_start = 0.3;  ///< s until the full force is reached
+    double most_dt = 0.005;   ///< s; after a later tick, or a longer fault, the force begins softly again
 };
 
-/// First what is not finite becomes none, then the soft start, then the slew, then the clamp, each by the length of the force in
-/// space, so that its direction is kept; a mouse has only a z. The answer is always finite, within the limits (to rounding, and
-/// exactly along an axis), and no further from the last than the slew allows. Nothing here throws or allocates.
+/// Non-finite forces become zero; then come the soft start, the slew limit and the clamp, each by the length of the force in
+/// space, so that its direction is kept; a mouse has only a z. The result is always finite, within the limits (up to rounding,
+/// and exactly along an axis), and no further from the last than the slew allows. Nothing here throws or allocates.
 class Safety {
 public:
     explicit Safety(const SafetyLimits& limits) : limits_(limits) {}
 
-    /// The force to give, `dt` seconds (measured) after the last.
+    /// The force to apply, `dt` seconds (measured) after the last.
     Point3 pass(const Point3& wished, double dt) noexcept;
     /// The soft start begins anew.
     void begin_softly() noexcept { started_ = 0; }
-    /// So it does, and the motor is off already.
+    /// The same, if the motor is off already.
     void let_go() noexcept { started_ = 0, last_ = {}; }
-    /// From now on the force goes to zero, within the time that the slew needs; for good.
+    /// From now on the force goes to zero, as fast as the slew allows, and stays there.
     void stop() noexcept { stopped_ = true; }
     bool stopped() const noexcept { return stopped_; }
-    /// How often something had to be held back: not finite, too late.
+    /// How often it intervened: non-finite forces, late ticks.
     unsigned not_finite() const noexcept { return not_finite_; }
     unsigned too_late() const noexcept { return too_late_; }
 

@@ -19,7 +19,7 @@ constexpr double kMostTime = 1e7, kMostLength = 1e5, kMostForce = 1e4;  // s, mm
 constexpr double kMicroseconds = 1e6;
 constexpr std::array<double, 7> kPerUnit{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};  // steps
 
-// What a row may have, in the order in which it is read.
+// The possible columns of a row, in reading order.
 enum Column : std::size_t { kTime, kX, kY, kHeight, kForce, kForceX, kForceY, kColumns };
 constexpr std::array<std::string_view, kColumns> kNames{"time_s",  "x_mm",      "y_mm",     "finger_mm",
                                                         "force_n", "force_x_n", "force_y_n"};
@@ -76,7 +76,7 @@ std::vector<Row> rows_of(Source& table, const TableHead& head, const std::array<
     return rows;
 }
 
-// How many steps a unit has so that all numbers of some columns are whole.
+// The number of steps per unit for which all numbers of some columns are whole.
 double steps_per_unit(const std::vector<Row>& rows, std::initializer_list<Column> columns, bool& exact) {
     std::size_t step = 0;
     for (const Row& row : rows)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene, and how long its answers take.
+// A scene with the duration of its answers.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace tactics {
 
-/// Feels as `scene` does, which must outlive it. What reading the clock takes is in the times, some hundredths of a microsecond.
+/// Behaves like `scene`, which must outlive it. The times include reading the clock, some hundredths of a microsecond.
 class TimedScene final : public Scene {
 public:
     explicit TimedScene(Scene& scene) : scene_(scene) {}

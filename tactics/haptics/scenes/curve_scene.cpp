@@ -39,7 +39,7 @@ std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<std::string>& told
 }  // namespace
 
 extern const PlotPart curves_part;
-const PlotPart curves_part{"curves", "lines that draw a finger to them", make};
+const PlotPart curves_part{"curves", "lines that attract a finger", make};
 
 CurveScene::CurveScene(const std::vector<std::vector<Point>>& lines, const FixtureSettings& fixture, double damping_ns_per_m)
     : lines_(lines, reach_of(fixture)), fixture_(fixture), damping_(damping_ns_per_m / 1000) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curves of a plot as virtual fixtures: a finger that comes near is drawn to the line, and only across it, so that it slides
-// along.
+// The curves of a plot as virtual fixtures: they attract a near finger, but only perpendicularly to the line, so that it can
+// slide along.
 #pragma once
 
 #include "tactics/haptics/scenes/fixture.h"
@@ -9,7 +9,7 @@
 
 namespace tactics {
 
-/// Where it pulls it is damped across the line, too: whole from half of its strength on. Along the line nothing is felt.
+/// The pull is also damped perpendicularly to the line, fully from half of its strength on. Along the line there is no force.
 class CurveScene final : public Scene {
 public:
     CurveScene(const std::vector<std::vector<Point>>& lines, const FixtureSettings& fixture, double damping_ns_per_m = 0);

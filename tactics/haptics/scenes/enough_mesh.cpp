@@ -24,7 +24,7 @@ double turn(const Flat& a, const Flat& b, const Flat& c) noexcept {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// How far apart two edges are where they cross, seen from above; 0 where they do not.
+// The distance of two edges where they cross, seen from above; 0 if they do not.
 double apart(const Flat& a, const Flat& b, const Flat& c, const Flat& d) noexcept {
     const double one = turn(a, b, c), other = turn(a, b, d);
     if ((one > 0) == (other > 0)) return 0;
@@ -229,7 +229,7 @@ EnoughMesh enough_facets(MeshFacets facets, double tolerance) {
     EnoughMesh enough;
     enough.of_all = facets.facets.size();
     Thinning thinning(facets);
-    // What moves the surface least is done first, as bounds add up.
+    // Steps that move the surface least come first, because bounds add up.
     double most = tolerance / 8;
     for (int pass = 0; pass < kMostPasses; ++pass) {
         const std::size_t before = facets.facets.size(), gone = thinning.pass(most);

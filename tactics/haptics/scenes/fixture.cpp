@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::array<NamedFixture, 4> kFixtures = {{
     {"r2", "exponential halves", {}},
-    {"r1", "logistic halves, the more likely shape of the paper's", {FixtureForm::r1, 1.5, 10, 4, 1.2, 1.6, 6}},
-    {"linear", "straight halves round a core", {FixtureForm::linear, 1.5, 10, 0, 0.5, 0, 2.5}},
+    {"r1", "logistic halves, the more likely reading of the paper", {FixtureForm::r1, 1.5, 10, 4, 1.2, 1.6, 6}},
+    {"linear", "straight halves around a core", {FixtureForm::linear, 1.5, 10, 0, 0.5, 0, 2.5}},
     {"rod", "a thin solid cylinder, which is hard to follow", {FixtureForm::rod, 1, 1, 0, 0, 0, 0}},
 }};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The force of a virtual surface on a lever that can only go up and down: the penalty method of the 1-DOF haptic mouse (section
+// The force of a virtual surface on a lever that can only move up and down: the penalty method of the 1-DOF haptic mouse (section
 // IV.B, equation 1).
 #pragma once
 
@@ -9,9 +9,9 @@ namespace tactics {
 /// The paper says "Kd < 0", but only where the finger rises above the surface; inside the object, where it speaks of an impulse
 /// against penetration, Kd is 0.
 enum class DampingSign {
-    corrected,   ///< against the motion, within the object
-    as_printed,  ///< the plus of equation 1 with a positive constant, within the object: it takes damping away. To be shown, not
-                 ///< to be used
+    corrected,   ///< against the motion, inside the object
+    as_printed,  ///< the plus of equation 1 with a positive constant, inside the object: it removes damping. For demonstration,
+                 ///< not for use
 };
 
 struct ForceLaw {
@@ -20,11 +20,11 @@ struct ForceLaw {
     DampingSign sign = DampingSign::corrected;
 };
 
-/// N, upwards; never negative: a surface does not pull. Zero where the finger is not below the object, where `dt` is not positive
-/// and where anything is not a number. `finger_before` is the height at the tick before, `dt` seconds ago.
+/// N, upwards; never negative, because a surface does not pull. Zero if the finger is not below the object, if `dt` is not
+/// positive or if any value is NaN. `finger_before` is the height at the previous tick, `dt` seconds ago.
 double force(const ForceLaw& law, double object, double finger, double finger_before, double dt) noexcept;
 
-/// The same spring and damper holding on to `object` from both sides: for a reference that moves (wall.h).
+/// The same spring and damper, acting from both sides of `object`: for a reference that moves (wall.h).
 double coupling_force(const ForceLaw& law, double object, double finger, double finger_before, double dt) noexcept;
 
 }  // namespace tactics

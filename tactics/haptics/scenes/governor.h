@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A height that moves towards another no faster than a motor can lift a lever and the finger on it.
+// A height that moves towards a target no faster than a motor can lift a lever with a finger.
 //
-// Unlike a filter it knows the force: inside is the lever with a finger (lever.h) without dry friction, delay and encoder, pushed
-// by no more than the motor has. Where the motor can follow the target at once, it does.
+// Unlike a filter it knows the force: it simulates the lever with a finger (lever.h) without dry friction, delay and encoder,
+// pushed by at most the motor's force. If the motor can follow the target at once, the height does.
 #pragma once
 
 #include "tactics/haptics/simulated/lever.h"
@@ -11,7 +11,7 @@ namespace tactics {
 
 class Governor {
 public:
-    /// `stiffness` is of the force law (N/mm): at rest the lever hangs below the reference by what weight and preload make of it.
+    /// `stiffness` is that of the force law (N/mm): at rest, weight and preload hold the lever below the reference.
     Governor(const LeverSettings& lever, const FingerSettings& finger, double stiffness);
 
     void begin(double height) noexcept;
@@ -19,9 +19,9 @@ public:
 
     double height() const noexcept { return state_.height + hang_; }  ///< of the reference
     double velocity() const noexcept { return state_.velocity; }      ///< mm/s
-    double force() const noexcept { return force_; }                  ///< N of the motor for the tick before; within most_force
+    double force() const noexcept { return force_; }                  ///< motor force of the previous tick, N; within most_force
     bool under_way() const noexcept { return under_way_; }
-    /// N to be added to the force law's, which itself holds weight and preload: 0 where no way is under way.
+    /// N to add to the force law, which itself carries weight and preload: 0 while there is no motion.
     double lead() const noexcept { return under_way_ ? force_ - at_rest_ : 0; }
     double hang() const noexcept { return hang_; }
 

@@ -44,7 +44,7 @@ std::optional<LeadGoal> Guidance::lead(LeadTo lead, const Point3& finger, const 
         end(LeadEnd::stopped);
         return std::nullopt;
     }
-    // Asked once more it goes on from where it leads, whatever curves cross there.
+    // A repeated request continues from the leading point, regardless of curves that cross there.
     const LinePlace here = again ? on_ : near.within ? lines_.place_of(near) : lines_.roughly_nearest(flat(finger));
     end(LeadEnd::stopped);
     goal_ = {lead, lines_.curve_of(here.line), 0, {}, false, {}};
@@ -137,7 +137,7 @@ void Guidance::end(LeadEnd how) noexcept {
     told_ = how == LeadEnd::stopped;
 }
 
-// What leads goes that far, mm, at most to the end of its piece of way. false: it is there, and waits for the finger.
+// Moves the leading point by that distance, mm, at most to the end of its path. false: it has arrived and waits for the finger.
 bool Guidance::advance(double way) noexcept {
     if (carries_) {
         const Point3 goal = solid(lines_.middle_at(on_, stop_)), rest = goal - ahead_;
@@ -163,7 +163,7 @@ Point3 Guidance::led(const Touch& touch, double dt) noexcept {
         return {};
     }
     finger_ = above_plane(touch.finger);
-    ahead_.z = std::min(ahead_.z, finger_.z);  // one that comes down by itself is not held up
+    ahead_.z = std::min(ahead_.z, finger_.z);  // a finger that moves down on its own is not held up
     soft_ = std::min(1.0, soft_ + dt / kSoft);
     const double reach = settings_.most_force / settings_.stiffness;
     const double away = length_of(ahead_ - finger_);

@@ -16,7 +16,7 @@ struct Turn {
     bool highest;
 };
 
-// Finds turns in heights that come one by one: a maximum is known when the curve has come down from it far enough.
+// Finds turns in a sequence of heights: a maximum is confirmed when the curve has fallen far enough from it.
 class Turns {
 public:
     explicit Turns(double least) : least_(least) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curves of a plot as ways that a finger can be led along: how long they are, where their turns are, and where each is at an
-// x. Everything is worked out beforehand, so that a tick asks at a cost that hardly grows with the curves.
+// The curves of a plot as paths for guidance: their lengths, their turns, and their places at a given x. Everything is computed
+// in advance, so that the cost of a query in a tick hardly grows with the curves.
 #pragma once
 
 #include <cstddef>
@@ -29,44 +29,45 @@ struct CurveTurn {
     bool highest = false;
 };
 
-/// mm that a curve must come down from a maximum, and go up from a minimum, before these are worth a way. What is less is noise
-/// to a finger: a fixture leaves it a core of some 0.3 mm to either side, where it pulls with less than the 0.1 N that a hand is
-/// taken to feel (simulated/hand.h), and a hand comes back to no better than a third of a millimetre (voice/spoken_value.h).
-/// Assumed, not measured on people. Where turns would lie closer than this on the average, along the longer side of the curve, as
-/// in a million points of noise, the least is doubled until they do not. The ends of a curve, and of its pieces between gaps, are
+/// mm by which a curve must fall from a maximum, or rise from a minimum, to make it a destination. Smaller turns are noise to a
+/// finger: a fixture leaves a core of some 0.3 mm on either side, where it pulls with less than the 0.1 N that a hand is assumed
+/// to feel (simulated/hand.h), and a hand returns to a place within a third of a millimetre at best (voice/spoken_value.h).
+/// Assumed, not measured on people. If turns would on average be closer than this along the longer side of the curve, as in a
+/// million points of noise, the threshold is doubled until they are not. The ends of a curve, and of its pieces between gaps, are
 /// no turns.
 inline constexpr double kLeastTurn = 1;
 
-/// Of felt lines: a curve, or a piece of one, that is a single point is a line without a length. The curves of lines ascend;
-/// "with the curve" is in the order of its rows, which is that of x where the rows ascend. Queries allocate nothing; those by
-/// place or by x take the logarithm of the points.
+/// Built from felt lines: a curve, or a piece of one, with a single point is a line without length. The curve indices of lines
+/// ascend; "with the curve" means in the order of its rows, which is that of x if the rows ascend. Queries allocate nothing;
+/// those by place or by x take time logarithmic in the points.
 class GuidedLines {
 public:
-    /// `resolution`, mm: the one that the lines were thinned by.
+    /// `resolution`, mm: the one by which the lines were thinned.
     GuidedLines(const Plot& plot, const PlotFrame& frame, const FeltLines& felt, double resolution);
 
     bool empty() const noexcept { return starts_.size() < 2; }
     std::size_t curves() const noexcept { return firsts_.empty() ? 0 : firsts_.size() - 1; }
     std::uint32_t curve_of(std::uint32_t line) const noexcept { return curve_[line]; }
-    /// The lines of a curve are those from the first up to, and without, the end.
+    /// The lines of a curve are those from the first up to, but not including, the end.
     std::uint32_t first_line(std::size_t curve) const noexcept { return firsts_[curve]; }
     std::uint32_t end_line(std::size_t curve) const noexcept { return firsts_[curve + 1]; }
     bool has_place(std::size_t curve) const noexcept { return firsts_[curve] < firsts_[curve + 1]; }
 
     double length(std::uint32_t line) const noexcept { return along_[starts_[line + 1] - 1]; }
     Point at(const LinePlace& place) const noexcept;
-    /// What leads a finger to `stop` when it has come to that place: there, or in the middle of what no finger tells, the mean of
-    /// what is within 1 mm of the longer side of the curve; of less towards the stop and the ends of the line, which are met.
+    /// The leading point for a finger at that place on its way to `stop`: the place itself, or the middle of noise too fine for a
+    /// finger, which is the mean within 1 mm along the longer side of the curve; the range shrinks towards the stop and the ends
+    /// of the line, which are reached exactly.
     Point middle_at(const LinePlace& place, const LinePlace& stop) const noexcept;
-    /// mm along it for a millimetre along its middle; 1: it has none.
+    /// mm along the curve per millimetre along its smoothed middle; 1: no noise.
     double winding(std::size_t curve) const noexcept { return winding_[curve]; }
     LinePlace place_of(const Nearness& near) const noexcept;
-    /// For a finger that no curve reaches: the nearest of at most 1024 places, spread evenly over all lines.
+    /// For a finger out of reach of all curves: the nearest of at most 1024 places, spread evenly over all lines.
     LinePlace roughly_nearest(Point finger) const noexcept;
-    /// Where the curve is first met at x, mm: of an upright its first end. Nothing: in a gap, or beyond the curve. Of more than
-    /// 64 pieces that overlap there, which no function has, the first may be missed.
+    /// The place where the curve is first met at x, mm; for a vertical side, its first end. Nothing: in a gap, or beyond the
+    /// curve. If more than 64 pieces overlap there, which does not happen for a function, the first may be missed.
     std::optional<LinePlace> first_at(std::size_t curve, double x) const noexcept;
-    /// The next beyond `from` on its curve, with it or back; nullptr: there is none.
+    /// The next turn after `from` on its curve, forwards or backwards; nullptr: there is none.
     const CurveTurn* next_turn(const LinePlace& from, bool forward) const noexcept;
     std::span<const CurveTurn> turns(std::size_t curve) const noexcept {
         return {turns_.data() + turn_firsts_[curve], turn_firsts_[curve + 1] - turn_firsts_[curve]};
@@ -77,7 +78,7 @@ private:
         double low, high;  // x, mm
         std::uint32_t line;
     };
-    // Of the points of a line up to this one: the least and the largest x.
+    // The smallest and the largest x of a line's points up to this one.
     struct Reached {
         double low, high;
     };
@@ -88,15 +89,15 @@ private:
     void place_turns(const PlotCurve& curve, std::size_t index, const PlotFrame& frame, double resolution);
     std::optional<LinePlace> place_on(std::uint32_t line, Point point, double within, std::size_t& from) const;
 
-    std::vector<Point> points_;  // of all lines
+    std::vector<Point> points_;  // points of all lines
     std::vector<double> along_;
     std::vector<Reached> reached_;
-    std::vector<std::size_t> starts_;   // of each line, its first point
+    std::vector<std::size_t> starts_;   // index of each line's first point
     std::vector<std::uint32_t> curve_;  // of each line
     std::vector<std::uint32_t> firsts_;
-    std::vector<Point> sums_;      // of each point: the integral of the line up to it, mm^2
-    std::vector<double> winding_;  // of each curve
-    std::vector<Piece> pieces_;    // as the lines, but those of a curve by their least x
+    std::vector<Point> sums_;      // for each point, the integral of the line up to it, mm^2
+    std::vector<double> winding_;  // for each curve
+    std::vector<Piece> pieces_;    // like the lines, but sorted by least x within a curve
     struct Sample {
         LinePlace place;
         Point at;

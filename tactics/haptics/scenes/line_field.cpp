@@ -58,7 +58,7 @@ private:
 LineField::LineField(const std::vector<std::vector<Point>>& lines, const Reach& reach) : far_(reach.far) {
     const std::vector<LineSegment> segments = segments_of(lines);
     if (segments.empty()) return;
-    // What is cut off farther away has an edge there, which is rounded as others are.
+    // The cut at the far limit makes an edge, which is rounded like others.
     const double cut = far_ + reach.blend;
     squares_ = squares_round(segments, cut, kPitch, kMostNodes);
     std::vector<float> distances(squares_.columns * squares_.rows, static_cast<float>(cut));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Squares of a plane, and which segments of lines can be the nearest to a place in each.
+// Squares of a plane, with the segments of lines that can be the nearest to a place in each.
 #pragma once
 
 #include <algorithm>
@@ -13,18 +13,18 @@
 
 namespace tactics {
 
-/// Of a line, mm.
+/// A segment of a line, mm.
 struct LineSegment {
-    Point from, way;  ///< its direction, of length 1
+    Point from, way;  ///< way: its unit direction
     double length = 0;
-    std::uint32_t line = 0, index = 0;  ///< of the point that it begins with
+    std::uint32_t line = 0, index = 0;  ///< index: that of the point where it begins
 };
 
-/// Of all lines, in their order. A place twice in succession begins one only; a line of one place has none. Places must be
+/// The segments of all lines, in order. Repeated points give one segment only; a line of one point has none. Points must be
 /// finite.
 std::vector<LineSegment> segments_of(const std::vector<std::vector<Point>>& lines);
 
-/// mm along it, of the place on it that is nearest
+/// mm along the segment to its nearest place
 inline double nearest_along(const LineSegment& segment, Point place) noexcept {
     const double along = (place.x - segment.from.x) * segment.way.x + (place.y - segment.from.y) * segment.way.y;
     return std::clamp(along, 0.0, segment.length);
@@ -33,9 +33,9 @@ inline Point place_on(const LineSegment& segment, double along) noexcept {
     return {segment.from.x + along * segment.way.x, segment.from.y + along * segment.way.y};
 }
 
-/// Beside each other, from a corner on.
+/// Adjacent squares, from a corner on.
 struct LineSquares {
-    Point corner;     ///< the least x and y
+    Point corner;     ///< the smallest x and y
     double side = 1;  ///< mm
     std::size_t columns = 0, rows = 0;
     Point middle(double column, double row, double squares = 1) const noexcept {
@@ -43,18 +43,18 @@ struct LineSquares {
     }
 };
 
-/// The lines and `far` mm round them, in squares of that side; of a larger one where there would be more than `most`.
+/// Covers the lines and `far` mm around them with squares of that side, or larger ones if there would be more than `most`.
 LineSquares squares_round(const std::vector<LineSegment>& segments, double far, double side, std::size_t most);
 
 struct FoundSegment {
     std::uint32_t segment;
-    double distance;  ///< mm from the middle of the square
+    double distance;  ///< distance from the middle of the square, mm
 };
 
-/// run() calls square(column, row, nearest, found) for each that a line is within `far` mm of: how far from its middle the
-/// nearest place of all lines is, and all segments that can be the nearest to its middle, or, `whole`, to some place in it. From
-/// the whole plane on each square hands on to its four quarters only what can be the nearest in it, so that the time grows with
-/// the squares, and hardly with the segments.
+/// run() calls square(column, row, nearest, found) for each square within `far` mm of a line, with the distance from its middle
+/// to the nearest place of all lines, and all segments that can be the nearest to its middle or, with `whole`, to some place in
+/// it. Starting with the whole plane, each square passes to its four quarters only segments that can be the nearest there, so the
+/// time grows with the squares, and hardly with the segments.
 template <typename Square>
 class SquareDescent {
 public:

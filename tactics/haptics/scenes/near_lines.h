@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which place of the lines of a plot is the nearest to a finger: for what is said, heard and led to. What is felt is
-// line_field.h.
+// The point on the lines of a plot that is nearest to a finger, for speech, tones and guidance. Forces use line_field.h.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +11,20 @@
 
 namespace tactics {
 
-/// Of a place beside lines.
+/// The result for a position beside lines.
 struct Nearness {
     double distance = 0;      ///< mm
     std::uint32_t line = 0;   ///< the nearest one
-    std::uint32_t index = 0;  ///< of its point before the nearest place
+    std::uint32_t index = 0;  ///< index of its point before the nearest place
     Point place;              ///< the nearest place itself
-    bool within = false;      ///< false: no line is within reach, and nothing of the above is told
+    bool within = false;      ///< false: no line is within reach, and the members above are invalid
 };
 
-/// Polylines in the plane z = 0. For every square of a grid it is worked out beforehand which segments can be the nearest there,
-/// the nearest to its middle first. Nothing allocates in a query.
+/// Polylines in the plane z = 0. For every square of a grid, the segments that can be the nearest there are found in advance,
+/// sorted by distance from its middle. Queries allocate nothing.
 class NearLines {
 public:
-    /// Beyond `far` mm nothing is told. Lines of one point have none; places must be finite.
+    /// Beyond `far` mm there is no result. Lines of one point have no segments; points must be finite.
     explicit NearLines(const std::vector<std::vector<Point>>& lines, double far = 10);
 
     Nearness at(const Point3& place) const noexcept;
@@ -42,7 +41,7 @@ private:
     struct Span {
         std::size_t first = 0, end = 0;
     };
-    std::vector<Span> spans_;  // of each square
+    std::vector<Span> spans_;  // for each square
     std::vector<Entry> entries_;
 };
 

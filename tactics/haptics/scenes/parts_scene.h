@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several scenes at one place, whose forces are summed, within a box that wakes them.
+// Several scenes in one place, whose forces are summed, within a box that activates them.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace tactics {
 
-/// mm; where a scene has something to be felt. A wall goes on without an end, which is an infinite side.
+/// The region where a scene can be felt, mm. A wall without end has an infinite side.
 struct Box3 {
     Point3 low, high;
     bool holds(const Point3& p) const noexcept {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the values of a plot are under a finger: the paper's transform from data to the coordinates of the device ("Design of a
-// Haptic Graphing System", section Development).
+// The positions of a plot's values under a finger: the paper's transform from data to device coordinates ("Design of a Haptic
+// Graphing System", section Development).
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace tactics {
 
-/// An axis as it is felt: its ends and the values that are marked on it, in the plot's own units.
+/// An axis as felt: its ends and its marked values, in the plot's own units.
 struct FeltAxis {
     double low = 0, high = 1;
     bool logarithmic = false;
@@ -21,8 +21,8 @@ struct FeltAxis {
     double value_at(double share) const noexcept;
 };
 
-/// Values to mm and back. The field of a plot is upright in the plane z = 0: x to the right from 0 to the width, y downwards from
-/// 0 at the highest value to the height at the lowest, z towards the finger from 0 to the depth.
+/// Converts values to mm and back. The field of a plot lies in the plane z = 0: x to the right from 0 to the width, y downwards
+/// from 0 at the highest value to the height at the lowest, z towards the finger from 0 to the depth.
 struct PlotFrame {
     FeltAxis x, y, z;
     double width = 100, height = 80, depth = 0;  ///< mm
@@ -37,11 +37,12 @@ struct PlotFrame {
     }
 };
 
-/// The curves of a plot as lines in the plane z = 0, mm, for a device of that resolution: a point that lies less than that off
-/// the line without it is left out, as no finger on that device could be told of it. Steps and bars have their uprights.
+/// The curves of a plot as lines in the plane z = 0, mm, for a device of that resolution: points that change the line by less are
+/// left out, because the device could not show them. Steps and bars have their vertical sides.
 struct FeltLines {
     std::vector<std::vector<Point>> lines;
-    std::vector<std::size_t> curve;  ///< of each line, its index in the plot; a gap begins another line of its curve
+    std::vector<std::size_t> curve;  ///< for each line, the index of its curve in the plot; a gap begins another line of the same
+                                     ///< curve
     std::size_t points = 0;          ///< of the curves
     std::size_t kept = 0;            ///< of the lines
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a plot can be felt on its own. The parts are in a list (list.inc), one a line.
+// The parts of a plot that can be felt separately. They are in a list (list.inc), one per line.
 #pragma once
 
 #include <memory>
@@ -15,26 +15,26 @@
 
 namespace tactics {
 
-/// What is made ready to be felt, and how firmly.
+/// The plot to be felt, and its firmness.
 struct PlotFeel {
-    const Plot& plot;  ///< needed only while parts are made
+    const Plot& plot;  ///< needed only while parts are built
     PlotFrame frame;
-    ForceLaw law;               ///< of everything firm; no part is stiffer
-    FixtureSettings fixture;    ///< of the curves; softened until it rises no steeper than the law
-    double resolution = 0.055;  ///< mm that the device tells apart
+    ForceLaw law;               ///< for all firm parts; no part is stiffer
+    FixtureSettings fixture;    ///< for the curves; softened until it rises no steeper than the law
+    double resolution = 0.055;  ///< mm that the device resolves
 };
 
 struct PlotPart {
     std::string_view name = {};  ///< "curves", as it is typed
     std::string_view what = {};
-    /// nullptr: the plot has none of it. `told` is told what was left out, a line each.
+    /// nullptr: the plot has no such part. `told` receives one line for each thing left out.
     std::unique_ptr<Scene> (*make)(const PlotFeel& feel, std::vector<std::string>& told) = nullptr;
 };
 
 std::span<const PlotPart* const> plot_parts();
 
-/// All parts of those names, in a box that wakes them: open towards walls and axes, and as far beyond the field as anything of it
-/// is felt elsewhere.
+/// All parts with those names, in a box that activates them: open towards walls and axes; elsewhere it extends beyond the field
+/// as far as any part can be felt.
 std::unique_ptr<Scene> plot_scene(const PlotFeel& feel, const std::vector<const PlotPart*>& parts,
                                   std::vector<std::string>& told);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds a finger in a plot: the wall that it is drawn on, and its axes, walls that stand on that, with a bump at each tick.
+// The walls that hold a finger in a plot: the plane of the plot, and its axes, walls that stand on that plane, with a bump at
+// each tick.
 #pragma once
 
 #include "tactics/haptics/scenes/force_law.h"
@@ -9,7 +10,7 @@
 namespace tactics {
 
 /// The plane z = 0, felt from above: F = k x with x the depth ("Design of a Haptic Graphing System": "the spring model"), damped
-/// while it is sunk into.
+/// while the finger sinks in.
 class PlotWall final : public Scene {
 public:
     explicit PlotWall(const ForceLaw& law) : law_(law) {}
@@ -22,13 +23,14 @@ private:
 
 struct AxisFeel {
     ForceLaw law;
-    double bump_height = 1.5;  ///< mm that a tick stands out of its axis: several times what a finger on the device can tell
-    double bump_width = 5;     ///< mm, and no more than two thirds of the way to the next tick
+    double bump_height = 1.5;  ///< mm by which a tick stands out of its axis: several times what a finger on the device can
+                               ///< detect
+    double bump_width = 5;     ///< mm, and at most two thirds of the distance to the next tick
 };
 
 /// The axes at the left (x = 0) and at the bottom (y = height): no force until a finger would leave the field, "which eliminates
-/// interference with the forces due to the data lines". A tick is a bump of the shape of one period of a cosine, and a finger
-/// that slides along the axis rises over it. The force is that of a potential, so a bump gives back what it takes.
+/// interference with the forces due to the data lines". A tick is a bump with the shape of one period of a cosine, and a finger
+/// that slides along the axis rises over it. The force has a potential, so a bump gives back the energy it takes.
 class PlotAxes final : public Scene {
 public:
     PlotAxes(const PlotFrame& frame, const AxisFeel& feel);
@@ -53,11 +55,11 @@ private:
 
 struct GridFeel {
     double damping_ns_per_m = 4;  ///< B
-    double width = 2;             ///< mm, of a line of the grid
+    double width = 2;             ///< mm, of a grid line
 };
 
-/// The grid: at each tick a thin layer across the field that is passed like honey, F = -B v_n. B is whole in the middle half of a
-/// layer and falls to nothing at its sides, so that no force begins at once.
+/// The grid: at each tick a thin layer across the field that drags like honey, F = -B v_n. B is full in the middle half of a
+/// layer and falls to zero at its sides, so that no force begins abruptly.
 class PlotGrid final : public Scene {
 public:
     PlotGrid(const PlotFrame& frame, const GridFeel& feel);

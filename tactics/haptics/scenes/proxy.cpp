@@ -132,8 +132,8 @@ Proxy::Foot Proxy::nearest(const Facet& facet, const Place& finger) const noexce
     if (b > a) try_edge(2, (a + b) / 2, 0);
     if (c >= along * qa + aside * qb) return foot(finger.w, true);
 
-    // Its foot on the plane; beside the triangle, the nearest place of the edges that it is beyond. On an edge the facet behind
-    // it has its say, too, however the last digit fell.
+    // Its foot on the plane or, outside the triangle, the nearest point of the edges beyond which it lies. On an edge the facet
+    // behind it is also tried, regardless of rounding.
     const double steep = 1 + along * along + aside * aside, sunk = (along * a + aside * b - c) / steep;
     const double pa = a - along * sunk, pb = b - aside * sunk, both = along + aside;
     edge = kNone;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The point that stays on the surface while the finger sinks in: what a device with three degrees of freedom pulls towards.
+// The point that stays on the surface while the finger sinks in; a device with three degrees of freedom pulls towards it.
 #pragma once
 
 #include "tactics/drawing.h"
@@ -8,46 +8,47 @@
 
 namespace tactics {
 
-/// The god-object of C. B. Zilles and J. K. Salisbury (IROS 1995) over a height map. The surface is that of facets: each square
-/// of four samples is cut in two from its left upper to its right lower corner. The proxy goes straight to the finger as far as
-/// air reaches, then along the facets, never away from the finger, to where nothing near is nearer to it.
+/// The god-object of C. B. Zilles and J. K. Salisbury (IROS 1995) over a height map. The surface consists of facets: each square
+/// of four samples is cut in two from its upper left to its lower right corner. The proxy moves straight towards the finger as
+/// far as air reaches, then along the facets, never away from the finger, until no nearby point is nearer.
 ///
-/// No sets of active planes are looked for. Above a facet lies a convex column, and the place in it that is nearest to the finger
-/// is known in closed form; where it lies on the border, the columns that meet there are asked, and the nearest is moved into.
-/// Where none is nearer the distance has its local minimum over the whole neighbourhood, on convex edges and corners as in
-/// concave ones, and as every move is strictly nearer, it ends.
+/// There is no search for sets of active planes. Above each facet lies a convex column, and its nearest point to the finger has a
+/// closed form. If that point lies on the border, the columns that meet there are tried, and the proxy moves into the nearest. If
+/// none is nearer, the distance has a local minimum over the whole neighbourhood, at convex and concave edges and corners alike;
+/// every move is strictly nearer, so the search ends.
 class Proxy {
 public:
     explicit Proxy(const ReliefSurface& surface) noexcept;  ///< the surface must outlive it
 
-    /// Where it is for the finger there; once per update. First of all, straight above or at the finger. A finger that is not
-    /// finite changes nothing. Time is bounded: after kMostSteps it stops where it is, in air or on the surface, and goes on the
-    /// next time.
+    /// The proxy's position for that finger; call it once per update. At first it is straight above or at the finger. A finger
+    /// that is not finite changes nothing. Time is bounded: after kMostSteps the proxy stops, in air or on the surface, and
+    /// continues at the next update.
     Point3 follow(Point3 finger) noexcept;
-    bool settled() const noexcept { return settled_; }  ///< at the local minimum; else on its way
-    void lift() noexcept { lifted_ = true; }            ///< the finger was taken off and is set down anew: forgets where it was
-    double height(Point at) const noexcept;             ///< mm, of the facets; what follow() gives is never below it
+    bool settled() const noexcept { return settled_; }  ///< at the local minimum; false: still moving
+    void lift() noexcept { lifted_ = true; }            ///< the finger was lifted and set down anew: forgets the position
+    double height(Point at) const noexcept;             ///< height of the facets, mm; the result of follow() is never below it
 
-    static constexpr int kMostSteps = 400;  ///< borders of facets in one update: 130 squares straight on
+    static constexpr int kMostSteps = 400;  ///< facet borders in one update: 130 squares in a straight line
 
 private:
-    // In samples from the first one, heights too, so that squares are cubes' sides and borders are at whole numbers.
+    // In units of samples from the first one, including heights, so that squares have sides of 1 and borders are at whole
+    // numbers.
     struct Place {
         double u, v, w;
     };
-    // Half of a square: the right upper one (across >= down), or the left lower one. Beside the map a strip or a quarter without
-    // an end, of column -1 or the last, row -1 or the last, and whole.
+    // Half of a square: the upper right one (across >= down), or the lower left one. Beside the map, an infinite strip or
+    // quadrant with column -1 or the last, or row -1 or the last, undivided.
     struct Facet {
         int column, row;
         bool lower;
     };
     enum class Border : unsigned char { none, edge, corner };
-    // The nearest place in the column above a facet.
+    // The nearest point in the column above a facet.
     struct Foot {
         Place place;
         double squared;  // its distance
         Border border;
-        Facet beside;     // behind the edge; of a corner, its column and row
+        Facet beside;     // facet beyond the edge; for a corner, its column and row
         int column, row;  // of an edge: the corner behind it
         bool in_air;
     };
@@ -68,7 +69,7 @@ private:
     const ReliefSurface* surface_;
     const float* heights_;
     int last_column_, last_row_;
-    double pitch_, per_mm_, lowest_, highest_;  // the heights in samples
+    double pitch_, per_mm_, lowest_, highest_;  // lengths and heights in units of samples
     Place place_{};
     Facet facet_{};
     Point3 last_{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The force that holds a finger to the place where it would be, had it not gone into a surface.
+// The force that pulls a finger to the place where it would be without entering a surface.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace tactics {
 
-/// N: the spring from the finger to `outside`, less the damper along it, which never pulls the finger in. 0 where it is there
-/// already. There is no friction: across the surface nothing is felt.
+/// N: the spring from the finger to `outside`, minus the damper along it, which never pulls the finger in. 0 if it is there
+/// already. There is no friction, so there is no force along the surface.
 inline Point3 pull(const ForceLaw& law, const Point3& outside, const Touch& touch) noexcept {
     const Point3 way = outside - touch.finger;
     const double deep = length_of(way);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A relief under a lever that only goes up and down: a wall's reference, the force that follows it, and a swing at edges.
+// A relief under a lever that only moves up and down: a wall's reference, the force that follows it, and a vibration at edges.
 #pragma once
 
 #include "tactics/haptics/scenes/relief_surface.h"
@@ -10,7 +10,7 @@
 namespace tactics {
 
 struct ReliefFeel {
-    WallSettings wall;  ///< the force law and the lever with it
+    WallSettings wall;  ///< including the force law and the lever
     TransientSettings edges;
 };
 

@@ -7,7 +7,7 @@
 
 namespace tactics {
 
-/// For a fingertip with a radius the surface is one that was dilated by it (relief_surface.h), and the finger's place its lower
+/// For a fingertip with a radius, the surface must be dilated by it (relief_surface.h), and the finger's position is its lower
 /// end.
 class ReliefSpaceScene final : public Scene {
 public:

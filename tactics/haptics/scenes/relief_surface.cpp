@@ -81,7 +81,7 @@ HeightMap dilated(const HeightMap& map, double radius) {
     fill_holes(filled);
     HeightMap made = filled;
     const auto [lowest, highest] = std::minmax_element(filled.heights.begin(), filled.heights.end());
-    // Where the ball is as far above its foot as the map is high, it cannot be what touches: nothing beyond that is looked at.
+    // Where the ball is farther above its foot than the map is high, it cannot touch, so the search ends there.
     const double relief = static_cast<double>(*highest) - static_cast<double>(*lowest);
     const double farthest = relief < radius ? std::sqrt(relief * (2 * radius - relief)) : radius;
     const double reach = std::min(std::floor(farthest / map.pitch), static_cast<double>(std::max(map.columns, map.rows) - 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A height map as a finger meets it: a surface without gaps, and the same seen by a fingertip that is no point.
+// A height map prepared for touch: a surface without gaps, also for a fingertip with a radius.
 #pragma once
 
 #include "tactics/drawing.h"
@@ -7,28 +7,28 @@
 
 namespace tactics {
 
-/// Grey dilation of the map by a ball: where the middle of a fingertip of that radius (mm) can be, less the radius. Made once,
-/// so a radius costs nothing per update; making it takes (radius / pitch)^2 as long. The ball touches
-/// samples only: on a slope it falls short by about pitch^2 / (4 radius) at most, on level ground, at tops and at steps by
-/// nothing. Radius 0: the map itself; otherwise holes are filled first, as ReliefSurface fills them.
+/// Grey dilation of the map by a ball: the lowest positions of the middle of a fingertip of that radius (mm), minus the radius.
+/// It is made once, so a radius costs nothing per update; the preparation takes (radius / pitch)^2 times as long. The ball
+/// touches only samples: on a slope the result is too low by about pitch^2 / (4 radius) at most; on level ground, at tops and at
+/// steps it is exact. Radius 0: the map itself; otherwise holes are filled first, as ReliefSurface does.
 HeightMap dilated(const HeightMap& map, double radius);
 
-/// A height map made ready to be felt. Holes (NaN, infinite) are filled from their neighbours when it is made, a map of holes
-/// only with 0; maps of one sample, one row or one column work. A map without samples or without a pitch is a std::logic_error.
+/// A height map prepared for touch. Its construction fills holes (NaN, infinite) from their neighbours, and a map of holes only
+/// with 0; maps of one sample, one row or one column work. Throws std::logic_error for a map without samples or without a pitch.
 class ReliefSurface {
 public:
     explicit ReliefSurface(HeightMap map);
 
     double height(Point at)
-        const noexcept;  ///< mm, bilinear between samples; beside the map as at its edge; NaN positions: the lowest height
+        const noexcept;  ///< mm, bilinear between samples; outside the map as at its edge; for NaN positions, the lowest height
     Point slope(Point at)
-        const noexcept;  ///< mm per mm, of the same surface; 0 for NaN positions; between two squares, that of the second
+        const noexcept;  ///< slope of the same surface, mm per mm; 0 for NaN positions; between two squares, that of the second
     double lowest() const noexcept { return lowest_; }
     double highest() const noexcept { return highest_; }
     const HeightMap& map() const noexcept { return map_; }  ///< without holes
 
 private:
-    // The four samples around a place, and how far it is on the way from the first to the others.
+    // The four samples around a place, and its fractional position between them.
     struct Square {
         const float* first;
         double across, down;
@@ -38,7 +38,7 @@ private:
     HeightMap map_;
     double per_mm_ = 1;  // samples
     double last_column_ = 0, last_row_ = 0;
-    int right_ = 0, below_ = 0;  // from a sample to its neighbours; 0 where there are none
+    int right_ = 0, below_ = 0;  // offsets from a sample to its neighbours; 0 if there are none
     int last_square_column_ = 0, last_square_row_ = 0;
     double lowest_ = 0, highest_ = 0;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is felt at a place: the one thing that a haptic loop plays, whatever it shows.
+// The interface of everything that a haptic loop plays: the force at a position.
 //
-// A scene answers where a finger is with the force on it. It knows nothing of devices, clocks and limits: the loop owns time and
-// safety (loop/safety.h), whatever a scene answers.
+// A scene returns the force on a finger at a position. It knows nothing about devices, clocks and limits: the loop is responsible
+// for time and safety (loop/safety.h), whatever a scene returns.
 #pragma once
 
 #include "tactics/drawing.h"
@@ -10,30 +10,30 @@
 
 namespace tactics {
 
-/// A finger, as its device tells of it.
+/// A finger, as reported by its device.
 struct Touch {
     Point3 finger;      ///< mm
     Point3 velocity;    ///< mm/s
-    double doubt = 0;   ///< mm/s that the velocity over the map may be wrong by
-    unsigned keys = 0;  ///< that are down: bit 0 the first
+    double doubt = 0;   ///< possible error of the velocity over the map, mm/s
+    unsigned keys = 0;  ///< keys that are down: bit 0 is the first
 };
 
 /// A scene's answer.
 struct Felt {
-    Point3 force;          ///< N on the finger; a device with fewer directions gives those that it has
-    double surface = 0;    ///< mm, of what is under the finger
-    double reference = 0;  ///< mm, where the force leads it
+    Point3 force;          ///< N on the finger; a device with fewer directions applies those that it has
+    double surface = 0;    ///< height of the surface under the finger, mm
+    double reference = 0;  ///< height to which the force leads it, mm
 };
 
-/// One finger's meeting with a scene: what changes while it feels (how fast it was, which edge it has just passed) is in here,
-/// what is felt stays as it was.
+/// One finger's contact with a scene. It holds the changing state (its speed, the edge it has just passed), not the thing that is
+/// felt.
 class Scene {
 public:
     virtual ~Scene() = default;
-    /// Once a tick, `dt` seconds after the last; 0 where that is not known. Does not allocate, throw or wait. Whatever is told,
-    /// it answers; what is not finite is caught by the loop's safety.
+    /// Called once per tick, `dt` seconds after the last; 0 if unknown. Does not allocate, throw or wait. It answers any input;
+    /// the loop's safety catches non-finite forces.
     virtual Felt feel(const Touch& touch, double dt) noexcept = 0;
-    /// The finger was away, and where it was is no longer to be reckoned with.
+    /// The finger was away: forget its previous position.
     virtual void begin_again() noexcept = 0;
 };
 

@@ -187,7 +187,7 @@ StablePoint nearest_borne(const ForceLaw& law, const LeverSettings& lever, std::
     StablePoint best{law.damping_ns_per_m, 0};
     const auto reaches = [&](double damping) {
         const double most = kSpare * borne_up_to(law.stiffness / kSpare, damping, DampingSign::corrected, lever, fingers);
-        // Softer in hundredths, as it is told.
+        // Softer in hundredths, the precision of the message.
         if (most > best.stiffness) best = {damping, std::min(std::floor(most * 100) / 100, law.stiffness)};
         return most >= law.stiffness;
     };
@@ -262,7 +262,7 @@ bool is_borne(const ForceLaw& law, const LeverSettings& lever, std::span<const F
            std::all_of(fingers.begin(), fingers.end(), [&](const FingerSettings& f) { return growth(law, lever, &f) <= kOne; });
 }
 
-// Down from what is asked for, in twentieths, with as much damping as it needs.
+// Down from the requested stiffness in twentieths, with as much damping as it needs.
 StablePoint nearest_borne(const ForceLaw& law, const ArmSettings& arm, std::span<const FingerSettings> fingers) {
     constexpr double kMore = 0.5;  // N s/m
     const LeverSettings lever = as_lever(arm);

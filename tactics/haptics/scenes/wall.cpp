@@ -10,18 +10,18 @@ namespace {
 
 constexpr NamedWall kWalls[] = {
     {"raw", WallMethod::raw, "the height as it is"},
-    {"steps", WallMethod::steps, "steps 1 mm wide and 20 mm high, as the paper has them"},
+    {"steps", WallMethod::steps, "steps 1 mm wide and 20 mm high, as in the paper"},
     {"rate-limit", WallMethod::rate_limit, "a height that changes by at most 400 mm/s"},
     {"governor", WallMethod::governor, "a height that moves no faster than the motor can lift the finger"},
-    {"look-ahead", WallMethod::look_ahead, "the same, begun before the edge by the time that the rise takes"},
-    {"slope", WallMethod::slope, "a steep slope from the edge on; the eye sees the wall"},
+    {"look-ahead", WallMethod::look_ahead, "the same, begun early enough before the edge to finish at it"},
+    {"slope", WallMethod::slope, "a steep slope from the edge on, while the eye sees the wall"},
 };
 
 // A hand that slows down is taken to stop at least this hard: a hand that stops before a wall brakes so (assumed).
 constexpr double kBraking = 2500;  // mm/s2
 constexpr double kSlowing = 0.2;   // mm/s below the fastest of late that are no noise
 constexpr double kOfLate = 0.15;   // s
-constexpr double kShort = 0.1;     // mm behind the edge that still count as stopping before it
+constexpr double kShort = 0.1;     // mm beyond the edge that still count as stopping before it
 constexpr double kWorth = 3;       // mm; a lower rise is over before it could be foreseen
 constexpr int kLooks = 16;         // at the surface ahead, a tick
 constexpr int kHalvings = 6;       // of the last of them, to find the edge
@@ -97,7 +97,7 @@ Wall::Wall(const WallSettings& settings) : Wall(settings, settings.method) {
     may_err_ = time_to_change_its_mind();
 }
 
-// What the lever does with the reference, and not the reference alone: measured on the simulated one.
+// The response of the lever to the reference, measured on the simulated lever.
 double Wall::time_to_rise(double rise) const {
     double ground = settings_.lever.lowest + kGround;
     Trial trial(settings_, Wall(settings_, WallMethod::governor), ground);
@@ -130,7 +130,7 @@ double Wall::time_to_half(double rise) const noexcept {
     return half_times_[below] * (1 - part) + half_times_[above] * part;
 }
 
-// As many mm as a step is high in as many mm as it is wide, and no more before those are behind.
+// At most the height of a step within the width of a step.
 double Wall::stepped(double height, double moved) noexcept {
     since_step_ += moved;
     if (since_step_ >= settings_.step_width) since_step_ = stepped_ = 0;
@@ -154,7 +154,7 @@ void Wall::remember() noexcept {
     ++now_;
 }
 
-// The nearest rise ahead for which it is time: the half of it will be felt `late` mm behind its edge if it begins now.
+// The nearest rise ahead that must begin now, so that half of it is felt `late` mm after its edge.
 std::optional<Wall::Ahead> Wall::look(HeightSampler surface, Point at, Point velocity, double here) const noexcept {
     const double speed = length(velocity);
     if (speed < kSlowest) return std::nullopt;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kDrift = 2e-4;
 // From the first reports, which came late, to the first that came soon: so fast does time go meanwhile, of the device's.
 constexpr double kSlowest = 0.5;
-// s: one that is so much ahead of its own arrival has another clock than before.
+// s: a report this far ahead of its own arrival means that the clock has changed.
 constexpr double kAhead = 0.5;
 // s: so late for so long: it is no waiting queue (64 reports in the kernel), it has another clock.
 constexpr double kLate = 0.1, kPatience = 1;

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The clock of a device, told by what it sends, on the clock of this computer.
+// Converts a device's clock, as sent in its reports, to the clock of this computer.
 #pragma once
 
 #include <cstdint>
 
 namespace tactics {
 
-/// What a device sends comes some time after it has happened, never before: the least of (arrival - its clock) that was seen is
-/// nearest to how far the two clocks are apart, and the jitter of arrivals is gone. Time never goes back, and stands still only
-/// if the device's does.
+/// Reports arrive some time after the event, never before: the smallest observed (arrival - device clock) is closest to the
+/// offset of the two clocks, and removes the jitter of arrivals. Time never goes back, and stands still only if the device's
+/// does.
 class DeviceClock {
 public:
-    /// s, by the clock of `arrival`: when the device's clock (us, mod 2^32) was at that.
+    /// The time, s, by the clock of `arrival`, at which the device's clock (us, mod 2^32) had this value.
     double time(std::uint32_t microseconds, double arrival) noexcept;
-    /// It is another device, or the same one switched on again.
+    /// Call it for another device, or the same one after it was switched on again.
     void restart() noexcept { known_ = false; }
 
 private:
@@ -21,10 +21,10 @@ private:
 
     bool known_ = false;
     std::uint32_t before_ = 0;
-    double device_ = 0;      // s, by its clock since it is known, run over or not
-    double offset_ = 0;      // s, from that to ours
-    double last_ = -1e12;    // s, what was told
-    double late_since_ = 0;  // s, the first arrival of those that are all much too late
+    double device_ = 0;      // s, by its clock since the first report, overflows included
+    double offset_ = 0;      // s, offset from that to ours
+    double last_ = -1e12;    // s, last result
+    double late_since_ = 0;  // s, first arrival of a series that is consistently much too late
     bool late_ = false;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a fusion has found of a mouse's sensors and of its overlay, and how sure it is of each: kept from one use to the next, the
-// first stroke of the next is known as well as the last of this one.
+// A fusion's learned parameters of a mouse's sensors and overlay, with their uncertainties. Kept from one use to the next, they
+// make the first stroke as accurate as the last one before.
 #pragma once
 
 #include <array>
@@ -10,19 +10,18 @@
 
 namespace tactics {
 
-/// In the order of LearningFilter's states behind place and heading: drift in rad/mm, how unlike the sensors are, their scales,
-/// the delays of the overlay in s.
+/// In the order of LearningFilter's states after place and heading: drift in rad/mm, difference of the sensors, their scales, the
+/// delays of the overlay in s.
 struct LearnedPointing {
     static constexpr std::size_t kValues = 16;
-    double judged = 0;  ///< by which speed the overlay's delay goes: 0, 0.5 or 1 (LearningFilter)
+    double judged = 0;  ///< which speed determines the overlay's delay: 0, 0.5 or 1 (LearningFilter)
     double noise = 0;   ///< mm
     double jitter = 0;  ///< s
     std::array<double, kValues> values{};
     std::array<std::array<double, kValues>, kValues> covariance{};
 };
 
-/// Lines of text. Throws Error(failed) where they are others, or no such values can be: read_learned gives what to_text was
-/// given.
+/// Lines of text. read_learned returns what to_text was given; it throws Error(failed) for other lines or impossible values.
 std::string to_text(const LearnedPointing& learned);
 LearnedPointing read_learned(std::string_view text, std::string_view origin);
 

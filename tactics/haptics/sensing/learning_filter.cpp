@@ -7,7 +7,7 @@ namespace tactics {
 
 namespace {
 
-// What is believed before anything is learned (standard deviations).
+// Initial uncertainties (standard deviations).
 constexpr double kDelay0 = 0.15;          // s (the paper, V.A)
 constexpr double kDelayDoubt = 0.04;      // s, of all speeds together
 constexpr double kDelayStepDoubt = 0.03;  // s, from one of kDelaySpeeds to the next
@@ -19,7 +19,7 @@ constexpr double kUnlikeDoubt = 0.01;     // of the scales of two sensors of one
 
 constexpr double kSince = 0.1;  // of these doubts comes anew from one use to the next
 
-// How it may change meanwhile: variances per mm of the way, or per s.
+// Rates of change: variances per mm of movement, or per s.
 constexpr double kPlaceChange = 1e-4;    // mm2/mm
 constexpr double kHeadingChange = 1e-8;  // rad2/mm
 constexpr double kTurnChange = 1e-3;     // rad2/rad: while the scales are not known, no turn is
@@ -219,7 +219,7 @@ bool LearningFilter::overlay(const OverlaySample& sample, const History<Learning
         const auto p = [&](std::size_t i, std::size_t j) { return covariance_[kDelay + w.lower + i][kDelay + w.lower + j]; };
         const double lower = 1 - w.upper_share, upper = w.upper_share;
         const double unsure = std::max(0.0, lower * lower * p(0, 0) + 2 * lower * upper * p(0, 1) + upper * upper * p(1, 1));
-        // How the place depends on the time, over all the times that it may have been: the delay is not known well at first.
+        // The dependence of the place on time, over all possible times: at first the delay is uncertain.
         const double spread = std::clamp(std::sqrt(unsure + square(jitter_) + square(doubt)), 0.002, 0.1);
         seen = moment_at(past, time);
         const Point before = place(moment_at(past, time - spread)), after = place(moment_at(past, time + spread));
@@ -267,8 +267,8 @@ bool LearningFilter::correct(Point told, Point speed, const SpeedWeights<kDelayS
     const double fast = std::sqrt(square(speed.x) + square(speed.y));
     if (placed_ && fast > 20 && determinant < kUnplaced)
         surprise_ += kSurpriseForgetting * (std::min(deviation, 2 * kGate) + std::log(determinant) - surprise_);
-    // What is left that the states do not explain is noise of the place, and along the way jitter. A sample that is rejected
-    // counts as one that just is not, or both would seem the less the more are.
+    // The residual that the states do not explain is noise of the place and, along the movement, jitter. A rejected sample counts
+    // as one at the limit; otherwise both estimates would fall with the number of rejections.
     if (determinant < kUnplaced) {
         const double counted = std::min(1.0, kGate / std::max(deviation, 1e-9));
         if (fast < 5) {

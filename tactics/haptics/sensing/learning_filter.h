@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is learned of an overlay and of optical sensors: an extended Kalman filter of the finger's place at the time that the
-// overlay speaks of, the heading, the scale of the sensors at each speed and the overlay's delay at each speed.
+// Learns the properties of an overlay and of optical sensors: an extended Kalman filter of the finger's place at the time of the
+// overlay's measurement, the heading, and the scale of the sensors and the delay of the overlay at each speed.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace tactics {
 
-/// Weights of values that are given at some speeds and lie on straight lines between; beyond the last, the last.
+/// Weights for values given at some speeds, with linear interpolation between them; beyond the last speed, the last value.
 template <std::size_t N>
 struct SpeedWeights {
-    std::size_t lower = 0;  ///< of the two that count
+    std::size_t lower = 0;  ///< index of the lower of the two speeds
     double upper_share = 0;
 };
 
@@ -26,7 +26,7 @@ SpeedWeights<N> weights_at(const std::array<double, N>& speeds, double speed) no
     return {i, share < 0 ? 0 : share > 1 ? 1 : share};
 }
 
-/// mm/s, as the sensors count it: pointer acceleration of x1.8 makes 450 of 250.
+/// mm/s, as the sensors count it: pointer acceleration of x1.8 turns 250 into 450.
 inline constexpr std::array<double, 8> kScaleSpeeds = {0, 60, 120, 180, 260, 400, 600, 900};
 /// mm/s, of the finger.
 inline constexpr std::array<double, 6> kDelaySpeeds = {0, 90, 150, 220, 300, 500};
@@ -37,19 +37,20 @@ struct LearningMoment {
     std::array<Point, kScaleSpeeds.size()>
         ways;  ///< mm, as counted, of the middle between the sensors, by the speed at which they were made
     std::array<double, kScaleSpeeds.size()> turns{};  ///< rad, as counted, in the same way
-    Point arm;                                        ///< mm, of the finger besides, because the mouse turned
-    double turned = 0;                                ///< rad, as the odometry took it when it came
-    double twisted = 0;                               ///< rad, of all turns, either way
+    Point arm;                                        ///< mm, additional movement of the finger because the mouse turned
+    double turned = 0;                                ///< rad, as the odometry assumed at arrival
+    double twisted = 0;                               ///< rad, sum of all turns in both directions
     double length = 0;                                ///< mm, of the way
-    double across = 0;  ///< mm along the mouse's own y: sensors that count unlike turn it wrongly by this
-    double speed = 0;   ///< mm/s, of the finger
+    double across = 0;                                ///< mm along the mouse's own y: unequal sensors turn it wrongly by this
+    double speed = 0;                                 ///< mm/s, of the finger
 };
 
 class LearningFilter {
 public:
-    /// `judged`: the overlay's delay depends on the speed when its sample is told (0), when the finger was there (1), or between.
+    /// `judged`: the overlay's delay depends on the speed when its sample arrives (0), when the finger was there (1), or in
+    /// between.
     LearningFilter(double sensors_apart, double judged);
-    /// With what was learned before, a little less sure of it: another day, another table, another computer's load.
+    /// Starts with earlier parameters, at slightly lower confidence: another day, another table, another load of the computer.
     void begin_with(const LearnedPointing& before) noexcept;
     LearnedPointing learned() const noexcept;
     double judged() const noexcept { return judged_; }
@@ -63,7 +64,7 @@ public:
     double scale(double speed) const noexcept;
     double delay(double speed) const noexcept;
     unsigned resets() const noexcept { return resets_; }
-    double surprise() const noexcept { return surprise_; }  ///< of late samples: the less, the better it fits
+    double surprise() const noexcept { return surprise_; }  ///< of recent samples: the smaller, the better the fit
 
 private:
     static constexpr std::size_t kX = 0, kY = 1, kHeading = 2, kDrift = 3, kUnlike = 4, kScale = 5,
@@ -79,7 +80,7 @@ private:
 
     std::array<double, kStates> state_{};
     std::array<std::array<double, kStates>, kStates> covariance_{};
-    LearningMoment anchor_;  ///< where the state's place is
+    LearningMoment anchor_;  ///< moment to which the state's place belongs
     double apart_, judged_;
     double noise_ = 0.7, jitter_ = 0.008;  ///< mm, s: as learned
     double surprise_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What two optical sensors say of the movement of the finger, and a memory of it that an overlay's late word is held against.
+// The movement of the finger by two optical sensors, and its history, to compare with an overlay's late samples.
 #pragma once
 
 #include <cmath>
@@ -10,19 +10,19 @@
 
 namespace tactics {
 
-/// What the fingertip moved in a step, in axes that do not turn with the mouse but with which it began.
+/// Movement of the fingertip in a step, in fixed axes: those of the mouse at the beginning.
 struct FingerStep {
-    Point middle;       ///< mm, as the middle between the sensors moved
-    Point arm;          ///< mm, as it moved besides because the mouse turned
+    Point middle;       ///< mm, movement of the middle between the sensors
+    Point arm;          ///< mm, additional movement because the mouse turned
     double turned = 0;  ///< rad
 };
 
-/// Dead reckoning. A step is taken for a turn about one point at even speed, which makes turns about any point exact.
+/// Dead reckoning. Each step counts as a turn about one point at constant speed, which is exact for turns about any point.
 class Odometry {
 public:
     explicit Odometry(const MouseGeometry& geometry);
-    /// False: the step cannot be, and is passed over. `passed`: s, since the step before. `restarted`: the clock has gone back
-    /// for good.
+    /// False: the step is impossible and ignored. `passed`: s since the previous step. `restarted`: the clock went back
+    /// permanently.
     bool takes(const OpticalStep& step, double& passed, bool& restarted) noexcept;
     FingerStep advance(Point first, Point second) noexcept;
     double heading() const noexcept { return heading_; }
@@ -35,7 +35,7 @@ private:
     int out_of_order_ = -1;  ///< -1: no step yet
 };
 
-/// The newest moments, in the order of their times, in a ring: a second of them at 8 kHz. A Moment has a `time`.
+/// The newest moments in order of time, in a ring: one second at 8 kHz. A Moment has a `time`.
 template <class Moment>
 class History {
 public:
@@ -50,7 +50,7 @@ public:
     const Moment& newest() const noexcept { return moments_[end_]; }
     const Moment& oldest() const noexcept { return of(0); }
 
-    /// The last moment not after `time` and the one that follows it, and how far from one to the other that is; the ends hold on.
+    /// The last moment not after `time`, the one after it, and the fraction between them; clamped at the ends.
     struct Place {
         const Moment* before;
         const Moment* after;
@@ -80,17 +80,18 @@ inline Point turned(Point p, double angle) {
     return {c * p.x - s * p.y, s * p.x + c * p.y};
 }
 
-/// A velocity after a step, mm/s: over some ms, because counts come in lumps. Late by that; AdaptiveVelocity is not.
+/// A velocity after a step, mm/s, averaged over some ms because counts come in lumps. It lags by that time; AdaptiveVelocity does
+/// not.
 inline Point smoothed(Point velocity, Point moved, double passed) noexcept {
     constexpr double kSmoothing = 0.003;  // s
     const double least = passed > 1e-6 ? passed : 1e-6, share = least / (least + kSmoothing);
     return {velocity.x + share * (moved.x / least - velocity.x), velocity.y + share * (moved.y / least - velocity.y)};
 }
 
-/// Not NaN, not infinite, and no farther than a table could be.
+/// Whether it is finite and no farther than the size of a table.
 inline bool is_place(Point p) { return std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6; }
 
-/// Passes over samples that cannot be: no place, or not later than the one before, unless the clock itself has gone back.
+/// Ignores impossible samples: without a place, or not later than the previous one, unless the clock itself has gone back.
 class SampleOrder {
 public:
     bool takes(const OverlaySample& sample) noexcept;

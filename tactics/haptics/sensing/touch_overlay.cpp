@@ -12,10 +12,10 @@ namespace {
 
 constexpr int kMostFrames = 256;                     // taken in one tick
 constexpr double kSmallest = 10, kLargest = 10'000;  // mm, of a field
-// How far a finger may have gone since it was seen: what is farther is another contact, as long as the finger is not seen.
+// The possible movement of a finger since it was seen: a contact farther away is another one, as long as the finger is not seen.
 constexpr double kNear = 20;      // mm
 constexpr double kFastest = 500;  // mm/s
-// The kernel tells only what changes, and of a finger that rests nothing: where it is is told again so long after the last word.
+// The kernel reports only changes, and nothing for a resting finger: its position is repeated this long after the last report.
 constexpr double kStill = 0.1;  // s
 
 double mm_per_unit(const TouchAxis& axis, double wished, const std::string& path) {
@@ -67,7 +67,7 @@ public:
 
 private:
     Point place_of(const TouchContact& contact) const noexcept {
-        // What lies outside of its range is possible by the kernel's word, and 2^31 units are.
+        // The kernel allows values outside the range, even 2^31 units.
         return {(static_cast<double>(contact.x) - x_.least) * mm_x_ - map_at_.x,
                 (static_cast<double>(contact.y) - y_.least) * mm_y_ - map_at_.y};
     }

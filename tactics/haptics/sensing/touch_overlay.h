@@ -22,24 +22,24 @@ class Overlay {
 public:
     enum class State { nothing, sample, gone };
     virtual ~Overlay() = default;
-    /// The newest sample since the last call. Never waits, never allocates.
+    /// The newest sample since the last call. Does not wait or allocate.
     virtual State read(OverlaySample& sample) noexcept = 0;
 };
 
-/// How an overlay lies. Maps and overlays both count y downwards.
+/// The placement of an overlay. For both maps and overlays, y points downwards.
 struct OverlayPlace {
-    double width = 0, height = 0;  ///< mm, of the field that it sees; 0: it tells by itself
-    Point map_at;                  ///< mm, of the left upper corner of the map from that of the field
+    double width = 0, height = 0;  ///< mm, of the field that it sees; 0: it reports its size
+    Point map_at;                  ///< mm, upper left corner of the map from that of the field
 };
 
-/// Of several contacts (a palm, the mouse itself) the nearest to where the finger was last is the finger; where it was nowhere,
-/// the newest. Throws Error(failed) at `path`: it does not tell how large it is. `now` is the clock of the device's frames.
+/// Of several contacts (a palm, the mouse itself), the nearest to the finger's last place is the finger; without a last place,
+/// the newest. Throws Error(failed) at `path` if the overlay does not report its size. `now` is the clock of the device's frames.
 std::unique_ptr<Overlay> touch_overlay(std::unique_ptr<TouchDevice> device, const OverlayPlace& place, const std::string& path,
                                        double (*now)() noexcept = monotonic_now);
 
-/// The mouse with what an overlay tells in each of its samples. `open` throws Error; the first time that is passed on. An overlay
-/// that is gone is opened again when it is back, and `told` (false: gone, true: there again); both are called in a thread of
-/// their own, as a tick has no time for them.
+/// The mouse, with the overlay's data in each of its samples. `open` throws Error, which is passed on the first time. A lost
+/// overlay is opened again when it is back, and `told` is called (false: gone, true: back); both run in a separate thread,
+/// because a tick has no time for them.
 std::unique_ptr<HapticDevice> mouse_with_overlay(std::unique_ptr<HapticDevice> mouse,
                                                  std::function<std::unique_ptr<Overlay>()> open,
                                                  std::function<void(bool there)> told);

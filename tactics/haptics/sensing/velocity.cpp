@@ -48,7 +48,7 @@ void AdaptiveVelocity::step(Point moved, double dt) noexcept {
         velocity_ = {(past(0).at.x - begin.at.x) / time, (past(0).at.y - begin.at.y) / time};
         doubt_ = kShare * uneven_ / time;
         if (ticks > 1 || count_ == 2) continue;
-        // Of one tick it is the mean, as it was half a tick ago; a hand that brakes is slower by now.
+        // For one tick, it is the mean half a tick ago; a braking hand is slower by now.
         const double earlier = begin.time - past(2).time;
         const Point was{(begin.at.x - past(2).at.x) / earlier, (begin.at.y - past(2).at.y) / earlier};
         const Point slower{1.5 * velocity_.x - 0.5 * was.x, 1.5 * velocity_.y - 0.5 * was.y};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A haptic arm that pushes a fingertip in space, simulated, with a finger in its thimble and a hand behind that.
+// A simulated haptic arm that pushes a fingertip in space, with a finger in its thimble and a hand behind it.
 //
 // Axes of a device: x to the right, y upwards, z towards the person; the origin is the middle of the workspace.
 #pragma once
@@ -17,18 +17,18 @@
 
 namespace tactics {
 
-/// The machine. Lengths in mm, forces in N, times in s. What the makers do not tell is assumed and said to be.
+/// The machine. Lengths in mm, forces in N, times in s. Values that the makers do not publish are assumed, and marked as such.
 struct ArmSettings {
     double width = 160, height = 120, depth = 70;  ///< of its workspace
-    double resolution = 0.055;                     ///< from one place that it tells apart to the next
-    double noise = 0;                              ///< standard deviation of what it tells, besides
+    double resolution = 0.055;                     ///< smallest step in position that it detects
+    double noise = 0;                              ///< additional standard deviation of its positions
     double most_force = 3.3;
-    double most_stiffness = 1.02;   ///< N/mm that its maker promises, in its weakest direction
+    double most_stiffness = 1.02;   ///< N/mm, as stated by its maker, in its weakest direction
     double mass_g = 45;             ///< felt at the fingertip
     double damping_ns_per_m = 0.3;  ///< assumed
     double friction = 0.26;
     double rate_hz = 1000;
-    double delay = 0;  ///< from a measure to its force, besides the hold
+    double delay = 0;  ///< from a measurement to its force, besides the hold
     bool operator==(const ArmSettings&) const = default;
 };
 
@@ -38,8 +38,8 @@ struct NamedArm {
 };
 /// The devices of the papers. Workspace and resolution of Omni and Desktop: table 1 of "Haptic media as a stand-alone medium"; of
 /// the Phantom: 13 x 18 x 25 cm ("Haptic Representation of Scientific Data", section 3) and 0.07 mm ("Design of a Haptic Graphing
-/// System"). Force, stiffness, inertia and friction are those of the makers' data sheets, from memory; the Phantom has 8.5 N,
-/// of which the loop gives no more than 8 (loop/safety.h).
+/// System"). Force, stiffness, inertia and friction are those of the makers' data sheets, from memory; the Phantom has 8.5 N, of
+/// which the loop uses at most 8 (loop/safety.h).
 inline constexpr std::array<NamedArm, 3> kArms = {
     {{"omni", "Phantom Omni", {}},
      {"desktop", "Phantom Desktop", {160, 120, 120, 0.023, 0, 7.9, 1.48, 45, 0.3, 0.06, 1000, 0}},
@@ -57,23 +57,24 @@ struct ArmFile {
 ArmFile read_arm(std::string_view text, std::string_view origin);  ///< Throws Error(usage) with the line
 std::string to_text(const ArmFile& file);
 
-/// The lever that one of its directions is, for what is known about levers (stability.h): nothing pulls it down.
+/// One of its directions as a lever, for the analysis of levers (stability.h): without gravity.
 LeverSettings as_lever(const ArmSettings& arm);
 
-/// What forces and a hand do to it. The thimble holds the finger both ways. Nothing is allocated; equal calls give equal bytes.
+/// The motion under forces and a hand. The thimble holds the finger in both directions. Nothing allocates; equal calls give equal
+/// bytes.
 class SimulatedArm {
 public:
     /// At rest at `place`, in the axes of the device.
     SimulatedArm(const ArmSettings& arm, const std::optional<FingerSettings>& finger, const Point3& place);
 
-    void push(const Point3& force) noexcept;  ///< cut to most_force, what is not finite is none; takes effect after the delay
-    /// The hand's own place goes there meanwhile, evenly. Steps of at most 50 us.
+    void push(const Point3& force) noexcept;  ///< clamped to most_force, zero if not finite; takes effect after the delay
+    /// The hand's own position moves there meanwhile, at constant speed. Steps of at most 50 us.
     void advance(double seconds, const Point3& hand) noexcept;
 
-    Point3 told() noexcept;  ///< where it says it is: rounded and noisy
+    Point3 told() noexcept;  ///< the reported position: rounded and noisy
     const Point3& place() const noexcept { return place_; }
     const Point3& velocity() const noexcept { return velocity_; }
-    const Point3& pushed() const noexcept { return pushed_; }  ///< N, that its motors give now
+    const Point3& pushed() const noexcept { return pushed_; }  ///< current force of its motors, N
 
 private:
     Point3 on_finger() const noexcept;  // N, from the thimble

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces that take effect some time after they are given.
+// Forces that take effect after a delay.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@ namespace tactics {
 inline constexpr double kMostDelay = 0.02;  // s
 inline constexpr double kMostRateHz = 20'000;
 
-/// A row of fixed length: kMostDelay at kMostRateHz, and room. Nothing allocates.
+/// A queue of fixed length: kMostDelay at kMostRateHz, with some room. Nothing allocates.
 template <typename Force>
 class Delayed {
 public:
-    /// More under way than there is room for cannot be within the bounds of rate and delay; the oldest goes.
+    /// The queue cannot overflow within the limits of rate and delay; otherwise the oldest is dropped.
     void give(double due, const Force& force) noexcept {
         if (count_ == due_.size()) {
             first_ = (first_ + 1) % due_.size();
@@ -23,7 +23,7 @@ public:
         due_[(first_ + count_) % due_.size()] = {due, force};
         ++count_;
     }
-    /// What is in effect at that time, which does not go back.
+    /// The force in effect at that time, which must not go back.
     const Force& at(double time) noexcept {
         while (count_ > 0 && due_[first_].time <= time) {
             force_ = due_[first_].force;
@@ -32,7 +32,7 @@ public:
         }
         return force_;
     }
-    /// When the next takes effect, or `end`, if that is sooner.
+    /// When the next force takes effect, or `end` if that is sooner.
     double next(double end) const noexcept { return count_ > 0 && due_[first_].time < end ? due_[first_].time : end; }
 
 private:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLate = 0.06, kSmooth = 0.02;  // s
 constexpr double kFelt = 0.1;                   // N
-constexpr double kPress = 1.5;                  // mm that the hand is behind the wall: about half a newton
+constexpr double kPress = 1.5;                  // mm by which the hand is inside the wall: about half a newton
 constexpr double kBeside = 0.08;                // of a solid, at whose sides a hand that presses on it would slip off
 constexpr std::size_t kMostFindings = 4096;
 
@@ -24,7 +24,7 @@ class LateForce {
 public:
     Point3 feel(const Point3& force, double dt) noexcept {
         smooth_ = smooth_ + std::min(1.0, dt / kSmooth) * (force - smooth_);
-        // A ring of a tick each, at whatever rate.
+        // A ring with one entry per tick, at any rate.
         past_[now_ % past_.size()] = smooth_;
         const auto back =
             static_cast<std::size_t>(std::clamp(kLate / std::max(dt, 1e-5), 0.0, static_cast<double>(past_.size() - 1)));
@@ -189,7 +189,7 @@ private:
         if (stalled_ > 0.4) turn();
         if (free_ > 4) end();  // nothing has pulled for a long way: it is off the line
     }
-    // Where it no longer goes on is a corner, and it tries to either side, or the end.
+    // If the line does not continue, this is a corner, where the hand tries both sides, or the end.
     void turn() noexcept {
         constexpr double kAngle = 1.2, kNear = 4;  // rad, mm
         if (flat_length(finger_ - stalled_at_) > kNear) {
@@ -212,8 +212,8 @@ private:
         go_towards({at_.x, field_.height + 3, -kPress}, 2 * field_.speed, dt);
         if ((force_.y < -3 * kFelt && finger_.y > field_.height - 3) || in_phase_ > 6) next();
     }
-    // To the left along the lower axis. A bump holds back on its way up; behind its top the finger slips down, so the hand turns
-    // and comes back slowly, and rests a quarter of a bump beyond where that holds it back most: on the top.
+    // To the left along the lower axis. A bump resists on its rising side; after the top the finger slips down, so the hand
+    // turns, comes back slowly, and rests a quarter of a bump beyond the point of greatest resistance: on the top.
     void slide(double dt) noexcept {
         constexpr double kQuarter = 1.25, kPush = 0.25;  // mm, N
         const double way = over_ ? 1 : -1, against = -way * force_.x;
@@ -346,9 +346,9 @@ std::unique_ptr<Hand> make(const HandField& field) {
 
 const std::vector<HandKind>& hands() {
     static const std::vector<HandKind> kHands = {
-        {"to-and-fro", "through the middle, from side to side", false, make<ToAndFro>},
+        {"to-and-fro", "moves through the middle, from side to side", false, make<ToAndFro>},
         {"trace", "finds a curve from the axes, follows it to its end and stops at a tick", true, make<Trace>},
-        {"points", "sweeps the field in rows and takes down where points are", true, make<Points>},
+        {"points", "sweeps the field in rows and notes where points are", true, make<Points>},
         {"sections", "follows a surface along two lines through its middle", false, make<Sections>},
         {"led", "lets itself be led to where its keys say", true, make<Led>},
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text files of named numbers with units, one a line, that anyone can change: `lever.mass = 30 g  # weighed`.
+// Text files of named numbers with units, one per line, that anyone can edit: `lever.mass = 30 g # weighed`.
 #pragma once
 
 #include <functional>
@@ -17,27 +17,28 @@ struct FileParameter {
     std::string_view what;
 };
 
-/// What a file is about, for its messages and its words.
+/// The subject of a file, for its messages and its words.
 struct ParameterFile {
     std::string_view of;                        ///< "a mouse"
-    std::span<const std::string_view> presets;  ///< names that take a word: it stands before what changes parts of it
+    std::span<const std::string_view> presets;  ///< names that take a word; they come before settings that change parts of the
+                                                ///< preset
     std::span<const FileParameter> parameters;
     std::function<void(std::string_view name, std::string_view word, const std::string& place)>
-        take;                                                  ///< of a preset; throws Error
-    std::function<void(std::size_t index, double value)> set;  ///< of a parameter
+        take;                                                  ///< called for a preset; throws Error
+    std::function<void(std::size_t index, double value)> set;  ///< called for a parameter
 };
 
-/// `#` starts a comment. Throws Error(usage) at `origin` and line: no such name, a number, unit or range that does not fit, twice
-/// the same, a preset that would undo what stands above it, over 64 kB.
+/// `#` starts a comment. Throws Error(usage) at `origin` and line for an unknown name, an invalid number, unit or range, a
+/// repeated name, a preset that would undo earlier lines, and more than 64 kB.
 void read_parameters(std::string_view text, std::string_view origin, const ParameterFile& file);
 
-/// A line of such a file, with range and meaning behind it.
+/// A line of such a file, followed by range and meaning.
 std::string parameter_line(const FileParameter& parameter, double value);
 
 [[noreturn]] void no_preset(std::string_view what, std::string_view name, std::span<const std::string_view> names,
                             const std::string& place);
 
-/// Of entries with a `name`, the one of that name. Throws Error(usage) at `place`, with the nearest.
+/// The entry with that `name`. Throws Error(usage) at `place`, with the nearest name.
 template <typename Presets>
 const auto& preset(const Presets& presets, std::string_view name, const std::string& place, std::string_view what) {
     std::vector<std::string_view> names;

@@ -19,7 +19,7 @@ constexpr double kOverlayPeriod = 1.0 / 60;
 constexpr double kWide = 600, kHigh = 400;  // mm, the table
 constexpr double kSlow = 100, kFast = 250;  // mm/s: between these speed begins to matter, and is whole
 
-// How far along its line, and how fast, `t` after its beginning.
+// Position along its line and speed at time `t` after its beginning.
 struct Along {
     double way, speed;
 };
@@ -70,7 +70,7 @@ double fastness(double speed) { return std::max(0.0, (speed - kSlow) / (kFast - 
 
 double norm(Point p) { return std::sqrt(dot(p, p)); }
 
-// When the finger was where a sample told at `time` shows it.
+// The time at which the finger was at the place of a sample that arrives at `time`.
 double seen_at(const Pointing& pointing, const PointingCauses& causes, double time, double jitter) {
     double delay = causes.delay;
     // The speed is that of a time that depends on the delay; where this does not settle, the overlay hesitates as well.
@@ -86,7 +86,7 @@ double rounded(double moved, double counts_per_mm, double& rest) {
     return counts / counts_per_mm;
 }
 
-// What touch screens smooth with: a low pass that gives way as the finger gets faster (G. Casiez, N. Roussel, D. Vogel, CHI
+// The smoothing of touch screens: a low pass that weakens as the finger gets faster (G. Casiez, N. Roussel, D. Vogel, CHI
 // 2012).
 struct OneEuro {
     double time_constant;  // s, at rest

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tones by ALSA's library, libasound 1.2 (its reference, "PCM Interface"). It is opened only when it is asked for (LGPL-2.1+), so
-// that the program is built and runs where it is not installed.
+// Tones by ALSA's library, libasound 1.2 (its reference, "PCM Interface"). It is opened only on demand (LGPL-2.1+), so that the
+// program builds and runs without it.
 #include "tactics/error.h"
 #include "tactics/haptics/voice/tone.h"
 #include "tactics/haptics/voice/tone_sink.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is to be told of a plot, as plain values: the loop hands it over, and words are made elsewhere.
+// An announcement about a plot, as plain values: the loop passes it on, and another thread makes the words.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace tactics {
 
 enum class Telling : std::uint8_t {
-    hush,          ///< nothing more: what is spoken ends
+    hush,          ///< ends the current speech
     position,      ///< where the finger is
     nearest,       ///< the data point nearest to it
     under_finger,  ///< `felt`
@@ -18,11 +18,11 @@ enum class Telling : std::uint8_t {
     highest,       ///< data point of the curve `series`
     lowest,
     comparison,  ///< of the curves `series` and `other` at x
-    way_end,     ///< where the finger was led: to an end of the curve `series`, or of a piece of it,
+    way_end,     ///< the finger was led to an end of the curve `series`, or of a piece of it,
     maximum,     ///< or to a turn of it
     minimum,
-    let_go,          ///< a finger was led and is no longer
-    no_curve,        ///< why it cannot be led: there is none,
+    let_go,          ///< a led finger was released
+    no_curve,        ///< why it cannot be led: there is no curve,
     no_turn,         ///< no further maximum or minimum,
     no_turns,        ///< none on the whole curve,
     no_other_curve,  ///< no other curve at this x
@@ -33,12 +33,12 @@ enum class FeltPart : std::uint8_t { nothing, curve, mark, surface, x_axis, y_ax
 
 struct Announcement {
     Telling telling = Telling::position;
-    FeltPart felt = FeltPart::nothing;                    ///< of under_finger; of a tick or a grid line, x or y is its value
-    std::uint32_t series = 0;                             ///< which of the plot's curves, marks or surfaces
-    std::uint32_t other = 0;                              ///< curve, of comparison
-    PlotAction action = PlotAction::chosen;               ///< of choice
+    FeltPart felt = FeltPart::nothing;                    ///< for under_finger; for a tick or a grid line, x or y is its value
+    std::uint32_t series = 0;                             ///< index of the plot's curve, mark or surface
+    std::uint32_t other = 0;                              ///< other curve, for comparison
+    PlotAction action = PlotAction::chosen;               ///< for choice
     double x = 0, y = 0;                                  ///< plot coordinates
-    double z = std::numeric_limits<double>::quiet_NaN();  ///< not a number: not told
+    double z = std::numeric_limits<double>::quiet_NaN();  ///< NaN: unspecified
 };
 
 }  // namespace tactics

@@ -9,7 +9,7 @@ namespace tactics {
 BoundedThread::BoundedThread(std::function<void()> work) {
     std::packaged_task<void()> task([work = std::move(work)]() mutable {
         work();
-        work = nullptr;  // what it owns is gone before anybody is told that it is done
+        work = nullptr;  // destroys what it owns before signalling the end
     });
     done_ = task.get_future();
     // A thread begins with the mask of who starts it.

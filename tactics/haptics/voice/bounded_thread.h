@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A thread that is not waited for without end: it may stand in a call of a library that waits for somebody else.
+// A thread for which the wait is bounded, because it may hang in a library call.
 #pragma once
 
 #include <chrono>
@@ -11,13 +11,13 @@ namespace tactics {
 
 class BoundedThread {
 public:
-    /// `work` owns all that it uses: it may outlive this. It must not throw. Signals are for other threads.
+    /// `work` owns everything that it uses, because it may outlive this object. It must not throw. The thread blocks signals.
     explicit BoundedThread(std::function<void()> work);
     ~BoundedThread() { ends_within(std::chrono::milliseconds(0)); }
     BoundedThread(const BoundedThread&) = delete;
     BoundedThread& operator=(const BoundedThread&) = delete;
 
-    /// Waits that long for `work` to end; false: it was left to itself.
+    /// Waits that long for `work` to end; false: it was abandoned.
     bool ends_within(std::chrono::milliseconds time);
 
 private:

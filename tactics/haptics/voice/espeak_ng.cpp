@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// espeak-ng (espeak-ng(1)), a program of its own: one process speaks one utterance, which it reads from its standard input, and
-// is ended when another is said. Without words among its arguments it reads its input line by line.
+// The program espeak-ng (espeak-ng(1)): one process speaks one utterance, which it reads from its standard input, and is ended by
+// the next utterance. Without words among its arguments it reads its input line by line.
 #include <chrono>
 
 #include "tactics/haptics/voice/voice.h"
@@ -57,6 +57,6 @@ std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, std::stri
 
 extern const VoiceKind espeak_ng_voice;
 const VoiceKind espeak_ng_voice{
-    .name = "espeak-ng", .summary = "the synthesiser of that name, as a program of its own", .automatic = true, .open = &open};
+    .name = "espeak-ng", .summary = "the synthesiser espeak-ng, run as a separate program", .automatic = true, .open = &open};
 
 }  // namespace tactics

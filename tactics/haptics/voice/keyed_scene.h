@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plot that does what the keys of the device ask: it speaks, and it leads the finger.
+// A plot that obeys the keys of the device: it speaks, and it leads the finger.
 #pragma once
 
 #include <atomic>
@@ -20,8 +20,8 @@
 
 namespace tactics {
 
-/// What is typed on a keyboard by one thread, as numbers of entries of plot_keys(), until another looks: up to 16, and what comes
-/// then is lost. Nobody waits.
+/// Keys typed in one thread, as indices into plot_keys(), until another thread takes them: up to 16; later ones are lost. No
+/// thread waits.
 class TypedKeys {
 public:
     static constexpr int kBits = 4;
@@ -30,29 +30,29 @@ public:
         while (word >> (64 - kBits) == 0 && !word_.compare_exchange_weak(word, word << kBits | (entry + 1))) {
         }
     }
-    /// In kBits each the number of an entry and one, the first that was typed in the highest; 0: none.
+    /// Each kBits hold an index plus one, the first typed in the highest bits; 0: none.
     std::uint64_t take() noexcept { return word_.load(std::memory_order_relaxed) == 0 ? 0 : word_.exchange(0); }
 
 private:
     std::atomic<std::uint64_t> word_{0};
 };
 
-/// Where its answers go; any may be empty. `typed` is where it is asked, too.
+/// The outputs for its answers; any may be empty. `typed` is a further input.
 struct KeyedParts {
     Speaking* speaking = nullptr;
     TypedKeys* typed = nullptr;
     Toning* toning = nullptr;
     ToneTrack* track = nullptr;
-    const PlotSurface* surface = nullptr;  ///< that can be under the finger
+    const PlotSurface* surface = nullptr;  ///< the surface that can be under the finger
 };
 
-/// Does what is in plot_keys() when a key goes down, by its number, or is typed. What is spoken is interrupted by what is asked
-/// next; where a finger was led is told when it is there, what two curves are at that x at once. While the finger is on a curve
-/// its height there is a tone. What is felt is the guidance's. A tick only hands over numbers: words are made and spoken, and
-/// tones are heard, on other threads (speaking.h, toning.h).
+/// Carries out the action in plot_keys() when a numbered key goes down or a letter is typed. The next request interrupts the
+/// current speech. The place to which a finger was led is announced on arrival, a comparison of two curves at once. While the
+/// finger is on a curve, its height sounds as a tone. The guidance decides what is felt. A tick only passes on numbers: other
+/// threads make words, speak and sound tones (speaking.h, toning.h).
 class KeyedScene final : public Scene {
 public:
-    /// All must outlive it. `lines` are the plot's curves as they are felt.
+    /// All must outlive it. `lines` are the plot's curves as felt.
     KeyedScene(Guidance& guidance, const KeyedParts& parts, const PlotFrame& frame, const FeltLines& lines);
     Felt feel(const Touch& touch, double dt) noexcept override;
     void begin_again() noexcept override { guidance_.begin_again(); }
@@ -74,8 +74,8 @@ private:
     PlotFrame frame_;
     NearLines lines_;
     std::vector<std::size_t> curves_;
-    unsigned down_ = 0;       // keys at the tick before
-    std::size_t chosen_ = 0;  // of chosen_actions()
+    unsigned down_ = 0;       // keys at the previous tick
+    std::size_t chosen_ = 0;  // index into chosen_actions()
 };
 
 }  // namespace tactics

@@ -10,16 +10,16 @@ namespace {
 using enum PlotAction;
 
 constexpr std::array<PlotKey, 10> kKeys = {{
-    {chosen, 0, "do", "does what is chosen: at first, tells the position"},
-    {choose, 0, "choose", "lets go of a finger that is led; else chooses the next action and names it"},
-    {under, 'u', "under", "tells what is under the finger"},
-    {nearest, 'n', "nearest", "tells the nearest data point"},
-    {start, 's', "start", "leads the finger to where the nearest curve begins; again: the next curve"},
+    {chosen, 0, "do", "carries out the chosen action: at first, says the position"},
+    {choose, 0, "choose", "stops leading the finger; if it is not led, chooses the next action and names it"},
+    {under, 'u', "under", "says what is under the finger"},
+    {nearest, 'n', "nearest", "says the nearest data point"},
+    {start, 's', "start", "leads the finger to the beginning of the nearest curve; again: of the next curve"},
     {follow, 'f', "follow", "leads it along the curve to the end; again: back"},
-    {extremum, 'e', "extremum", "leads it along the curve to the next maximum or minimum, and tells it"},
-    {compare, 'c', "compare", "leads it to the next curve at the same x, and tells the difference"},
-    {position, 'p', "position", "tells where the finger is"},
-    {let_go, 'l', "let go", "lets go of a finger that is led"},
+    {extremum, 'e', "extremum", "leads it along the curve to the next maximum or minimum, and says its value"},
+    {compare, 'c', "compare", "leads it to the next curve at the same x, and says the difference"},
+    {position, 'p', "position", "says where the finger is"},
+    {let_go, 'l', "let go", "stops leading the finger"},
 }};
 static_assert(kKeys.size() >= kNumberedKeys && kKeys.size() < 16);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keys of a plot that is felt: the same on every device, and on the keyboard beside it.
+// The keys of a tactile plot: the same on every device and on the keyboard beside it.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +11,24 @@ namespace tactics {
 
 enum class PlotAction : std::uint8_t { chosen, choose, under, nearest, start, follow, extremum, compare, position, let_go };
 
-/// An entry of the one list that help, keys and the keyboard are made from.
+/// An entry of the one list from which the help, the device keys and the keyboard are made.
 struct PlotKey {
     PlotAction action = PlotAction::chosen;
     char letter = 0;  ///< on the keyboard; 0: none
     std::string_view name = {}, what = {};
 };
 
-/// The first kNumberedKeys have the keys of a device by their numbers, from 1, and these digits on the keyboard; the others have
-/// a letter alone.
+/// The first kNumberedKeys correspond to the keys of a device, numbered from 1, and to these digits on the keyboard; the others
+/// have only a letter.
 ///
-/// A device has one key to eight, and many have two, so the first two reach everything: the second steps through the actions and
-/// each is named aloud, the first does the one that was named last, which is at first the position. Nothing is held down or
-/// pressed at once, which is hard for stiff hands on a handle that pushes; nothing depends on how long somebody presses; and
-/// while a finger is led the second lets it go. Who has more keys, or a keyboard, has the actions at once as well.
+/// A device has one to eight keys, often two, so the first two reach everything: the second steps through the actions and names
+/// each aloud; the first carries out the last one named, initially the position. No keys are held down or pressed together, which
+/// is hard for stiff hands on a handle that pushes, and the length of a press does not matter. While a finger is led, the second
+/// key releases it. With more keys, or a keyboard, the actions are also directly available.
 std::span<const PlotKey> plot_keys();
 inline constexpr std::size_t kNumberedKeys = 8;
 
-/// The actions that are chosen between, in turn.
+/// The actions that the second key steps through, in order.
 std::span<const PlotAction> chosen_actions();
 
 const PlotKey& key_of(PlotAction action);

@@ -160,8 +160,8 @@ std::string PlotWords::under_finger(const Announcement& one) const {
     return "nothing";
 }
 
-// How steep it is under the finger, and with which axes it rises: each that has at least two fifths of the other's part, as of
-// eight directions.
+// The slope under the finger, and the axes along which it rises: each with at least two fifths of the other's share, as for eight
+// directions.
 std::string PlotWords::on_surface(const Announcement& one) const {
     constexpr double kLevel = 0.05, kGentle = 0.27, kSteep = 1;  // 3, 15 and 45 degrees; ours
     const PlotSurface& surface = plot_->surfaces[one.series];
@@ -202,7 +202,7 @@ std::string PlotWords::curve_end(const Announcement& one) const {
     const std::string name = of->name.empty() ? "" : " " + of->name;
     if (one.telling == Telling::curve_end)
         return (begins ? "beginning" : "end") + (" of the curve" + name) + ", " + position(end.x, end.y, std::nan(""));
-    // A gap leaves ends of pieces, where the finger is and the curve goes on; a bar begins on the ground.
+    // A gap makes ends of pieces, after which the curve continues; a bar begins on the ground.
     constexpr double kAtEnd = 1;  // mm
     const bool piece = std::abs(mm_along(plot_->x, frame_.x, end.x) - mm_along(plot_->x, frame_.x, one.x)) > kAtEnd;
     return (begins ? "beginning" : "end") + ((piece ? " of a piece of the curve" : " of the curve") + name) + ", " +

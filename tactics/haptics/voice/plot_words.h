@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of a plot: where the finger is, what is near and what is under it, in the plot's own names and units.
+// The spoken words about a plot: the finger's position, what is near it and under it, in the plot's own names and units.
 #pragma once
 
 #include <memory>
@@ -11,12 +11,12 @@
 
 namespace tactics {
 
-/// How the plot lies under the finger: x to the right, y upwards, z towards it.
+/// The position of the plot under the finger: x to the right, y upwards, z towards it.
 struct SpokenFrame {
     AxisSpan x, y, z = {};
 };
 
-/// Words without a full stop, in English; names and units as they are written. A value, cheap to copy; for any thread.
+/// English words without a full stop; names and units as written. A value that is cheap to copy, for any thread.
 ///
 ///     position      "time 2.5 s, speed 12 m/s"
 ///     nearest       "nearest: point 12 of 40 of car, time 2.5 s, speed 12 m/s, 3 mm away to the right", on the paper
@@ -30,7 +30,7 @@ struct SpokenFrame {
 ///     maximum       "maximum of car, time 4 s, speed 30 m/s", minimum alike
 ///     choice        "follow", the name of an action
 ///
-/// What the plot does not have is "nothing" or "not known"; a series of a wrong number is never read.
+/// Things that the plot lacks are "nothing" or "not known"; an invalid series number is never used.
 class PlotWords {
 public:
     PlotWords(std::shared_ptr<const Plot> plot, const SpokenFrame& frame) : plot_(std::move(plot)), frame_(frame) {}
@@ -55,8 +55,8 @@ private:
     SpokenFrame frame_;
 };
 
-/// Where the curve is first met at x: straight lines are straight on the paper, so by the axes' logarithms where they have them.
-/// Not a number where it is not known: outside, or in a gap.
+/// The value where the curve is first met at x. Lines are straight on the paper, so interpolation is logarithmic on logarithmic
+/// axes. NaN if unknown: outside, or in a gap.
 double height_of_curve(const Plot& plot, const PlotCurve& curve, double x);
 
 }  // namespace tactics

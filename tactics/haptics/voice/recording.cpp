@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What would be spoken, line by line in a file, each with its second.
+// Writes utterances line by line to a file, each with its time in seconds.
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -48,7 +48,7 @@ std::unique_ptr<Voice> open(const VoiceWish&, const std::string& where, std::str
 extern const VoiceKind recording_voice;
 const VoiceKind recording_voice{.name = "recording",
                                 .address = "FILE",
-                                .summary = "each utterance becomes a line of a file, behind the second it was said at",
+                                .summary = "a file: each utterance is a line, after the time in seconds at which it was spoken",
                                 .open = &open};
 
 }  // namespace tactics

@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-// The loop wakes nobody, as that would be a system call; a synthesiser takes longer to begin than this.
+// The loop wakes no thread, because that would be a system call; a synthesiser takes longer than this to begin.
 constexpr std::chrono::milliseconds kNap{5};
 constexpr int kNapsBetweenLooks = 20;  // whether the voice has trouble
 

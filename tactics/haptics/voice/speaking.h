@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The thread that speaks. The loop hands it plain values and never waits; words are made, and the voice is called, here.
+// The thread that speaks. The loop passes it plain values and never waits; this thread makes the words and calls the voice.
 //
 //     OpenedVoice opened = open_voice({.kind = "auto", .language = "en"});      // before playing; tell opened.note, if any
 //     const SpokenFrame frame{{low_x, high_x, width}, {low_y, high_y, height}};  // of the field, mm
@@ -23,14 +23,15 @@
 namespace tactics {
 
 struct SpokenCounts {
-    std::uint64_t said = 0;       ///< handed to the voice
-    std::uint64_t overtaken = 0;  ///< left out, as a newer one was there before it could be said
-    std::uint64_t dropped = 0;    ///< left out, as the queue was full: the voice hangs
+    std::uint64_t said = 0;       ///< passed to the voice
+    std::uint64_t overtaken = 0;  ///< dropped because a newer one arrived before it could be spoken
+    std::uint64_t dropped = 0;    ///< dropped because the queue was full: the voice hangs
 };
 
 class Speaking {
 public:
-    /// Called on the speaking thread only. It owns all that it uses, as the thread may outlive this where a voice hangs.
+    /// Called on the speaking thread only. It owns everything that it uses, because the thread may outlive this object if a voice
+    /// hangs.
     using Words = std::function<std::string(const Announcement&)>;
 
     Speaking(std::unique_ptr<Voice> voice, Words words);
@@ -38,11 +39,11 @@ public:
     Speaking(const Speaking&) = delete;
     Speaking& operator=(const Speaking&) = delete;
 
-    /// For one thread. No lock, no allocation, no system call. False: dropped. The newest interrupts what is spoken; a voice
-    /// that takes turns says all.
+    /// For one thread. No lock, no allocation, no system call. False: dropped. The newest interrupts the current speech, except
+    /// with a voice that speaks everything in turn.
     bool ask(const Announcement& announcement) noexcept;
 
-    /// What is spoken is cut off, and the voice closed; within kFarewell, or the thread is left to a voice that hangs (false).
+    /// Cuts off the current speech and closes the voice within kFarewell; false: the voice hangs and the thread was abandoned.
     bool finish();
     static constexpr int kFarewell = 1000;  ///< ms
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What screen readers speak by: speech-dispatcher, through its C library, libspeechd 0.11 ("Speech Dispatcher" manual, "C API").
-// The library (LGPL-2.1+) is opened only when it is asked for, so that the program is built and runs where it is not installed.
-// SPEECHD_ADDRESS names another server than the user's own, which the library starts if need be.
+// The speech service of screen readers: speech-dispatcher, through its C library, libspeechd 0.11 ("Speech Dispatcher" manual, "C
+// API"). The library (LGPL-2.1+) is opened only on demand, so that the program builds and runs without it. SPEECHD_ADDRESS names
+// another server than the user's own, which the library starts if need be.
 #include <pthread.h>
 #include <signal.h>
 #include <time.h>
@@ -20,7 +20,7 @@ namespace tactics {
 namespace {
 
 // As speechd_types.h and libspeechd.h of 0.11.4 declare them; enumerations are int.
-constexpr int kModeSingle = 0;  // SPD_MODE_SINGLE: no thread of its own
+constexpr int kModeSingle = 0;  // SPD_MODE_SINGLE: the library starts no thread
 constexpr int kText = 3;        // SPD_TEXT: speaks when nothing more important does
 using Open2 = void* (*)(const char* client, const char* connection, const char* user, int mode, const void* address,
                         int autospawn, char** error);
@@ -110,7 +110,7 @@ private:
     bool lost_ = false;
 };
 
-// Connects, and starts the server, on a thread of its own: a server that has stalled is given up with it.
+// Connects, and starts the server, on a separate thread, which is abandoned if the server stalls.
 std::unique_ptr<Voice> connect(const Library& library, const VoiceWish& wish, std::chrono::milliseconds patience, bool& stalled) {
     std::packaged_task<std::unique_ptr<Voice>()> task([library, wish]() -> std::unique_ptr<Voice> {
         const HeldPipes held;
@@ -148,6 +148,6 @@ std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, std::stri
 
 extern const VoiceKind speechd_voice;
 const VoiceKind speechd_voice{
-    .name = "speechd", .summary = "speech-dispatcher, which screen readers speak by", .automatic = true, .open = &open};
+    .name = "speechd", .summary = "speech-dispatcher, through which screen readers speak", .automatic = true, .open = &open};
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface of a plot at one place: how high it is, and how it slopes.
+// A surface of a plot at one place: its height and its slope.
 #pragma once
 
 #include <limits>
@@ -8,10 +8,10 @@
 
 namespace tactics {
 
-/// Bilinear between the four samples around.
+/// Bilinear between the four surrounding samples.
 struct SurfacePlace {
-    double height = std::numeric_limits<double>::quiet_NaN();  ///< not a number: beside it, or one of the four is not known
-    double along_x = 0, along_y = 0;                           ///< how the height grows with each
+    double height = std::numeric_limits<double>::quiet_NaN();  ///< NaN: outside the surface, or one of the four is unknown
+    double along_x = 0, along_y = 0;                           ///< partial derivatives of the height
 };
 
 /// Allocates nothing.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A text server in the network speaks: one line of UTF-8 for each utterance, and nothing is answered. So a haptic grapher had its
-// positions spoken by a synthesiser on another machine (J. P. Fritz, K. E. Barner, "Design of a haptic graphing system", RESNA
+// A text server on the network speaks: it receives one line of UTF-8 for each utterance, and sends no answer. So a haptic grapher
+// had its positions spoken by a synthesiser on another machine (J. P. Fritz, K. E. Barner, "Design of a haptic graphing system",
+// RESNA
 // 1996). It cannot be told to be silent.
 #include <chrono>
 
@@ -77,7 +78,7 @@ std::unique_ptr<Voice> open(const VoiceWish&, const std::string& where, std::str
 extern const VoiceKind tcp_voice;
 const VoiceKind tcp_voice{.name = "tcp",
                           .address = "HOST:PORT",
-                          .summary = "a text server in the network, which is sent a line of UTF-8 for each utterance",
+                          .summary = "a text server on the network, which receives a line of UTF-8 for each utterance",
                           .open = &open};
 
 }  // namespace tactics

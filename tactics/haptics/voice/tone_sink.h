@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where tones are heard: a loudspeaker by ALSA, which PipeWire and PulseAudio offer, too, or nowhere. Those of a file are in
+// Outputs for tones: a loudspeaker through ALSA, which PipeWire and PulseAudio also provide, or nothing. Files are in
 // tone_track.h.
 #pragma once
 
@@ -13,18 +13,18 @@ namespace tactics {
 class ToneSink {
 public:
     virtual ~ToneSink() = default;
-    /// Pairs of samples, kToneRate a second. Throws nothing.
+    /// Takes pairs of samples, kToneRate per second. Never throws.
     virtual void take(std::span<const std::int16_t> samples) = 0;
-    virtual bool has_beat() const { return false; }  ///< it takes them as they are heard; the others at once
-    virtual std::string trouble() { return {}; }     ///< why nothing is heard, and how to mend it; empty: nothing is known
+    virtual bool has_beat() const { return false; }  ///< it consumes samples in real time; other sinks at once
+    virtual std::string trouble() { return {}; }     ///< why nothing is heard, and the remedy; empty: no known trouble
 };
 
 struct OpenedTones {
     std::unique_ptr<ToneSink> sink;  ///< never empty
-    std::string note;                ///< why it is not what was wished; empty: it is
+    std::string note;                ///< why it is not the requested one; empty: it is
 };
 
-/// The loudspeaker, or nowhere. No sound is a note.
+/// The loudspeaker, or nothing. A missing sound device gives a note.
 OpenedTones open_tones();
 
 std::unique_ptr<ToneSink> open_alsa(std::string& note);  ///< empty, with a note, if there is none

@@ -18,7 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kFrames = 441;           // 10 ms: as often what is told is looked at
+constexpr std::size_t kFrames = 441;           // 10 ms: the interval between looks at the current tone
 constexpr std::chrono::milliseconds kRest{1};  // even if a sound card takes all at once
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
 
@@ -51,7 +51,7 @@ struct Toning::Thread : BoundedThread {
     using BoundedThread::BoundedThread;
 };
 
-// A sink without a beat is given what was told as if it were heard: as much as time has passed.
+// A sink that does not run in real time gets as many samples as time has passed.
 void Toning::work(Shared& shared) {
     ToneSynthesiser synthesiser;
     std::array<std::int16_t, 2 * kFrames> samples{};

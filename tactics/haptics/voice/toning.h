@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The thread that sounds: what is heard is what the loop told last.
+// The thread that sounds tones: it plays the last tone from the loop.
 //
 //     OpenedTones opened = open_tones();         // before playing; tell opened.note, if any
 //     Toning toning(std::move(opened.sink));
@@ -27,7 +27,7 @@ public:
     /// For any thread: one store, no lock, no allocation, no system call.
     void tell(const Tone& tone) noexcept;
 
-    /// Fades and closes the sink, within a second, or the thread is left to a sink that hangs (false).
+    /// Fades and closes the sink within a second; false: the sink hangs and the thread was abandoned.
     bool finish();
     std::string note() const;  ///< the first trouble of the sink; empty: none
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program `tactics-assimp`: Assimp behind the frames of protocol.h. It reads the one file that it is given and opens no
-// other.
+// The program `tactics-assimp`: Assimp with the frames of protocol.h. It reads only the given file and opens no other.
 #include <assimp/BaseImporter.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
@@ -170,7 +169,7 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// Over a damaged header of a PLY Assimp goes on and on. (The form: G. Turk, "The PLY polygon file format", 1994.)
+// Assimp does not terminate on a damaged PLY header. (The form: G. Turk, "The PLY polygon file format", 1994.)
 void check_ply(std::string_view file) {
     constexpr std::size_t kMostHeader = 65'536;
     std::string_view rest = file.substr(0, kMostHeader);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// HEIC and AVIF by libheif, in place of OpenImageIO's own plugin. In version 2.4 that takes the size that a file claims for the
-// size of the picture that comes out of it, and where the claim is larger copies from behind the picture's end; and it reads a
-// header from EXIF data that may be shorter than one.
+// HEIC and AVIF by libheif, in place of OpenImageIO's own plugin. In version 2.4 that plugin takes the size claimed by a file for
+// the size of the decoded picture, and reads past the picture's end if the claim is larger; it also reads a header from EXIF data
+// that may be shorter than a header.
 #pragma once
 
 #include <OpenImageIO/imageio.h>

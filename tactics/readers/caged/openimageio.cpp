@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program `tactics-openimageio`: OpenImageIO behind the frames of protocol.h.
+// The program `tactics-openimageio`: OpenImageIO with the frames of protocol.h.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <sys/mman.h>
@@ -129,7 +129,7 @@ void write_file(const std::string& format, const std::vector<std::string>& words
     OIIO::ImageSpec spec(plan.width, plan.height, 1, OIIO::TypeDesc::FLOAT);
     spec.channelnames = {"Y"};
     spec.attribute("compression", "zip");
-    // The plugin puts in the time of day if it is told none, and the same heights are to be the same bytes.
+    // By default the plugin writes the time of day, but the same heights must give the same bytes.
     spec.attribute("DateTime", "1970:01:01 00:00:00");
     for (std::size_t i = 0; i + 1 < words.size(); i += 2) spec.attribute(words[i], words[i + 1]);
     std::vector<unsigned char> bytes;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What passes between the program and `tactics-openimageio` and `tactics-assimp`, which read what strangers wrote with libraries
-// that break on it. Linking OpenImageIO costs 0.2 s at every start, so such a program is started with the first file that needs
-// it, loads its library once and then makes a copy of itself for each file (fork), which shuts itself in (transport/cage.h),
-// answers and ends.
+// The protocol between the main program and `tactics-openimageio` and `tactics-assimp`, which read untrusted files with fragile
+// libraries. Linking OpenImageIO costs 0.2 s at every start, so such a program starts with the first file that needs it, loads
+// its library once and then forks for each file; the child isolates itself (transport/cage.h), answers and ends.
 //
 // A request is one packet of lines and two descriptors, the file and the pipe to answer in. An answer is frames of the
 // machine's own numbers; both are of one build.
@@ -19,7 +18,7 @@
 
 namespace tactics::caged {
 
-/// Goes up with every change of this file.
+/// Increase it with every change of this file.
 inline constexpr char kVersion[] = "5";
 struct Program {
     const char* name;
@@ -41,7 +40,7 @@ struct Facts {
     std::int32_t width = 0;
     std::int32_t height = 0;
     std::int32_t colours = 0;      ///< 1 grey, 3 red green blue
-    std::int32_t alpha = 0;        ///< behind the colours: 0 none, 1 straight, 2 premultiplied
+    std::int32_t alpha = 0;        ///< after the colours: 0 none, 1 straight, 2 premultiplied
     std::int32_t linear = 0;       ///< samples are 0: unsigned char, sRGB-coded; 1: float, linear light
     std::int32_t orientation = 0;  ///< 1 to 8 as in EXIF
     std::int32_t batch = 0;        ///< rows in a frame, from the top, without padding; the last may have fewer

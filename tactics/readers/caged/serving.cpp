@@ -26,7 +26,7 @@ void put_all(const void* bytes, std::size_t size) {
     while (size > 0) {
         const ssize_t count = write(kAnswer, at, size);
         if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) _exit(1);  // nobody listens any more
+        if (count <= 0) _exit(1);  // the reader is gone
         at += count;
         size -= static_cast<std::size_t>(count);
     }
@@ -114,7 +114,7 @@ std::optional<Request> next_request() {
 }  // namespace
 
 void serve_requests(Answer answer, LimitsFor limits_for) {
-    signal(SIGCHLD, SIG_IGN);  // nobody waits for them
+    signal(SIGCHLD, SIG_IGN);  // no parent waits for them
     const pid_t own = getpid();
     while (const auto request = next_request()) {
         const pid_t copy = fork();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The side of the programs that read what strangers wrote: requests come in, and each is answered by a copy that is shut in.
+// The server side of the programs that read untrusted files: an isolated child answers each request.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace tactics::caged {
 
-// What is read or written lies at these, whatever they were in the program.
+// The descriptors of the file and of the answer, whatever they were in the program.
 inline constexpr int kFile = 0, kAnswer = 1;
 inline constexpr const char* kFilePath = "/dev/fd/0";
 
 void put(Frame kind, const void* bytes, std::size_t size);
 [[noreturn]] void fail(std::string text);  ///< ends the answer with a fault; empty: the data make no sense
 
-/// Until nobody asks any more: each request's lines, which are at least three (version, verb, format), to `answer`, in a copy of
-/// this process within the limits that it is given for them. Does not return.
+/// Serves until there are no more requests: passes the lines of each, at least three (version, verb, format), to `answer` in a
+/// forked child with the given limits. Does not return.
 [[noreturn]] void serve_requests(void (*answer)(const std::vector<std::string>& lines),
                                  CageLimits (*limits_for)(const std::vector<std::string>& lines) = nullptr);
 

@@ -134,7 +134,7 @@ private:
         }
     }
 
-    // What a script declares, of which nothing is wanted.
+    // The declarations of a script, all ignored.
     void own_field(std::string_view access) {
         name();
         name();

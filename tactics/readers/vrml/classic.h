@@ -9,8 +9,8 @@
 
 namespace tactics {
 
-/// `bytes` begin with a header such as "#VRML V2.0 utf8". Nodes and fields that nobody knows are read like all others. Throws
-/// Error(failed) at FILE:LINE: not as the syntax has it, cut short, past the limits of world.h.
+/// `bytes` begin with a header such as "#VRML V2.0 utf8". Unknown nodes and fields are read like all others. Throws Error(failed)
+/// at FILE:LINE for invalid syntax, a truncated file, or passed limits of world.h.
 World read_classic_world(std::string_view bytes, const std::string& file);
 
 }  // namespace tactics

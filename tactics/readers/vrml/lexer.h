@@ -12,7 +12,7 @@ namespace tactics {
 struct WorldToken {
     enum class Kind : std::uint8_t { end, word, number, text, mark };
     Kind kind = Kind::end;
-    std::string_view text;  ///< of the bytes; of a text what is between its quotes, as it is written
+    std::string_view text;  ///< view into the bytes; for a string, the raw text between its quotes
     double number = 0;
     int line = 1;
 
@@ -27,7 +27,7 @@ public:
     WorldLexer(std::string_view bytes, bool masks, std::string file);
 
     const WorldToken& peek();
-    WorldToken next();  ///< at the end: that, as often as it is asked
+    WorldToken next();  ///< at the end it keeps returning the end token
 
     [[noreturn]] void fail(int line, const std::string& why) const;
 

@@ -97,7 +97,7 @@ void ModelMaker::begin_object(std::string_view name, int line) {
     open_.push_back(static_cast<int>(model_.objects.size() - 1));
 }
 
-// A group without anything in it is no object. What has no name of its own and is alone in its group is that object.
+// An empty group is no object. An unnamed thing alone in its group is the same object as the group.
 void ModelMaker::end_object() {
     const auto place = static_cast<std::size_t>(open_.back());
     open_.pop_back();

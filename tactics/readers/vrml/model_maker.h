@@ -18,12 +18,12 @@ class ModelMaker {
 public:
     explicit ModelMaker(std::string file) : file_(std::move(file)) {}
 
-    /// What is made until its end is part of it. `name`: bytes of the file.
+    /// Everything made before its end is part of it. `name`: bytes of the file.
     void begin_object(std::string_view name, int line);
     void end_object();
     bool in_object() const { return !open_.empty(); }
 
-    /// Of the whole; the first counts.
+    /// Title of the whole model; the first one counts.
     void set_title(std::string_view title, int line);
 
     /// `weak`: the name is one for want of a better.
@@ -34,7 +34,7 @@ public:
 
     /// Lengths that must be over 0. If one is not, that is noted of the node.
     bool has_size(std::string_view type, int line, std::initializer_list<double> lengths);
-    /// Of a box, one of whose lengths may be 0.
+    /// For a box, of which one length may be 0.
     bool has_sides(std::string_view type, int line, const Point3& size);
 
     /// Each step costs; a small file may ask for endless ones. Throws Error(failed) when they are too many.

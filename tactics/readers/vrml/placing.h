@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where things stand in space: affine maps, as VRML composes them.
+// Placement in space: affine maps, composed as in VRML.
 #pragma once
 
 #include <span>
@@ -27,7 +27,7 @@ Placing scaled(const Point3& by);
 /// nothing.
 Placing turned(const Point3& axis, double angle);
 
-/// What a Transform node has (ISO/IEC 14772-1, 6.52; VRML 1.0 has the same).
+/// The fields of a Transform node (ISO/IEC 14772-1, 6.52; the same in VRML 1.0).
 struct TransformFields {
     Point3 centre, translation, scale{1, 1, 1};
     Point3 axis{0, 0, 1}, scale_axis{0, 0, 1};

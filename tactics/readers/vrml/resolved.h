@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nodes of a World as they count: USE and PROTO looked through, fields with their defaults, IS followed.
+// The effective nodes of a World: with USE, PROTO and IS resolved, and fields with their defaults.
 #pragma once
 
 #include <deque>
@@ -36,7 +36,7 @@ public:
 
     const World& world() const { return world_; }
 
-    /// The node behind USE and PROTO; nothing: it is not there, which is noted.
+    /// The node after resolving USE and PROTO; nothing: it does not exist, and a note says so.
     std::optional<WorldPlace> resolve(std::uint32_t node, const WorldFrame* frame);
 
     /// The first that stands there, resolved.
@@ -70,7 +70,7 @@ private:
     std::deque<WorldFrame> frames_;  // stay where they are; as many as there are steps for, at most
 };
 
-/// What a Transform node of either dialect has.
+/// The fields of a Transform node in either dialect.
 Placing transform_of(const ResolvedWorld& world, const WorldPlace& at, std::string_view scale);
 /// MatrixTransform, which VRML97 lost and some programs still write.
 Placing matrix_of(const ResolvedWorld& world, const WorldPlace& at);

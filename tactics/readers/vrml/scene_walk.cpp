@@ -51,7 +51,7 @@ constexpr NamedPart kParts[] = {
     {"LocalFog", Part::nothing},
     {"Sound", Part::nothing},
     {"AudioClip", Part::nothing},
-    // A geometry or a look that stands in no Shape is only there to be used in one.
+    // A geometry or an appearance outside a Shape only serves for reuse in one.
     {"Appearance", Part::nothing},
     {"Material", Part::nothing},
     {"Coordinate", Part::nothing},

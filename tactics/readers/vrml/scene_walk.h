@@ -7,7 +7,8 @@
 
 namespace tactics {
 
-/// Of LOD the finest level, of Switch the one that is chosen; nothing that moves, shines, sounds or is in another file.
+/// Takes the finest level of LOD and the chosen child of Switch; ignores everything that moves, shines, sounds or is in another
+/// file.
 void walk_scene(const World& world, ModelMaker& maker);
 
 }  // namespace tactics

@@ -52,7 +52,7 @@ std::optional<WorldShape> cone(ResolvedWorld& world, const WorldPlace& at, Model
     return shape;
 }
 
-// What all made of single faces have: which side is outside, and whether there is one.
+// Properties of all shapes made of single faces: which side is outside, and whether there is one.
 void set_sides(const ResolvedWorld& world, const WorldPlace& at, WorldShape& shape) {
     if (!world.flag(at, "ccw", true)) shape.turn_inside_out();
     shape.one_sided = shape.one_sided && world.flag(at, "solid", true);

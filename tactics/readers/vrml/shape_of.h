@@ -9,8 +9,7 @@
 
 namespace tactics {
 
-/// Of a node that stands as the geometry of a Shape. Nothing: it has no faces, as lines have none, or nobody knows it, which is
-/// noted.
+/// The shape of a node used as the geometry of a Shape. Nothing: it has no faces, like lines, or is unknown; a note says so.
 std::optional<WorldShape> shape_of(ResolvedWorld& world, const WorldPlace& at, ModelMaker& maker);
 
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// VRML 1.0 and Open Inventor: nodes in a row, each of which leaves a state for those behind it.
+// VRML 1.0 and Open Inventor: a sequence of nodes, each of which changes the state for the following ones.
 #pragma once
 
 #include "tactics/readers/vrml/model_maker.h"

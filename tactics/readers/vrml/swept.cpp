@@ -25,7 +25,7 @@ std::optional<Point3> direction_of(const Point3& a) {
     return (1 / length) * a;
 }
 
-// Where the section stands at each point of the spine ("spine-aligned cross-section plane"): y along the spine, z out of the
+// The frame of the section at each point of the spine ("spine-aligned cross-section plane"): y along the spine, z out of the
 // plane in which it bends.
 class Planes {
 public:
@@ -50,8 +50,8 @@ private:
     Point3 tangent(std::size_t i) const { return point(after(i)) - point(before(i)); }
     Point3 bend(std::size_t i) const { return cross(point(after(i)) - point(i), point(before(i)) - point(i)); }
 
-    // What is straight, or a point twice, takes over what stands before it, at the beginning what stands behind. The ends of an
-    // open spine have no bend of their own.
+    // Straight parts and repeated points take the frame before them; at the beginning, the frame after them. The ends of an open
+    // spine have no bend of their own.
     void fill() {
         take_over(along_);
         if (!along_[0]) along_.assign(count_, Point3{0, 1, 0});
@@ -105,7 +105,7 @@ WorldShape make_extrusion(const ExtrusionFields& fields) {
     const bool ring = sides > 2 && section(0) == section(sides - 1);
     if (ring) --sides;
     const Planes planes(fields.spine);
-    // Lists that are too short: their last entry goes on.
+    // Lists that are too short: their last entry repeats.
     const auto of_list = [](std::span<const double> list, std::size_t size, std::size_t i) {
         const std::size_t entries = list.size() / size;
         return entries == 0 ? std::span<const double>() : list.subspan(size * std::min(i, entries - 1), size);

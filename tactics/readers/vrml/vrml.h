@@ -15,10 +15,10 @@ namespace tactics {
 /// of these.
 std::string_view vrml_format(std::string_view head);
 
-/// They are in metres (X3D may say another unit) with y upwards, and are turned. Of LOD the finest level is taken, of Switch what
-/// it shows. Scripts, lights, looks and movements do not matter; `notes` tell what was left out of what would: lines and texts,
-/// other files (never opened), nodes that nobody knows, broken faces. Throws Error(failed) at FILE:LINE: not as the format has
-/// it, cut short, past a limit (vrml/world.h, vrml/model_maker.cpp), nothing in it that has faces.
+/// They are in metres (X3D may give another unit) with y upwards, and are turned. LOD gives its finest level, Switch its visible
+/// child. Scripts, lights, appearance and movements are ignored; `notes` list omitted things that matter: lines and texts, other
+/// files (never opened), unknown nodes, broken faces. Throws Error(failed) at FILE:LINE for invalid format, a truncated file, a
+/// passed limit (vrml/world.h, vrml/model_maker.cpp), or no faces.
 Model read_vrml(Source& source, std::vector<std::string>& notes);
 
 }  // namespace tactics

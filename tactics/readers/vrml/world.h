@@ -11,7 +11,7 @@
 
 namespace tactics {
 
-// What a file may have. A node, a field and a word of text are an item each.
+// Limits of a file. Each node, each field and each word of text is an item.
 inline constexpr std::size_t kMostWorldBytes = 256u << 20;  ///< unpacked
 inline constexpr std::size_t kMostWorldItems = 2'000'000;
 inline constexpr std::size_t kMostWorldNumbers = 50'000'000;
@@ -48,7 +48,7 @@ struct WorldProto {
     int line = 0;
     bool external = false;
     std::vector<WorldField> defaults;
-    std::vector<std::uint32_t> body;  ///< the first is what stands for the whole
+    std::vector<std::uint32_t> body;  ///< the first represents the whole
 };
 
 struct World {
@@ -70,7 +70,7 @@ const WorldValue* field_of(const WorldNode& node, std::string_view name);
 /// Numbers that no surface depends on (colours, normals, places in pictures, movements) need not be kept.
 bool is_for_eyes(std::string_view type, std::string_view field);
 
-/// Fills a World within its limits, whoever reads it. Throws Error(failed) at FILE:LINE where one is passed.
+/// Fills a World within its limits, for every reader. Throws Error(failed) at FILE:LINE if one is passed.
 class WorldBuilder {
 public:
     explicit WorldBuilder(World& world) : world_(world), scopes_(1) {}
@@ -78,7 +78,7 @@ public:
     /// A node within those that were begun and not ended. Its name is known from here on.
     std::uint32_t begin(std::string_view type, std::string_view name, int line);
     void end();
-    /// What stands where a named node is used again.
+    /// Adds a reference that uses a named node again.
     std::uint32_t use(std::string_view name, int line);
     WorldNode& node(std::uint32_t place) { return world_.nodes[place]; }
 

@@ -113,7 +113,7 @@ private:
 
     WorldValue& field_in(std::uint32_t place, std::string_view name, int line) {
         auto& fields = builder_.node(place).fields;
-        // Nodes come behind attributes and stand in few fields.
+        // Nodes follow attributes and occur in few fields.
         const auto known = std::find_if(fields.rbegin(), fields.rend(), [&](const WorldField& one) { return one.name == name; });
         return known != fields.rend() ? known->value : fields.emplace_back(builder_.field(std::string(name), line)).value;
     }

@@ -278,7 +278,7 @@ void trial_of_muteness(Cable& cable, const std::string& bus) {
          outcome.news == "silent " && outcome.ended - outcome.began < 3.1 && bench.shared->obeyed == 0);
 }
 
-// A mouse that takes no reports: the kernel waits for it, and nobody can interrupt that.
+// A mouse that takes no reports: the kernel waits for it, and the wait cannot be interrupted.
 void trial_of_deafness(Cable& cable, const std::string& bus) {
     Bench bench(cable);
     const Outcome outcome = bench.play([&](double time) {

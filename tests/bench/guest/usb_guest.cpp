@@ -198,7 +198,7 @@ std::string refusal_of(Way way) {
     return "";
 }
 
-// Who has the printer, and who gets it back.
+// The driver that has the printer, and the one that gets it back.
 void trials_of_drivers() {
     plug(true);
     std::string id;

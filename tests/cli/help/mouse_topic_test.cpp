@@ -156,7 +156,7 @@ TEST(MouseTopic, ItsExampleAndItsSumAreThoseOfAMouse) {
     const std::string text = "123456789", topic = describe_topic("mouse");
     char sum[8];
     std::snprintf(sum, sizeof sum, "%04Xh", sum_of({reinterpret_cast<const unsigned char*>(text.data()), text.size()}));
-    EXPECT_TRUE(holds(topic, "123456789 it is " + std::string(sum))) << sum;
+    EXPECT_TRUE(holds(topic, "123456789 gives " + std::string(sum))) << sum;
     EXPECT_TRUE(holds(topic, "of which tactics play gives 3 ms."));
 }
 
@@ -214,8 +214,7 @@ TEST(MouseTopic, TellsTheFileForLever) {
         for (const double value : {least, most}) EXPECT_FALSE(holds(given(value), "out of range")) << line;
         for (const double value : {least - 0.001, most + 0.001}) EXPECT_TRUE(holds(given(value), "out of range")) << line;
     }
-    EXPECT_EQ(part("keeps its default."),
-              (std::vector<std::string>{"lever = light or heavy", "finger = soft, nominal or stiff"}));
+    EXPECT_EQ(part("first:"), (std::vector<std::string>{"lever = light or heavy", "finger = soft, nominal or stiff"}));
     for (const char* one : {"lever = light", "lever = heavy", "finger = soft", "finger = nominal", "finger = stiff"})
         EXPECT_EQ(message(one), "");
     EXPECT_EQ(kLevers.size() + kFingers.size(), 5u);

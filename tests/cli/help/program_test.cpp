@@ -123,7 +123,7 @@ TEST(Program, ListsAsJson) {
     EXPECT_EQ(python.code, 0) << python.err;
 }
 
-// One long line: words are not parted, so they can be looked for.
+// One long line: words are not divided, so a search finds them.
 std::string shown_page(const Folder& folder, const std::string& roff) {
     const Ending warnings = run_tool(folder, {"groff", "-man", "-ww", "-z"}, roff);
     EXPECT_EQ(warnings.code, 0);
@@ -218,7 +218,7 @@ TEST(Completion, IsAScriptInEveryShell) {
     EXPECT_EQ(run_tactics(folder, {"completion", "csh"}).code, 1);
 }
 
-// An option that no command has is never given, so a slip in its name would be seen by nobody.
+// An option that no command has is never given, so nobody would notice a mistake in its name.
 TEST(Program, OptionsThatAreReadAreDescribed) {
     std::set<std::string> described{std::string(kHelpFlag.name), std::string(kNoDefaultsFlag.name)};
     for (const Command* command : commands())

@@ -10,7 +10,7 @@ namespace {
 using namespace tests;
 namespace fs = std::filesystem;
 
-// Black lines, so many pixels apart, on a picture of 200 x 200.
+// Black lines at that distance in pixels, on a picture of 200 x 200.
 std::string stripes(int apart) {
     return grey_picture(200, 200, [apart](int x, int y) { return x > 20 && x < 180 && y % apart == apart / 2 ? 0 : 255; });
 }
@@ -59,7 +59,7 @@ TEST_F(Mending, TellsEachPlaceToScripts) {
     EXPECT_TRUE(holds(json, "\"hard_after\":0,\"kept\":0.")) << json;
     EXPECT_TRUE(holds(json, "\"changes\":[{\"what\":\"")) << json;
     EXPECT_FALSE(holds(json, "\"hard_before\":0,")) << json;
-    // What was not looked at is not told.
+    // Pages that were not examined are not reported.
     EXPECT_FALSE(holds(lines("near.tif", "near.svg", {"--json", "--as-drawn"}).out, "hard_before"));
 }
 

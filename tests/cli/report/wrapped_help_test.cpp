@@ -31,7 +31,7 @@ TEST(WrappedHelp, BreaksBetweenWords) {
     EXPECT_EQ(wrapped_help("", 10), "");
 }
 
-// Of any command at any width: the same words in the same order, and no line is longer than it must be.
+// For any command at any width: the same words in the same order, and no line longer than necessary.
 TEST(WrappedHelp, KeepsEveryWord) {
     for (const Command* command : commands()) {
         const std::string text = explain_command(*command);

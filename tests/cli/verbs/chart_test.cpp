@@ -148,7 +148,7 @@ TEST_F(ChartCommand, SaysWhatIsWrongAndWhere) {
     refused("a;b\n1;2,5,5\n", {"--y", "b"}, 2, "standard input:2: b is \"2,5,5\", which is no number; write it like 0.53");
     refused("1;30,5\n2;20.5\n", {}, 2, "write all numbers with a point, or all with a comma");
     refused("1,30,p\n10,20,q\n", {}, 2, "there is \"1\" and \"30\", which are numbers");
-    // Of a long word whole letters are told.
+    // A long word is cut at whole letters.
     std::string word = "a";
     while (word.size() < 1000) word += "\u00E4";
     refused("a,b\n1," + word + "\n", {"--y", "b"}, 2, "b is \"" + word.substr(0, 79) + "...\", which is no number");
@@ -181,7 +181,7 @@ TEST_F(ChartCommand, SaysWhatIsWrongAndWhere) {
     EXPECT_TRUE(holds(run_tactics(folder, {"chart", "none.csv", "-o", "c.svg"}).err, "none.csv: "));
 }
 
-// What the header says and the file does not, whatever it is written with: the same page.
+// The same page for every notation of the file.
 TEST_F(ChartCommand, TheSameDataAreTheSamePageHoweverTheyAreWritten) {
     const std::string plain = svg("t (s),F\n1.5,2\n2.5,5.25\n4,NaN\n5,3\n6.5,2.5\n");
     for (const char* same :

@@ -251,7 +251,7 @@ TEST(Check, RulesAreListedAndExplained) {
     for (const Rule* rule : rules()) {
         const std::string name(rule->name), help = run_tactics(folder, {"help", name}).out;
         EXPECT_TRUE(holds(help, "Source: " + std::string(rule->source)) && holds(help, "Confidence in the number: ")) << help;
-        EXPECT_EQ(holds(help, "Take it as a hint"), rule->confidence != Confidence::good) << help;
+        EXPECT_EQ(holds(help, "Treat it as a hint"), rule->confidence != Confidence::good) << help;
         // Its example is one that can be typed.
         const auto from = help.find("tactics check ");
         ASSERT_NE(from, std::string::npos);

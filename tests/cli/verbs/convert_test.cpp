@@ -66,7 +66,7 @@ TEST_F(Convert, ALongSearchPathForBrailleTablesIsRefused) {
     }
 }
 
-// The limit ends what would not end by itself.
+// The limit ends a run that would not end on its own.
 TEST_F(Convert, WhatTheSurroundingsNameIsNotReadWithoutEnd) {
     const auto with = [&](const std::string& setting, const std::string& table) {
         return run_tool(folder, {"prlimit", "--cpu=20", "env", setting, TACTICS_PROGRAM, "convert", "disc.tif", "-q", "--title",
@@ -322,7 +322,7 @@ TEST_F(Convert, CtrlCLeavesNothingHalfWritten) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder / "out"), {}), 401);
 }
 
-// Ctrl-C ends it even where nobody reads what it says.
+// Ctrl-C ends it even if nobody reads its output.
 TEST_F(Convert, AFullPipeDoesNotKeepItAlive) {
     const std::string pipe = folder / "pipe";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

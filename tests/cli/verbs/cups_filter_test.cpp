@@ -162,7 +162,7 @@ TEST_F(CupsFilter, TakesOnlyWhatItsPpdOffers) {
                                           ": this queue offers no such choice; lpoptions -p QUEUE -l lists them, and a queue of "
                                           "an older PPD file is set up again with one of tactics ppd\n");
             }
-    // Nor does the PPD file itself name files, whoever wrote it.
+    // The PPD file itself cannot name files either, whoever wrote it.
     const std::string ppd = bytes_of(folder / "e.ppd");
     for (const std::string& table : {own + "own.ctb", std::string("own.ctb")}) {
         write_bytes(folder / "e.ppd", ppd + "*TacticsBraille " + table + ": \"\"\n*DefaultTacticsBraille: " + table + "\n");
@@ -178,7 +178,7 @@ TEST_F(CupsFilter, TakesOnlyWhatItsPpdOffers) {
     EXPECT_EQ(filter("TacticsBraille=none TacticsRecipe=auto", "disc.tif").code, 0);
 }
 
-// Programs are those of the system, and so are the places of files, whatever is set where the filter is started.
+// Programs and places of files are those of the system, whatever the filter's environment sets.
 TEST_F(CupsFilter, FixesItsSurroundings) {
     if (!has_tool("pdftocairo")) GTEST_SKIP() << "poppler-utils is missing";
     ASSERT_EQ(convert({"disc.tif", "-q", "-o", "a.pdf"}).code, 0);

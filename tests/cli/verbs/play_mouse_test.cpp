@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// `tactics play` with a haptic mouse that umockdev pretends: whatever the mouse does, the finger is not hurt. Ends come after so
-// many words, not seconds, and how strong a force is is not asked: where a machine is busy ticks are late, and it begins softly
-// again and again.
+// `tactics play` with a haptic mouse simulated by umockdev: whatever the mouse does, the finger is not hurt. Tests end after a
+// number of reports, not seconds, and do not check the strength of a force: on a busy machine ticks are late, and the force
+// begins softly again and again.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace tests;
 
-// A report that the program wrote, when it had had so many good words of so many.
+// A report written by the program, with the numbers of good reports and of all reports it had received.
 struct Written {
     long good = 0, given = 0;
     ForceWord word;

@@ -256,7 +256,7 @@ TEST_F(Play, WhatIsDrawnFirstIsFeltAsFromAFile) {
         EXPECT_EQ(ending.code, 0) << ending.err;
         EXPECT_EQ(bytes_of(folder / "felt.csv"), bytes_of(folder / "between.csv")) << source[0];
     }
-    // What tells its heights is played as it is, and so is a picture whose heights are told.
+    // A file with heights is played directly, and so is a picture for which heights are given.
     EXPECT_FALSE(holds(play({"between.height.tif", "--seconds", "0.1"}).err, "recipe"));
     EXPECT_TRUE(holds(play({"disc.tif", "--pitch", "1mm", "--seconds", "0.1"}).err, "it tells no heights"));
     EXPECT_TRUE(holds(play({"disc.tif", "--seconds", "0.1"}).err, "disc.tif: recipe "));

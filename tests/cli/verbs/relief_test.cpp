@@ -179,7 +179,7 @@ TEST(Relief, ForAMediumItsHeightsAreThoseOfWhichThatLosesLeast) {
     EXPECT_TRUE(holds(made.err, "hills.pgm: for graphiti: least loss ")) << made.err;
     EXPECT_TRUE(holds(made.err, " instead of ")) << made.err;
     EXPECT_TRUE(holds(made.err, ", 100 x 60 mm; heights ")) << made.err;  // as wide as it was
-    // What is written is measured by itself: the medium carries more of it than of the source.
+    // Measures the written file: the medium carries more of it than of the source.
     const auto carried = [&](const std::string& file, const Words& more) {
         Words words{"measure", file, "--media", "graphiti", "--json"};
         words.insert(words.end(), more.begin(), more.end());

@@ -248,7 +248,7 @@ TEST_F(Show, SizesThatNoDisplayHasAreRefused) {
         holds(show({"disc.tif", "--on", "dot-pad:" + pad.path, "--part", "5"}).err, "there is one part; --zoom makes more"));
 }
 
-// Names that have no room at their things stand in a key, whose pages are as large as the display whatever the zoom.
+// Names that have no room at their things go into a key, whose pages are as large as the display at any zoom.
 TEST_F(Show, KeysAreReadPartByPart) {
     PretendedPad pad({});
     Words words{"disc.tif", "--on", "dot-pad:" + pad.path, "--zoom", "2"};

@@ -78,7 +78,7 @@ TEST_F(OwnTable, OnTheCommandLine) {
     EXPECT_EQ(convert({"disc.tif", "-q", "-o", "a.svg", "--title", "A", "--braille", "good.ctb"}).code, 0);
     EXPECT_EQ(convert({"disc.tif", "-q", "-o", "b.svg", "--title", "A", "--braille", "en-ueb-g1.ctb"}).code, 0);
     EXPECT_EQ(bytes_of(folder / "a.svg"), bytes_of(folder / "b.svg"));
-    // A file of the name of a table that nobody asked for by its path is not looked at.
+    // A file with the name of a table is not read unless it is named by its path.
     table("include en-ueb-g2.ctb\n", "en-ueb-g2.ctb");
     EXPECT_EQ(convert({"disc.tif", "-q", "-o", "c.svg", "--title", "A"}).code, 0);
     EXPECT_EQ(convert({"disc.tif", "-o", "d.svg", "--title", "A", "--braille", "./en-ueb-g2.ctb"}).code, 1);

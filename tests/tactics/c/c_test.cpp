@@ -160,7 +160,7 @@ TEST_F(LibraryForC, IsGivenUpFromWithinAndFromOutside) {
 }
 
 TEST_F(LibraryForC, ABrokenRuleIsACodeOfItsOwn) {
-    // Lines half a millimetre apart, left as they are.
+    // Lines half a millimetre apart, unchanged.
     std::string lines = R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100" width="100mm" height="100mm">)";
     for (int i = 0; i < 20; ++i)
         lines += "<path fill='none' stroke='black' stroke-width='0.5' d='M10 " + std::to_string(40 + i) + "H90'/>";

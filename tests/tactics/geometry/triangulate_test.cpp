@@ -39,7 +39,7 @@ Areas areas_of(const Ring& ring) {
     return areas;
 }
 
-// Of a ring that does not cross itself: no triangle looks the other way, and they fill it without overlap.
+// For a ring that does not cross itself: no triangle faces the other way, and they fill it without overlap.
 void expect_filled(const Ring& ring, const std::string& what) {
     const Areas areas = areas_of(ring);
     const double area = length_of(area_vector(ring));
@@ -102,8 +102,8 @@ TEST(Triangulate, RandomRingsThatWindOnceAreFilled) {
     }
 }
 
-// What crosses itself, is bent, has no area or is no number: so many triangles, whose areas with their directions are those of
-// the ring, whatever it is.
+// A ring that crosses itself, is bent, has no area or has NaN: the right number of triangles, whose directed areas sum to that of
+// the ring.
 TEST(Triangulate, BadRingsComeToAnEnd) {
     RandomNumbers random(4);
     for (int trial = 0; trial < 300; ++trial) {

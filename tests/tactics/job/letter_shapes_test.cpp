@@ -28,7 +28,7 @@ std::map<char32_t, Letter> letters_for(const std::string& text) {
     return letters_of(page);
 }
 
-// An outline at that size, turned by so many degrees to the left.
+// An outline at that size, turned to the left by that many degrees.
 std::string path_of(const Letter& letter, double size, double degrees) {
     const double c = std::cos(degrees * 3.14159265358979 / 180), s = std::sin(degrees * 3.14159265358979 / 180);
     std::ostringstream d;
@@ -101,7 +101,7 @@ TEST(LetterShapes, ThatNoFontHasStayUnread) {
     EXPECT_TRUE(page.page.areas.empty());
 }
 
-// Of two fonts that draw an a differently the file's own is taken; one whose o has no hole has signs in place of letters.
+// Of two fonts with different shapes of a, the file's own is chosen; a font whose o has no hole has signs in place of letters.
 TEST(LetterShapes, AreNotTakenFromFontsOfSigns) {
     if (!has_font()) GTEST_SKIP() << "no font is installed";
     const Fonts shifted = [](const auto& goes_on) {
@@ -119,7 +119,7 @@ TEST(LetterShapes, AreNotTakenFromFontsOfSigns) {
     EXPECT_EQ(page.words[0].text, "");
 }
 
-// Without a font they are looked at; what is not read whole stays unread.
+// Without a font they are read as a picture; a word that is not read completely stays unread.
 TEST(LetterShapes, ThatNoFontHasAreReadAsPrint) {
     if (!has_font()) GTEST_SKIP() << "no font is installed";
     const Fonts none = [](const auto&) {};

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = TextBlock::Kind;
 
-// Words of half their height a letter, parted by a third of it.
+// Words with letters half as wide as high, separated by a third of the height.
 PdfLine line(double left, double top, double high, const std::string& text) {
     PdfLine made;
     for (const std::string_view word : words_of(std::string_view(text))) {
@@ -50,7 +50,7 @@ std::string told(const std::vector<PdfText>& pages) {
 TEST(Written, TheUsualHeightIsThatOfMostWords) {
     EXPECT_EQ(usual_height({}), 0);
     EXPECT_EQ(usual_height({page({block(0, 20, {"a large heading"}), block(50, 12, kBody)})}), 12);
-    // Of all pages together: a title page has no usual height of its own.
+    // For all pages together: a title page has no usual height of its own.
     EXPECT_EQ(usual_height({page({block(0, 20, {"a title"})}), page({block(0, 12, kBody)})}), 12);
 }
 

@@ -280,7 +280,7 @@ TEST(Naming, KeepsTheRules) {
         } catch (const Error&) {
             continue;  // no room even for two letters
         }
-        // Lines of the scene are near each other as it is; no lead line adds to that.
+        // Lines of the scene are close to each other already; lead lines must not add to that.
         Drawing unnamed = scene(seed, 6, 12);
         unnamed.names.clear();
         const Rule& gap = *find_rule("gap");
@@ -358,7 +358,7 @@ TEST(Naming, ComesToAnEndOnAVeryBusyDrawing) {
     }
 }
 
-// Of names that may be left out the page tells which were; the others stand as if these had not been there.
+// The page lists the optional names that it left out; the others are placed as if these did not exist.
 TEST(Naming, LeavesOutAndTellsOptionalNamesWithoutRoom) {
     Drawing drawing;
     drawing.width = drawing.height = 40;

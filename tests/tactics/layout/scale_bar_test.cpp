@@ -43,7 +43,7 @@ std::string message_of(const Sheet& sheet, const Drawing& drawing) {
     return "no error";
 }
 
-// One drawn length divided by one told: whatever the paper, the medium and the size of the thing.
+// The drawn length divided by the stated one, for any paper, medium and size of the thing.
 TEST(ScaleBar, IsAsLongAsItSays) {
     for (const char* paper : {"a4", "a5", "11x11.5", "120x150mm"})
         for (const char* medium : {"swell", "embosser", "thermoform"})

@@ -71,7 +71,7 @@ std::vector<Row> rows_of(const Page& page) {
 
 Cells cells_of(const std::string& text) { return to_braille(text, kTable, "test"); }
 
-// All words of the pages without their numbers, parted by single blanks.
+// All words of the pages without page numbers, separated by single blanks.
 Cells read(const std::vector<Page>& pages) {
     Cells all;
     for (const Page& page : pages) {

@@ -192,7 +192,7 @@ TEST(Texture, FixedDotsAreThePatternsOwn) {
     }
 }
 
-// A scene as recipes make it, on every medium: nothing that a page must keep is broken, whatever the texture.
+// A scene as recipes make it, on every medium: no texture breaks a hard rule.
 TEST(Texture, APageOfAllTexturesKeepsTheRules) {
     Drawing drawing{180, 240, {}, {}, {}};
     for (int i = 0; i < kTextures + 1; ++i) {

@@ -197,7 +197,7 @@ TEST(Lettering, NothingIsAskedWhereThereIsNone) {
 }
 
 TEST(Lettering, OfHostilePicturesIsBounded) {
-    // Noise, a fine grid of letters' size, all letters: no more than so many lines, and an end.
+    // Noise, a fine grid in the size of letters, nothing but letters: a limited number of lines, and termination.
     Image image = make_image(1200, 900, 1, 0, 255);
     std::uint32_t state = 7;
     for (auto& pixel : image.pixels) {

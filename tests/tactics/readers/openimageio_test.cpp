@@ -23,7 +23,7 @@ Image read_by_openimageio(const Bytes& bytes, const ReadRequest& request = {.lon
     return openimageio().read(source, request);
 }
 
-// Of a file that somebody trusts.
+// For a trusted file.
 std::string complaint_of_allowed(const Bytes& bytes) {
     try {
         Source source = memory_source(bytes, "test");
@@ -110,7 +110,7 @@ TEST(OpenImageIo, SaysThatAFileIsCutShort) {
     }
     const Bytes webp = joined("RIFF\xFF\1", {0, 0, 'W', 'E', 'B', 'P', 'V', 'P', '8', ' ', 0});
     EXPECT_EQ(complaint(webp), "test: is cut short; get a complete copy of it");
-    // A length that is wrong refuses nothing by itself.
+    // A wrong length alone does not cause a refusal.
     Bytes liar = bmp;
     liar[3] = 0xFF;
     EXPECT_EQ(complaint(liar), "");

@@ -311,7 +311,7 @@ inline Image stored_as(const Image& upright, int orientation) {
     return stored;
 }
 
-/// The same bytes read by OpenImageIO, whatever their format.
+/// The same bytes read by OpenImageIO, in any format.
 inline const Reader& openimageio() { return *readers().back(); }
 
 }  // namespace tactics

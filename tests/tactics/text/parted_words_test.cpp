@@ -48,7 +48,7 @@ TEST(PartedWords, TheTextItselfShowsHowAWordIsWritten) {
     EXPECT_EQ(set({"the co-", "op"}, "A (co-op)."), "the co-op");
     EXPECT_EQ(set({"the co-", "op"}, "Coop!"), "the coop");
     EXPECT_EQ(set({"a sculpt-", "or"}, "the sculptor,"), "a sculptor");
-    // A word that is parted itself shows nothing.
+    // A word that is itself divided is no evidence.
     EXPECT_EQ(set({"Jean-", "Paul"}), "Jean-Paul");
 }
 

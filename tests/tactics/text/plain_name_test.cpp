@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people call things, whatever wrote the file.
+// People's names for things, for files from any program.
 #include "tactics/text/plain_name.h"
 
 #include <gtest/gtest.h>

@@ -33,7 +33,7 @@ void say(int line, char kind, const std::vector<std::uint32_t>& numbers) {
     send(line, words.data(), 4 * words.size(), MSG_NOSIGNAL);
 }
 
-// Answers so many packets, then hears without a word until the other end has gone.
+// Answers that many packets, then listens silently until the other end has gone.
 void serve(int line, int answers) {
     constexpr std::uint32_t kVersion = 8, kNoKeyAsked = 'N', kColumns = 20, kLines = 2;
     const std::map<char, std::vector<std::uint32_t>> words{{'a', {}}, {'s', {kColumns, kLines}}, {'v', {kNoKeyAsked}}};

@@ -175,7 +175,7 @@ void reach_out(int to) {
     tell(to, fcntl(to, kSetDelegation, 0) == 0 || errno != EPERM, 'F');
     tell(to, flock(to, LOCK_SH) == 0 || errno != EPERM, 'X');
     tell(to, inotify_init1(0) >= 0 || errno != EPERM, 'W');
-    // Refused before the kernel has looked at the rest, which is wrong: only root would get further.
+    // Refused before the kernel examines the rest, which is invalid: only root would get further.
     tell(to, syscall(SYS_clone, CLONE_THREAD | CLONE_NEWNET, 0, 0, 0, 0) >= 0 || errno != EPERM, 'N');
 }
 

@@ -89,7 +89,7 @@ TEST(CagedChild, EndsWithUsHoweverWeEnd) {
     EXPECT_TRUE(tests::wait_until_gone(child));
 }
 
-// Who was to hear it ended before it could ask to be ended with it.
+// Its parent ended before it could ask to be ended with the parent.
 TEST(CagedChild, OfAParentThatIsGoneDoesNotBegin) {
     const std::string cage = TACTICS_BINARY_DIR "/tactics-cage";
     const auto said = [&](pid_t parent) {

@@ -25,7 +25,7 @@ class Machine : public Channel {
 public:
     std::string got;
     std::size_t room = 4096;        // of its buffer
-    std::size_t no_paper_at = ~0u;  // it has taken so many bytes
+    std::size_t no_paper_at = ~0u;  // after it has accepted this many bytes
     int paper_after = 1'000'000;    // waits
     std::size_t unplugged_at = ~0u;
     std::size_t stalls_at = ~0u;

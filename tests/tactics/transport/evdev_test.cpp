@@ -99,7 +99,7 @@ TEST_F(OverlayMock, TellsContactsBySlots) {
 TEST_F(OverlayMock, BelongsToWhoOpenedItUntilItIsClosed) {
     const Ending ending = run("slots", {});
     EXPECT_EQ(ending.err, "the overlay is grabbed\nthe overlay is let go\n");
-    // Who cannot have it so goes on, and what was not got is not let go.
+    // Without exclusive use the program goes on, and does not release what it did not grab.
     const Ending taken = run("taken", {});
     EXPECT_EQ(taken.code, 0);
     EXPECT_EQ(taken.out, ending.out);
@@ -149,8 +149,7 @@ TEST_F(OverlayMock, TheFingerIsWhereTheOverlaySaysItIs) {
     const auto begin = tick(false), end = tick(true);
     EXPECT_NEAR(begin[1], 10, 0.5);
     EXPECT_NEAR(begin[2], 20, 0.5);
-    // By the mouse alone, whose counts are taken for too small ones, it would be at 49; a machine that is busy with other things
-    // has little of the overlay.
+    // By the mouse alone, whose counts are assumed too small, it would be at 49; a busy machine gets few samples of the overlay.
     EXPECT_NEAR(end[1], 60, 4);
     EXPECT_NEAR(end[2], 20, 4);
     EXPECT_FALSE(holds(ending.err, "middle of the map")) << ending.err;

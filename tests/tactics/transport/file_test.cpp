@@ -149,7 +149,7 @@ TEST_F(File, StandardOutput) {
 
 TEST_F(File, AReaderThatHasGoneIsNoError) {
     EXPECT_EQ(in_child([&] {
-                  signal(SIGPIPE, SIG_DFL);  // whatever a library did in this process
+                  signal(SIGPIPE, SIG_DFL);  // in case a library changed it
                   int ends[2];
                   if (pipe(ends) != 0) return kCannot;
                   close(ends[0]);

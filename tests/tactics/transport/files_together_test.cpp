@@ -42,7 +42,7 @@ TEST_F(FilesTogether, AllAreWritten) {
     EXPECT_EQ(together({}), "no error");
 }
 
-// Whichever of the three fails, and for whatever reason.
+// For a failure of any of the three, for any reason.
 TEST_F(FilesTogether, NoneIsLeftWhenOneFails) {
     write_file(in("old"), "good");
     std::filesystem::create_directory(in("folder"));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A braille display of the HID standard that is not there: runs a program that finds it as /dev/hidraw0, by umockdev.
 //     umockdev-wrapper hid_mock FILE[,gone=REPORTS] PROGRAM...
-// FILE gets a line for each report that is written, in hexadecimal. From so many reports on it is gone. It has 3 lines of 20
-// cells: two rows in report 1, one in report 2. Keys are not pretended: umockdev lets nobody wait for them.
+// FILE gets a line for each report that is written, in hexadecimal. After that many reports it is gone. It has 3 lines of 20
+// cells: two rows in report 1, one in report 2. Keys are not simulated, because umockdev cannot wait for them.
 #include <linux/hidraw.h>
 #include <sys/ioctl.h>
 

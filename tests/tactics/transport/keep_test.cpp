@@ -15,7 +15,7 @@
 namespace {
 
 std::mutex calls_mutex;
-std::vector<std::string>* calls = nullptr;  // nullptr: nobody listens
+std::vector<std::string>* calls = nullptr;  // nullptr: no listener
 int refused_with = 0;                       // what fsync answers
 
 void note(const std::string& call) {

@@ -51,7 +51,7 @@ inline bool answer_descriptor(UMockdevIoctlClient* client, std::span<const std::
     return true;
 }
 
-/// Who answers for a pretended device.
+/// The process that answers for a simulated device.
 struct Answers {
     GCallback asked = nullptr, written = nullptr, read = nullptr;  ///< the last two may be missing
     gpointer machine = nullptr;

@@ -179,7 +179,7 @@ gboolean asked_overlay(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client,
     return complete(0, 0);
 }
 
-// Frames of the moving hand, 60 a second, as late as they are; a hand that rests is told of no more.
+// Frames of the moving hand, 60 per second, with their delay; a resting hand causes no more frames.
 std::vector<input_event> moving_frame(Overlay& overlay) {
     std::vector<input_event> events;
     const double time = now();

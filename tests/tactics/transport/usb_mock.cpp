@@ -2,8 +2,9 @@
 // A printer on USB that is not there: runs a program that finds it, by umockdev, and keeps what the printer takes.
 //     umockdev-wrapper usb_mock FILE[,unplug=BYTES][,stop=BYTES][,for=TIMES][,paper][,stall=BYTES][,busy][,id=TEXT][,second]
 //     PROGRAM...
-// FILE has its bytes, FILE.driver a line for each time that the kernel's driver was taken off (-) and given back (+). It ends as
-// PROGRAM does. "stop" takes no more from there, for so many transfers that were given up, or for ever; with "paper" it says why.
+// FILE has its bytes, FILE.driver a line for each time the kernel's driver was detached (-) and attached again (+). It ends as
+// PROGRAM does. "stop" accepts no more from there, for that many abandoned transfers, or for ever; with "paper" it gives the
+// reason.
 #include <linux/usbdevice_fs.h>
 #include <sys/ioctl.h>
 
