@@ -37,7 +37,6 @@ WideWay::WideWay(const Point3& from, const Point3& way, float around) noexcept
 
 FourFacets::FourFacets(const FacetCorners* facets, std::uint32_t first_, std::uint32_t count_) noexcept
     : x{},
-      y{},
       z{},
       x0{},
       y0{},
@@ -65,15 +64,16 @@ FourFacets::FourFacets(const FacetCorners* facets, std::uint32_t first_, std::ui
 
 void FourFacets::put(std::uint32_t lane, const Point3* at) noexcept {
     const Point3 along = unit(at[1] - at[0]), over = unit(cross(at[1] - at[0], at[2] - at[0])), across = cross(over, along);
-    const auto axis = [&](const Point3& is, Four* axes, Four& of_origin) {
+    const auto axis = [&](const Point3& is, Four* axes) {
         axes[0][lane] = static_cast<float>(is.x);
         axes[1][lane] = static_cast<float>(is.y);
         axes[2][lane] = static_cast<float>(is.z);
-        of_origin[lane] = static_cast<float>(-dot(is, at[0]));
     };
-    axis(along, x, x0);
-    axis(across, y, y0);
-    axis(over, z, z0);
+    axis(along, x);
+    axis(over, z);
+    x0[lane] = static_cast<float>(-dot(along, at[0]));
+    y0[lane] = static_cast<float>(-dot(across, at[0]));
+    z0[lane] = static_cast<float>(-dot(over, at[0]));
     const double far = dot(along, at[1] - at[0]), apex_x = dot(along, at[2] - at[0]), apex_y = dot(across, at[2] - at[0]);
     length[lane] = static_cast<float>(far);
     const double from_end = std::hypot(far - apex_x, apex_y), from_start = std::hypot(apex_x, apex_y);
@@ -81,6 +81,12 @@ void FourFacets::put(std::uint32_t lane, const Point3* at) noexcept {
     in_y[0][lane] = static_cast<float>((apex_x - far) / from_end);
     in_x[1][lane] = static_cast<float>(apex_y / from_start);
     in_y[1][lane] = static_cast<float>(-apex_x / from_start);
+}
+
+void FourFacets::take_y(Four* y) const noexcept {
+    y[0] = z[1] * x[2] - z[2] * x[1];
+    y[1] = z[2] * x[0] - z[0] * x[2];
+    y[2] = z[0] * x[1] - z[1] * x[0];
 }
 
 // The part of the way on which it is no farther than `reach` from the facet's plane and from being over the facet.
@@ -98,6 +104,8 @@ unsigned FourFacets::may_meet(const Point3& ball, const Point3& way, double radi
     const Four up = dot(z, start) + z0, rises = dot(z, along);
     keep_in(reach + up, rises);
     keep_in(reach - up, -rises);
+    Four y[3];
+    take_y(y);
     const Four at_x = dot(x, start) + x0, at_y = dot(y, start) + y0, by_x = dot(x, along), by_y = dot(y, along);
     keep_in(reach + at_y, by_y);
     keep_in(reach + in_x[0] * (at_x - length) + in_y[0] * at_y, in_x[0] * by_x + in_y[0] * by_y);
@@ -111,6 +119,8 @@ Four FourFacets::squared_at_least(const Point3& place) const noexcept {
     const Point3 off = from(origin, place);
     const FourPoints at(off);
     const Four wrong = all_four(kWrong * (largest_of(off) + size)), none{};
+    Four y[3];
+    take_y(y);
     const Four up = dot(z, at) + z0, at_x = dot(x, at) + x0, at_y = dot(y, at) + y0;
     const Four over = larger(larger(up, -up) - wrong, none);
     const Four below = larger(-at_y - wrong, none), beside = larger(larger(-at_x, at_x - length) - wrong, none);

@@ -70,10 +70,11 @@ inline Four entered(const FourBoxes& boxes, const WideWay& way, FourTold& reache
     return enter;
 }
 
-/// Facets that lie together. Each has axes of its own, x along its longest side, y across it to the third corner, z over it; and
-/// places are told from `origin`, so that single precision is as fine as they are near.
-struct FourFacets {
-    Four x[3], y[3], z[3];  ///< unit
+/// Facets that lie together, in as few bytes as may be: a finger on a large mesh waits for memory most of all. Each has axes of
+/// its own, x along its longest side, y across it to the third corner, z over it; and places are told from `origin`, so that
+/// single precision is as fine as they are near.
+struct alignas(64) FourFacets {
+    Four x[3], z[3];        ///< unit; y is their cross product
     Four x0, y0, z0;        ///< of `origin`, in the facet's axes; the longest side goes from 0 to (length, 0)
     Four length;            ///< mm
     Four in_x[2], in_y[2];  ///< across the two other sides, from the end and from the start of it: unit, inwards
@@ -86,6 +87,7 @@ struct FourFacets {
     Four squared_at_least(const Point3& place) const noexcept;
 
 private:
+    void take_y(Four* y) const noexcept;
     void put(std::uint32_t lane, const Point3* corners) noexcept;
 };
 

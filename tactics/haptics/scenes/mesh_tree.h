@@ -66,7 +66,7 @@ public:
 
 private:
     // A little larger than what is in them; a child is a place in nodes_, or, negative, in leaves_.
-    struct Node {
+    struct alignas(64) Node {
         FourBoxes boxes;
         std::array<std::int32_t, 4> child{};
     };
