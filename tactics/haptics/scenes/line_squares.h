@@ -52,8 +52,8 @@ struct FoundSegment {
 };
 
 /// run() calls square(column, row, nearest, found) for each square within `far` mm of a line, with the distance from its middle
-/// to the nearest place of all lines, and all segments that can be the nearest to its middle or, with `whole`, to some place in
-/// it. Starting with the whole plane, each square passes to its four quarters only segments that can be the nearest there, so the
+/// to the nearest place of all lines and, with `whole`, all segments that can be the nearest to some place in it, else none.
+/// Starting with the whole plane, each square passes to its four quarters only segments that can be the nearest there, so the
 /// time grows with the squares, and hardly with the segments.
 template <typename Square>
 class SquareDescent {
@@ -77,20 +77,23 @@ private:
         const double half = (across - 1 + around_) * squares_.side * std::sqrt(0.5);  // to the farthest that counts
         const std::vector<FoundSegment>& given = found_[depth + 1];
         std::vector<FoundSegment>& found = found_[depth];
-        found.resize(given.size());
+        const bool middle_only = size == 1 && around_ == 0;
+        found.resize(middle_only ? 0 : given.size());
         double least = std::numeric_limits<double>::infinity();  // squared, as all are until they are chosen
         for (std::size_t i = 0; i < given.size(); ++i) {
             const LineSegment& segment = segments_[given[i].segment];
             const Point place = place_on(segment, nearest_along(segment, middle));
-            const double x = middle.x - place.x, y = middle.y - place.y;
-            found[i] = {given[i].segment, x * x + y * y};
-            least = std::min(least, found[i].distance);
+            const double x = middle.x - place.x, y = middle.y - place.y, squared = x * x + y * y;
+            if (!middle_only) found[i] = {given[i].segment, squared};
+            least = std::min(least, squared);
         }
         const double nearest = std::sqrt(least), most = (nearest + 2 * half) * (nearest + 2 * half) * (1 + 1e-12);
         if (!(nearest - half < far_)) return;
         std::erase_if(found, [&](const FoundSegment& one) { return one.distance > most; });
-        for (FoundSegment& one : found) one.distance = std::sqrt(one.distance);
-        if (size == 1) return square_(column, row, nearest, found);
+        if (size == 1) {
+            for (FoundSegment& one : found) one.distance = std::sqrt(one.distance);
+            return square_(column, row, nearest, found);
+        }
         const std::size_t quarter = size / 2;
         for (const std::size_t down : {std::size_t{0}, quarter})
             for (const std::size_t right : {std::size_t{0}, quarter}) descend(column + right, row + down, quarter, depth - 1);

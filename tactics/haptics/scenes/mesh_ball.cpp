@@ -116,6 +116,7 @@ double meeting(const FacetCorners& facet, const Point3& ball, const Point3& way,
             leaves = std::min(leaves, -in / rate);
     }
     const bool faces = nearer > kLevel * length;
+    if (faces) leaves = std::min(leaves, (side * height + radius) / nearer - share);  // then it is through the plane
     if (enters <= 0) return faces ? share : kMeetsNever;
     // Before its face a ball meets an edge or a corner of it, unless it only grazes that.
     double first = faces && enters <= leaves ? share + enters : kMeetsNever;

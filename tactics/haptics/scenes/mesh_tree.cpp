@@ -2,102 +2,58 @@
 #include "tactics/haptics/scenes/mesh_tree.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
-#include <span>
 
 namespace tactics {
 
-namespace {
-
-struct Float3 {
-    float at[3];
-    Float3(float x, float y, float z) : at{x, y, z} {}
-    explicit Float3(const Point3& p) : at{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)} {}
-};
-
-}  // namespace
-
-// `wanted` gives how far a box is, negative where it is not wanted; nearer boxes come first. `look` sees a leaf, and gives how
-// many facets it looked at. False where the work ran out.
-template <typename Wanted, typename Look>
-bool MeshTree::walk(int& work, Wanted wanted, Look look) const noexcept {
+// A search says of four boxes which are `wanted`, and how far each is; nearer ones come first. It looks at a leaf, and gives how
+// many facets it looked at by themselves. False where the work ran out.
+template <typename Search>
+bool MeshTree::walk(Search& search, int& work) const noexcept {
     if (nodes_.empty()) return true;
-    struct Later {
-        std::int32_t child;
-        float far;
-    };
-    std::array<Later, kMostDepth> later;
+    std::array<std::int32_t, 3 * kMostDepth> later;
     std::size_t count = 0;
     std::int32_t at = 0;
     for (;;) {
+        --work;
+        unsigned wanted = 0;
         if (at < 0) {
-            work -= 1 + 4 * look(leaves_[static_cast<std::size_t>(-1 - at)]);
+            work -= 4 * search.look(leaves_[static_cast<std::size_t>(-1 - at)]);
         } else {
             const Node& node = nodes_[static_cast<std::size_t>(at)];
-            --work;
-            const float one = wanted(node.low[0], node.high[0]), other = wanted(node.low[1], node.high[1]);
-            if (one >= 0 || other >= 0) {
-                const bool first = other < 0 || (one >= 0 && one <= other);
-                if (one >= 0 && other >= 0 && count < kMostDepth)
-                    later[count++] = {node.child[first ? 1 : 0], first ? other : one};
-                at = node.child[first ? 0 : 1];
-                if (work <= 0) return false;
-                continue;
+            const Four far = search.wanted(node.boxes, wanted);
+            if (wanted != 0) {
+                auto nearest = static_cast<std::size_t>(std::countr_zero(wanted));
+                for (unsigned rest = wanted & (wanted - 1); rest != 0; rest &= rest - 1) {
+                    auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+                    if (far[lane] < far[nearest]) std::swap(lane, nearest);
+                    later[count++] = node.child[lane];
+                }
+                at = node.child[nearest];
             }
         }
         if (work <= 0) return false;
+        if (wanted != 0) continue;
         if (count == 0) return true;
-        at = later[--count].child;
+        at = later[--count];
+    }
+}
+
+template <typename Search>
+void MeshTree::look_through(const MeshVicinity& vicinity, Search& search, int& work) const noexcept {
+    for (std::size_t four = 0; 4 * four < vicinity.count; ++four) {
+        unsigned wanted = 0;
+        search.wanted(vicinity.boxes[four], wanted);
+        --work;
+        for (; wanted != 0; wanted &= wanted - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(wanted));
+            work -= 1 + 4 * search.look(leaves_[vicinity.leaf[4 * four + lane]]);
+        }
     }
 }
 
 namespace {
-
-float squared_distance(const float* low, const float* high, const Float3& place) noexcept {
-    float sum = 0;
-    for (int k = 0; k < 3; ++k) {
-        const float off = std::max(std::max(low[k] - place.at[k], place.at[k] - high[k]), 0.0f);
-        sum += off * off;
-    }
-    return sum;
-}
-
-// A place or a way in a leaf's own directions.
-template <typename Leaf>
-Float3 turned(const Leaf& leaf, const float* at) noexcept {
-    const float *o = leaf.over, *a = leaf.along;
-    const float across[3] = {o[1] * a[2] - o[2] * a[1], o[2] * a[0] - o[0] * a[2], o[0] * a[1] - o[1] * a[0]};
-    const auto on = [&](const float* axis) { return axis[0] * at[0] + axis[1] * at[1] + axis[2] * at[2]; };
-    return Float3(on(a), on(across), on(o));
-}
-
-template <typename Leaf>
-float squared_distance(const Leaf& leaf, const Float3& place) noexcept {
-    const float off[3] = {place.at[0] - leaf.middle[0], place.at[1] - leaf.middle[1], place.at[2] - leaf.middle[2]};
-    const Float3 at = turned(leaf, off);
-    float sum = 0;
-    for (int k = 0; k < 3; ++k) {
-        const float beyond = std::max(std::abs(at.at[k]) - leaf.half[k], 0.0f);
-        sum += beyond * beyond;
-    }
-    return sum;
-}
-
-// Whether a way up to that share of it passes a leaf's box, made larger by that.
-template <typename Leaf>
-bool in_way_of(const Leaf& leaf, const Float3& start, const Float3& along, float share, float inflated) noexcept {
-    const float off[3] = {start.at[0] - leaf.middle[0], start.at[1] - leaf.middle[1], start.at[2] - leaf.middle[2]};
-    const Float3 from = turned(leaf, off), to = turned(leaf, along.at);
-    float enter = 0, leave = share * (1 + 1e-6f);
-    for (int k = 0; k < 3; ++k) {
-        const float by = 1 / (to.at[k] == 0 ? 1e-30f : to.at[k]), wide = leaf.half[k] + inflated;
-        const float one = (-wide - from.at[k]) * by, other = (wide - from.at[k]) * by;
-        enter = std::max(enter, std::min(one, other));
-        leave = std::min(leave, std::max(one, other));
-    }
-    return enter <= leave * (1 + 1e-5f) + 1e-6f;
-}
 
 // Squared, for boxes whose places are rounded.
 float reach_of(double distance, float slack) noexcept {
@@ -105,152 +61,242 @@ float reach_of(double distance, float slack) noexcept {
     return reach * reach;
 }
 
+bool is_in(std::span<const std::uint32_t> facets, std::uint32_t facet) noexcept {
+    return std::find(facets.begin(), facets.end(), facet) != facets.end();
+}
+
 }  // namespace
+
+// What a ball meets first. A way that is short beside the ball is taken as the ball around all of it.
+class MeshTree::Meeting {
+public:
+    Meeting(const MeshTree& tree, const Point3& ball, const Point3& way, double radius, std::span<const std::uint32_t> known,
+            double before)
+        : hit(),
+          tree_(tree),
+          ball_(ball),
+          way_(way),
+          radius_(radius),
+          length_(length_of(way)),
+          before_(before),
+          known_(known),
+          wide_(ball, way, static_cast<float>(radius) + 2 * tree.slack_),
+          middle_(ball),
+          thin_(length_ > 2 * radius) {
+        shorten();
+    }
+    Four wanted(const FourBoxes& boxes, unsigned& lanes) const noexcept {
+        if (thin_) {
+            FourTold reached;
+            const Four enter = entered(boxes, wide_, reached);
+            lanes = lanes_of(reached);
+            return enter;
+        }
+        const Four far = squared_distances(boxes, middle_);
+        lanes = lanes_of(far <= all_four(reach_));
+        return far;
+    }
+    int look(const FourFacets& leaf) noexcept {
+        int looked = 0;
+        for (unsigned may = leaf.may_meet(ball_, before_ * way_, radius_); may != 0; may &= may - 1) {
+            const std::uint32_t facet = leaf.first + static_cast<std::uint32_t>(std::countr_zero(may));
+            if (is_in(known_, facet)) continue;
+            ++looked;
+            const double share = meeting(tree_.corners(facet), ball_, way_, length_, radius_, before_);
+            if (share > before_ || (share == before_ && hit.share <= 1)) continue;
+            hit.share = before_ = share;
+            hit.facet = facet;
+            shorten();
+        }
+        return looked;
+    }
+    Hit hit;
+
+private:
+    void shorten() noexcept {
+        wide_.share = static_cast<float>(before_);
+        if (thin_) return;
+        middle_ = FourPoints(ball_ + before_ / 2 * way_);
+        reach_ = reach_of(radius_ + before_ / 2 * length_, tree_.slack_);
+    }
+    const MeshTree& tree_;
+    const Point3 &ball_, &way_;
+    double radius_, length_, before_;
+    std::span<const std::uint32_t> known_;
+    WideWay wide_;
+    FourPoints middle_;
+    float reach_ = 0;
+    bool thin_;
+};
 
 MeshTree::Hit MeshTree::first_met(const Point3& ball, const Point3& way, double radius, std::span<const std::uint32_t> known,
                                   int& work) const noexcept {
-    Hit hit;
-    const double length = length_of(way);
-    const float inflated = static_cast<float>(radius) + 2 * slack_;
-    double before = 1;
-    // The ball around what is left of the way; boxes beside the way itself are left to the lines below.
-    Float3 middle(ball), start(ball);
-    float reach = 0;
-    const auto shorten = [&] {
-        middle = Float3(ball + before / 2 * way);
-        reach = static_cast<float>(radius + before / 2 * length) * (1 + 1e-6f) + 2 * slack_;
-        reach *= reach;
-    };
-    shorten();
-    const bool thin = length > 2 * radius;
-    float inverse[3];
-    const Float3 along(way);
-    for (int k = 0; k < 3; ++k) inverse[k] = 1 / (along.at[k] == 0 ? 1e-30f : along.at[k]);
-    const auto wanted = [&](const float* low, const float* high) noexcept -> float {
-        const float far = squared_distance(low, high, middle);
-        if (!(far <= reach)) return -1;
-        if (!thin) return far;
-        float enter = 0, leave = static_cast<float>(before) * (1 + 1e-6f);
-        for (int k = 0; k < 3; ++k) {
-            const float one = (low[k] - inflated - start.at[k]) * inverse[k],
-                        other = (high[k] + inflated - start.at[k]) * inverse[k];
-            enter = std::max(enter, std::min(one, other));
-            leave = std::min(leave, std::max(one, other));
-        }
-        return enter <= leave * (1 + 1e-5f) + 1e-6f ? enter : -1;
-    };
-    const auto look_at = [&](std::uint32_t facet) noexcept {
-        if (std::find(known.begin(), known.end(), facet) != known.end()) return;
-        const double share = meeting(corners(facet), ball, way, length, radius, before);
-        if (share > before || (share == before && hit.share <= 1)) return;
-        hit.share = share;
-        hit.facet = facet;
-        before = share;
-        shorten();
-    };
-    const auto look = [&](const Leaf& leaf) noexcept {
-        if (!(squared_distance(leaf, middle) <= reach)) return 0;
-        if (thin && !in_way_of(leaf, start, along, static_cast<float>(before), inflated)) return 0;
-        for (std::uint32_t facet = leaf.first; facet < leaf.first + leaf.count; ++facet) look_at(facet);
-        return static_cast<int>(leaf.count);
-    };
-    hit.gave_up = !walk(work, wanted, look);
-    return hit;
+    Meeting search(*this, ball, way, radius, known, 1);
+    search.hit.gave_up = !walk(search, work);
+    return search.hit;
 }
 
-// Nothing is said of a facet beyond `least`.
-void MeshTree::look_for_nearest(const Leaf& leaf, const Point3& place, std::span<const std::uint32_t> but, double& least,
-                                Near& near) const noexcept {
-    for (std::uint32_t facet = leaf.first; facet < leaf.first + leaf.count; ++facet) {
-        const double distance = distance_to(corners(facet), place, least);
-        if (distance > least || distance >= near.distance || std::find(but.begin(), but.end(), facet) != but.end()) continue;
-        near.distance = distance;
-        near.facet = facet;
-        least = distance;
-    }
+MeshTree::Hit MeshTree::first_met(const Point3& ball, const Point3& way, double radius, std::span<const std::uint32_t> known,
+                                  double before, const MeshVicinity& vicinity, int& work) const noexcept {
+    Meeting search(*this, ball, way, radius, known, before);
+    look_through(vicinity, search, work);
+    return search.hit;
 }
+
+// What is nearest to a place; nothing is said of a facet beyond `least_`. Facets of a vicinity wait until all have been seen and
+// the one that seems to be nearest has been looked at: a ball that has come into many of them then looks at few.
+class MeshTree::Reaching {
+public:
+    Reaching(const MeshTree& tree, const Point3& place, double most, std::span<const std::uint32_t> but, bool waits)
+        : near(), tree_(tree), place_(place), at_(place), least_(most), but_(but), waits_(waits) {
+        set_reach();
+    }
+    Four wanted(const FourBoxes& boxes, unsigned& lanes) const noexcept {
+        const Four far = squared_distances(boxes, at_);
+        lanes = lanes_of(far <= all_four(reach_));
+        return far;
+    }
+    int look(const FourFacets& leaf) noexcept {
+        int looked = 0;
+        const Four bound = leaf.squared_at_least(place_);
+        for (unsigned may = lanes_of(bound <= all_four(bound_)); may != 0; may &= may - 1) {
+            const auto lane = static_cast<std::uint32_t>(std::countr_zero(may));
+            if (is_in(but_, leaf.first + lane)) continue;
+            if (waits_ && count_ < waiting_.size()) {
+                waiting_[count_++] = {leaf.first + lane, bound[lane]};
+            } else if (bound[lane] <= bound_) {
+                look_at(leaf.first + lane);
+                ++looked;
+            }
+        }
+        return looked;
+    }
+    int look_at_waiting() noexcept {
+        int looked = 0;
+        for (std::size_t first = 0; first < count_; ++first) {
+            const auto begin = waiting_.begin() + static_cast<std::ptrdiff_t>(first);
+            if (first == 0) std::iter_swap(begin, std::min_element(begin, begin + static_cast<std::ptrdiff_t>(count_), nearer));
+            if (begin->bound > bound_) continue;
+            look_at(begin->facet);
+            ++looked;
+        }
+        return looked;
+    }
+    Near near;
+
+private:
+    struct Waiting {
+        std::uint32_t facet;
+        float bound;
+    };
+    static bool nearer(const Waiting& a, const Waiting& b) noexcept { return a.bound < b.bound; }
+    void set_reach() noexcept {
+        reach_ = reach_of(least_, tree_.slack_);
+        bound_ = static_cast<float>(least_ * least_) * (1 + 1e-6f);
+    }
+    void look_at(std::uint32_t facet) noexcept {
+        const double distance = distance_to(tree_.corners(facet), place_, least_);
+        if (distance > least_ || distance >= near.distance) return;
+        near.distance = least_ = distance;
+        near.facet = facet;
+        set_reach();
+    }
+    const MeshTree& tree_;
+    const Point3& place_;
+    FourPoints at_;
+    double least_;
+    float reach_ = 0, bound_ = 0;  // squared: of boxes, of facets
+    std::span<const std::uint32_t> but_;
+    bool waits_;
+    std::size_t count_ = 0;
+    std::array<Waiting, 32> waiting_;
+};
 
 MeshTree::Near MeshTree::nearest(const Point3& place, double most, std::span<const std::uint32_t> but, int& work) const noexcept {
-    Near near;
-    const Float3 at(place);
-    double least = most;
-    const auto reach = [&] { return reach_of(least, slack_); };
-    const auto wanted = [&](const float* low, const float* high) noexcept -> float {
-        const float far = squared_distance(low, high, at);
-        return far <= reach() ? far : -1;
-    };
-    const auto look = [&](const Leaf& leaf) noexcept {
-        if (!(squared_distance(leaf, at) <= reach())) return 0;
-        look_for_nearest(leaf, place, but, least, near);
-        return static_cast<int>(leaf.count);
-    };
-    near.gave_up = !walk(work, wanted, look);
-    return near;
+    Reaching search(*this, place, most, but, false);
+    search.near.gave_up = !walk(search, work);
+    return search.near;
 }
 
 MeshTree::Near MeshTree::nearest(const Point3& place, double most, std::span<const std::uint32_t> but,
-                                 std::span<const std::uint32_t> leaves, int& work) const noexcept {
-    Near near;
-    const Float3 at(place);
-    double least = most;
-    for (const std::uint32_t number : leaves) {
-        const Leaf& leaf = leaves_[number];
-        --work;
-        if (!(squared_distance(leaf, at) <= reach_of(least, slack_))) continue;
-        look_for_nearest(leaf, place, but, least, near);
-        work -= 3 * static_cast<int>(leaf.count);
-    }
-    return near;
+                                 const MeshVicinity& vicinity, int& work) const noexcept {
+    Reaching search(*this, place, most, but, true);
+    look_through(vicinity, search, work);
+    work -= 4 * search.look_at_waiting();
+    return search.near;
 }
 
-int MeshTree::leaves_near(const Point3& place, double reach, std::span<std::uint32_t> leaves, int& work) const noexcept {
-    const Float3 at(place);
-    const float far = reach_of(reach, slack_);
+bool MeshTree::look_around(const Point3& place, double reach, MeshVicinity& vicinity, int& work) const noexcept {
+    vicinity.reach = -1;
+    vicinity.count = 0;
+    vicinity.middle = place;
+    const FourPoints at(place);
+    const Four most = all_four(reach_of(reach, slack_));
+    std::array<std::int32_t, 3 * kMostDepth> later;
     std::size_t count = 0;
-    bool all = true;
-    const auto wanted = [&](const float* low, const float* high) noexcept -> float {
-        return squared_distance(low, high, at) <= far ? 0.0f : -1.0f;
-    };
-    const auto look = [&](const Leaf& leaf) noexcept {
-        if (!(squared_distance(leaf, at) <= far)) return 0;
-        all = all && count < leaves.size();
-        if (all) leaves[count++] = static_cast<std::uint32_t>(&leaf - leaves_.data());
-        return 0;
-    };
-    return walk(work, wanted, look) && all ? static_cast<int>(count) : -1;
+    if (!nodes_.empty()) later[count++] = 0;
+    while (count > 0) {
+        if (--work <= 0) return false;
+        const Node& node = nodes_[static_cast<std::size_t>(later[--count])];
+        for (unsigned near = lanes_of(squared_distances(node.boxes, at) <= most); near != 0; near &= near - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(near));
+            if (node.child[lane] >= 0) {
+                later[count++] = node.child[lane];
+                continue;
+            }
+            if (vicinity.count == MeshVicinity::kMost) return false;
+            vicinity.boxes[vicinity.count / 4].take(vicinity.count % 4, node.boxes, lane);
+            vicinity.leaf[vicinity.count++] = static_cast<std::uint32_t>(-1 - node.child[lane]);
+        }
+    }
+    for (std::size_t i = vicinity.count; i % 4 != 0; ++i) vicinity.boxes[i / 4].take(i % 4, {}, 0);
+    vicinity.reach = reach;
+    return true;
 }
 
 // Seen from above an edge is to the left or to the right of the place, never on it: computed from the same ends in the same order
 // for both of its facets, it is the same for both.
-int MeshTree::facets_above(const Point3& place, int& work) const noexcept {
-    const Float3 at(place);
-    const auto wanted = [&](const float* low, const float* high) noexcept -> float {
-        const bool over = at.at[0] >= low[0] - slack_ && at.at[0] <= high[0] + slack_ && at.at[1] >= low[1] - slack_ &&
-                          at.at[1] <= high[1] + slack_ && at.at[2] <= high[2] + slack_;
-        return over ? 0.0f : -1.0f;
-    };
+class MeshTree::Above {
+public:
+    Above(const MeshTree& tree, const Point3& place) : tree_(tree), place_(place), at_(place) {}
+    Four wanted(const FourBoxes& boxes, unsigned& lanes) const noexcept {
+        FourTold over = boxes.high[2] + tree_.slack_ >= at_.at[2];
+        for (std::size_t k = 0; k < 2; ++k)
+            over &= (boxes.low[k] - tree_.slack_ <= at_.at[k]) & (boxes.high[k] + tree_.slack_ >= at_.at[k]);
+        lanes = lanes_of(over);
+        return Four{};
+    }
+    int look(const FourFacets& leaf) noexcept {
+        for (std::uint32_t facet = leaf.first; facet < leaf.first + leaf.count; ++facet) count += is_above(facet) ? 1 : 0;
+        return static_cast<int>(leaf.count);
+    }
     int count = 0;
-    const auto look_at = [&](std::uint32_t facet) noexcept {
-        const auto& numbers = facets_.facets[facet];
+
+private:
+    bool is_above(std::uint32_t facet) const noexcept {
+        const auto& numbers = tree_.facets_.facets[facet];
         int turns = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t one = numbers[k], other = numbers[(k + 1) % 3];
-            const Point3 &a = facets_.corners[std::min(one, other)], &b = facets_.corners[std::max(one, other)];
-            const bool left = (b.x - a.x) * (place.y - a.y) - (b.y - a.y) * (place.x - a.x) > 0;
+            const Point3 &a = tree_.facets_.corners[std::min(one, other)], &b = tree_.facets_.corners[std::max(one, other)];
+            const bool left = (b.x - a.x) * (place_.y - a.y) - (b.y - a.y) * (place_.x - a.x) > 0;
             turns += left == (one < other) ? 1 : -1;
         }
-        if (turns != 3 && turns != -3) return;
-        const FacetCorners f = corners(facet);
+        if (turns != 3 && turns != -3) return false;
+        const FacetCorners f = tree_.corners(facet);
         const Point3 over = cross(f.b - f.a, f.c - f.a);
-        const double height = dot(over, place - f.a);
-        if (over.z > 0 ? height < 0 : height > 0) ++count;
-    };
-    const auto look = [&](const Leaf& leaf) noexcept {
-        for (std::uint32_t facet = leaf.first; facet < leaf.first + leaf.count; ++facet) look_at(facet);
-        return static_cast<int>(leaf.count);
-    };
-    walk(work, wanted, look);
-    return count;
+        const double height = dot(over, place_ - f.a);
+        return over.z > 0 ? height < 0 : height > 0;
+    }
+    const MeshTree& tree_;
+    const Point3& place_;
+    FourPoints at_;
+};
+
+int MeshTree::facets_above(const Point3& place, int& work) const noexcept {
+    Above search(*this, place);
+    walk(search, work);
+    return search.count;
 }
 
 }  // namespace tactics

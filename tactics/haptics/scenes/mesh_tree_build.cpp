@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::uint32_t kLeaf = 4;     // facets at most
 constexpr int kBins = 16, kDeep = 40;  // below that depth halves are made, so that the tree ends
+constexpr std::int32_t kNone = INT32_MAX;
 
 struct Box {
     std::array<float, 3> low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
@@ -35,6 +36,13 @@ struct MeshTree::Builder {
     MeshTree& tree;
     std::vector<Box> boxes;
     std::vector<std::uint32_t> order;
+
+    struct Half {
+        Box box;
+        std::int32_t child = kNone;
+    };
+    std::vector<std::array<Half, 2>> pairs;
+    std::vector<std::array<std::uint32_t, 2>> leaves;  // first, count
 
     struct Part {
         std::uint32_t first, end;
@@ -103,24 +111,48 @@ struct MeshTree::Builder {
         return best;
     }
 
-    std::int32_t build(const Part& part, Box& around) {
-        around = {};
-        for (std::uint32_t i = part.first; i < part.end; ++i) around.add(boxes[order[i]]);
+    // The box around the part, and its child: a pair, or, negative, a leaf of the tree.
+    Half build(const Part& part) {
+        Half half;
+        for (std::uint32_t i = part.first; i < part.end; ++i) half.box.add(boxes[order[i]]);
         if (part.end - part.first <= kLeaf) {
-            tree.leaves_.push_back({{}, {}, {}, {}, part.first, part.end - part.first});
-            return -static_cast<std::int32_t>(tree.leaves_.size());
+            leaves.push_back({part.first, part.end - part.first});
+            half.child = -static_cast<std::int32_t>(leaves.size());
+            return half;
         }
         const std::uint32_t middle = cut(part);
+        half.child = static_cast<std::int32_t>(pairs.size());
+        pairs.emplace_back();
+        const auto number = static_cast<std::size_t>(half.child);
+        const Half first = build({part.first, middle, part.depth + 1}), second = build({middle, part.end, part.depth + 1});
+        pairs[number] = {first, second};
+        return half;
+    }
+
+    // Up to four of what is below a half, the larger boxes opened first, become a node of the tree; its number.
+    std::int32_t widen(const Half& half) {
+        std::array<Half, 4> wide{half};
+        for (std::size_t count = 1; count < 4; ++count) {
+            std::size_t largest = count;
+            for (std::size_t k = 0; k < count; ++k)
+                if (wide[k].child >= 0 && (largest == count || wide[k].box.area() > wide[largest].box.area())) largest = k;
+            if (largest == count) break;
+            const std::array<Half, 2>& pair = pairs[static_cast<std::size_t>(wide[largest].child)];
+            wide[largest] = pair[0];
+            wide[count] = pair[1];
+        }
         const std::size_t number = tree.nodes_.size();
         tree.nodes_.emplace_back();
-        const std::array<Part, 2> halves{{{part.first, middle, part.depth + 1}, {middle, part.end, part.depth + 1}}};
-        for (std::size_t k = 0; k < 2; ++k) {
-            Box box;
-            const std::int32_t child = build(halves[k], box);
-            Node& node = tree.nodes_[number];
-            node.child[k] = child;
-            std::copy(box.low.begin(), box.low.end(), node.low[k]);
-            std::copy(box.high.begin(), box.high.end(), node.high[k]);
+        for (std::size_t k = 0; k < 4; ++k) {
+            if (wide[k].child == kNone) continue;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                tree.nodes_[number].boxes.low[axis][k] = wide[k].box.low[axis];
+                tree.nodes_[number].boxes.high[axis][k] = wide[k].box.high[axis];
+            }
+            tree.nodes_[number].child[k] = wide[k].child;
+            if (wide[k].child < 0) continue;
+            const std::int32_t child = widen(wide[k]);
+            tree.nodes_[number].child[k] = child;
         }
         return static_cast<std::int32_t>(number);
     }
@@ -128,7 +160,7 @@ struct MeshTree::Builder {
 
 MeshTree::MeshTree(MeshFacets facets) : facets_(std::move(facets)) {
     if (facets_.facets.empty()) return;
-    Builder builder{*this, {}, std::vector<std::uint32_t>(facets_.facets.size())};
+    Builder builder{*this, {}, std::vector<std::uint32_t>(facets_.facets.size()), {}, {}};
     std::iota(builder.order.begin(), builder.order.end(), 0u);
     builder.boxes.reserve(facets_.facets.size());
     Box all;
@@ -147,20 +179,9 @@ MeshTree::MeshTree(MeshFacets facets) : facets_(std::move(facets)) {
     slack_ = 1e-6f * largest + 1e-6f;  // rounding to 24 bits, in boxes and in what is computed from them
     low_ = Point3{all.low[0], all.low[1], all.low[2]} - Point3{slack_, slack_, slack_};
     high_ = Point3{all.high[0], all.high[1], all.high[2]} + Point3{slack_, slack_, slack_};
-    nodes_.reserve(facets_.facets.size() / 2 + 1);
-    Box around;
-    const std::int32_t root = builder.build({0, static_cast<std::uint32_t>(facets_.facets.size()), 0}, around);
-    if (root < 0) {  // a leaf alone: its other half is a box that nothing meets
-        Node only{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            only.low[0][k] = around.low[k];
-            only.high[0][k] = around.high[k];
-            only.low[1][k] = INFINITY;
-            only.high[1][k] = -INFINITY;
-        }
-        only.child[0] = only.child[1] = root;
-        nodes_.push_back(only);
-    }
+    const Builder::Half root = builder.build({0, static_cast<std::uint32_t>(facets_.facets.size()), 0});
+    nodes_.reserve(builder.leaves.size() / 2 + 1);
+    builder.widen(root);
     std::vector<std::array<std::uint32_t, 3>> sorted;
     sorted.reserve(builder.order.size());
     for (const std::uint32_t number : builder.order) sorted.push_back(facets_.facets[number]);
@@ -178,46 +199,13 @@ MeshTree::MeshTree(MeshFacets facets) : facets_(std::move(facets)) {
             corner = place[corner];
         }
     facets_.corners = std::move(corners);
-    for (Leaf& leaf : leaves_) leaf = leaf_of(leaf.first, leaf.count);
-}
-
-MeshTree::Leaf MeshTree::leaf_of(std::uint32_t first, std::uint32_t count) const {
-    Leaf leaf{{}, {}, {}, {}, first, count};
-    Point3 over, longest;
-    for (std::uint32_t facet = first; facet < first + count; ++facet) {
-        const FacetCorners f = corners(facet);
-        for (const Point3& side : {f.b - f.a, f.c - f.b, f.a - f.c})
-            if (dot(side, side) > dot(longest, longest)) longest = side;
-        const Point3 turned = cross(f.b - f.a, f.c - f.a);
-        over = over + (dot(over, turned) < 0 ? -1.0 : 1.0) * turned;  // both sides of a sheet lie in its plane
+    leaves_.reserve(builder.leaves.size());
+    for (const auto& [first, count] : builder.leaves) {
+        std::array<FacetCorners, kLeaf> facet;
+        for (std::uint32_t k = 0; k < count; ++k) facet[k] = this->corners(first + k);
+        leaves_.emplace_back(facet.data(), first, count);
+        grain_ += 2 * double{leaves_.back().size} / static_cast<double>(builder.leaves.size());
     }
-    over = (1 / length_of(over)) * over;
-    Point3 along = longest - dot(longest, over) * over;
-    if (!(dot(along, along) > 1e-6 * dot(longest, longest)))  // facets that stand across one another: any direction will do
-        along = cross(over, std::abs(over.x) < 0.7 ? Point3{1, 0, 0} : Point3{0, 1, 0});
-    along = (1 / length_of(along)) * along;
-    const std::array<Point3, 3> axes{along, cross(over, along), over};
-    Point3 middle;
-    for (std::size_t k = 0; k < 3; ++k) {
-        double low = INFINITY, high = -INFINITY;
-        for (std::uint32_t facet = first; facet < first + count; ++facet)
-            for (const std::uint32_t corner : facets_.facets[facet]) {
-                const double at = dot(axes[k], facets_.corners[corner]);
-                low = std::min(low, at);
-                high = std::max(high, at);
-            }
-        middle = middle + (low / 2 + high / 2) * axes[k];
-        leaf.half[k] = static_cast<float>(high / 2 - low / 2);
-    }
-    const auto narrow = [](const Point3& from, float* to) {
-        to[0] = static_cast<float>(from.x);
-        to[1] = static_cast<float>(from.y);
-        to[2] = static_cast<float>(from.z);
-    };
-    narrow(middle, leaf.middle);
-    narrow(over, leaf.over);
-    narrow(along, leaf.along);
-    return leaf;
 }
 
 }  // namespace tactics

@@ -13,10 +13,14 @@ constexpr double kAlike = 1 - 1e-13;  // cosine between normals that are one
 constexpr double kMostStretch = 1.9;  // below 2, so that a move along its planes still ends nearer to the finger
 constexpr int kMostLong = 8;          // moves in an update that may not
 constexpr double kLeastStride = 1e-4;
-constexpr double kRoll = 1.0 / 8, kFarther = 1.0 / 16;  // of the radius
-constexpr double kLeastBall = 0.1;                      // mm: a smaller one does not roll
-constexpr double kTouches = 1e-9;                       // mm
-constexpr int kMostRolls = 30;                          // then facets are met one by one
+constexpr double kRoll = 1.0 / 8;   // of the radius
+constexpr double kGrains = 1;       // leaves that are looked around
+constexpr double kLeastBall = 0.1;  // mm: a smaller one does not roll
+constexpr double kTouches = 1e-9;   // mm
+constexpr int kMostRolls = 30;      // then facets are met one by one
+// mm, which changes the force of 1 N/mm by 0.1 mN: a move as short is left to the next tick once three quarters of the work are
+// used up.
+constexpr double kAlmostStill = 1e-4;
 
 bool kept(std::span<const ShadowPoint::Touching> planes, const Point3& way) noexcept {
     return std::all_of(planes.begin(), planes.end(), [&](const ShadowPoint::Touching& plane) {
@@ -27,7 +31,7 @@ bool kept(std::span<const ShadowPoint::Touching> planes, const Point3& way) noex
 }  // namespace
 
 ShadowPoint::ShadowPoint(const MeshTree& tree, double radius) noexcept
-    : tree_(&tree), radius_(std::max(radius, kLeastFinger)), keep_(1e-6 + 0.02 * radius_) {
+    : tree_(&tree), radius_(std::max(radius, kLeastFinger)), keep_(1e-6 + 0.02 * radius_), around_(kGrains * tree.grain()) {
     const Point3 low = tree.low(), high = tree.high();
     largest_ = 1e6 + 2 * std::max({std::abs(low.x), std::abs(low.y), std::abs(low.z), std::abs(high.x), std::abs(high.y),
                                    std::abs(high.z)});
@@ -158,19 +162,39 @@ Point3 ShadowPoint::stretched(const Point3& way) noexcept {
     return kept({touching_.data(), count_}, longer) ? longer : way;
 }
 
-// The nearest that is not known to be touched. What lies a little farther than the ball reaches is kept, and looked through until
-// the ball has gone as far as that.
+// What lies a little farther than the ball reaches is kept, and looked through while the ball stays in it.
+bool ShadowPoint::look_around(int& work, bool anew) noexcept {
+    const Point3 gone = place_ - near_.middle;
+    if (const double room = near_.reach - radius_ - kTouches; !anew && room > 0 && dot(gone, gone) <= room * room) return true;
+    const bool known = tree_->look_around(place_, radius_ + kTouches + around_, near_, work);
+    if (!known)
+        around_ /= 2;
+    else if (near_.count < MeshVicinity::kMost / 6)
+        around_ = std::min(2 * around_, kGrains * tree_->grain());
+    return known;
+}
+
+// That is not known to be touched.
 MeshTree::Near ShadowPoint::nearest_now(int& work) noexcept {
-    const double most = radius_ + kTouches, farther = kFarther * radius_;
+    const double most = radius_ + kTouches;
     std::array<std::uint32_t, kMost> known{};
     for (std::size_t k = 0; k < count_; ++k) known[k] = touching_[k].facet;
     const std::span<const std::uint32_t> but = std::span(known).first(count_);
-    if (const Point3 gone = place_ - gathered_; leaves_ < 0 || !(dot(gone, gone) < farther * farther)) {
-        leaves_ = tree_->leaves_near(place_, most + farther, leaf_, work);
-        gathered_ = place_;
+    return look_around(work, false) ? tree_->nearest(place_, most, but, near_, work) : tree_->nearest(place_, most, but, work);
+}
+
+// Most ways end where they begin, within what is near.
+MeshTree::Hit ShadowPoint::first_met(const Point3& way, std::span<const std::uint32_t> known, int& work) noexcept {
+    for (bool anew = false; !anew || near_.middle != place_; anew = true) {
+        if (!look_around(work, anew)) break;
+        const Point3 gone = place_ - near_.middle;
+        const double room = near_.reach - radius_, squared = dot(way, way), along = dot(gone, way);
+        const double leaves = (std::sqrt(along * along + squared * (room * room - dot(gone, gone))) - along) / squared;
+        const MeshTree::Hit hit = tree_->first_met(place_, way, radius_, known, std::min(leaves, 1.0), near_, work);
+        if (hit.share <= 1 || leaves >= 1) return hit;
+        if (anew) break;
     }
-    if (leaves_ < 0) return tree_->nearest(place_, most, but, work);
-    return tree_->nearest(place_, most, but, std::span(leaf_).first(static_cast<std::size_t>(leaves_)), work);
+    return tree_->first_met(place_, way, radius_, known, work);
 }
 
 // So short a way that nothing can be passed: what the ball then reaches into is pushed out of by the next move.
@@ -195,20 +219,20 @@ bool ShadowPoint::roll(const Point3& way, int& work) noexcept {
     return true;
 }
 
-// Moves of a ball that is held to nothing new to be met on the way; false where they came to no end.
+// Moves of a ball that is held to nothing new to be met on the way; false where they came to no end, and those that meet
+// facets one by one may.
 bool ShadowPoint::settle_by_rolling(const Point3& goal, int& work) noexcept {
     clear_ = place_;
     for (; moves_ < kMostRolls && work > enough_; ++moves_, work -= kMoveWork) {
         const Point3 wish = goal - place_;
         Point3 way;
         if (!allowed(wish, way)) break;
-        if (dot(way, way) <= kStill * kStill) {
-            settled_ = true;
-            return true;
-        }
+        const double squared = dot(way, way);
+        settled_ = squared <= kStill * kStill;
+        if (settled_ || (work < enough_ + kTickWork / 4 && squared <= kAlmostStill * kAlmostStill)) return true;
         const bool straight = way == wish;
         if (!straight) way = stretched(way);
-        const double length = length_of(way), most = kRoll * radius_;
+        const double length = std::sqrt(dot(way, way)), most = kRoll * radius_;
         if (straight && length > most) break;
         if (!roll(std::min(1.0, most / length) * way, work)) break;
     }
@@ -243,7 +267,7 @@ void ShadowPoint::settle(const Point3& goal, int& work) noexcept {
         if (stride_ < 1) way = stride_ * way;
         for (std::size_t k = 0; k < count_; ++k) known[k] = touching_[k].facet;
         std::copy_n(twin_.begin(), twins_, known.begin() + static_cast<std::ptrdiff_t>(count_));
-        const MeshTree::Hit hit = tree_->first_met(place_, way, radius_, {known.data(), count_ + twins_}, work);
+        const MeshTree::Hit hit = first_met(way, {known.data(), count_ + twins_}, work);
         if (hit.gave_up) {
             stride_ = std::max(stride_ / 2, kLeastStride);
             return;

@@ -36,8 +36,8 @@ public:
     void lift() noexcept { lifted_ = true; }            ///< the finger was taken off and is set down anew
     double radius() const noexcept { return radius_; }
     int moves() const noexcept { return moves_; }  ///< of the last update
-    /// Of the last update: boxes that were looked at, facets at four each, and moves at kMoveWork. Unlike time it is the same on
-    /// any machine, whatever else that does.
+    /// Of the last update: what was looked at as the tree counts it (mesh_tree.h), and moves at kMoveWork. Unlike time it is the
+    /// same on any machine, whatever else that does.
     int work() const noexcept { return work_; }
 
     struct Touching {
@@ -48,8 +48,8 @@ public:
     std::span<const Touching> touching() const noexcept { return {touching_.data(), count_}; }
 
     static constexpr int kMostMoves = 60;
-    static constexpr int kMostWork = 30'000;  ///< boxes, and facets at four each
-    static constexpr int kTickWork = 3'000;   ///< no further move is begun after that
+    static constexpr int kMostWork = 30'000;  ///< in an update, at most
+    static constexpr int kTickWork = 1'000;   ///< no further move is begun after that
     static constexpr int kMoveWork = 30;      ///< of a move itself, beside what it looks at
 
 private:
@@ -61,7 +61,9 @@ private:
     bool allowed(const Point3& wish, Point3& way) noexcept;
     bool try_held(const Point3& wish, std::span<const std::size_t> held, Point3& way) noexcept;
     Point3 stretched(const Point3& way) noexcept;
+    bool look_around(int& work, bool anew) noexcept;
     MeshTree::Near nearest_now(int& work) noexcept;
+    MeshTree::Hit first_met(const Point3& way, std::span<const std::uint32_t> known, int& work) noexcept;
     bool settle_by_rolling(const Point3& goal, int& work) noexcept;
     bool roll(const Point3& way, int& work) noexcept;
     void settle(const Point3& goal, int& work) noexcept;
@@ -73,12 +75,12 @@ private:
     std::size_t count_ = 0;
     std::array<std::uint32_t, kMost> twin_{};  // facets that are touched where one of those is, as by a common edge
     std::size_t twins_ = 0;
-    std::array<std::uint32_t, 256> leaf_{};  // of the tree, those near gathered_
-    int leaves_ = -1;                        // how many; too many where negative
-    Point3 gathered_{}, clear_{};            // the last place that the ball had to itself
-    int enough_ = 0;                         // the work that is left when a tick has had its share
-    bool sweeps_ = false;                    // as rolling came no farther
-    std::uint64_t last_ = 0;                 // the edges and corners of the last move
+    MeshVicinity near_;
+    double around_;           // mm farther than the ball reaches that is looked around
+    Point3 clear_{};          // the last place that the ball had to itself
+    int enough_ = 0;          // the work that is left when a tick has had its share
+    bool sweeps_ = false;     // as rolling came no farther
+    std::uint64_t last_ = 0;  // the edges and corners of the last move
     int long_left_ = 0;
     double stride_ = 1;  // of a way, where the whole was too much work
     int moves_ = 0, work_ = 0;
