@@ -3,7 +3,7 @@
 //
 // After lay_out there are none of these: a position off the paper; a line thinner than the medium's thinnest; a line
 // class, a unit or a scale still to be worked out; text still to be translated into braille, or text that is not one line
-// of valid UTF-8 without control characters; grey.
+// of valid UTF-8 without control characters; grey; a point of a line or an area between the steps of kPageStep.
 #pragma once
 
 #include <cstdint>
@@ -42,6 +42,7 @@ struct DotBed {
 struct BrailleLine {
     Point first_dot;                  ///< centre of dot 1 of the first cell
     std::vector<std::uint8_t> cells;  ///< bit 0 = dot 1 ... bit 5 = dot 6 (bits 6, 7 = dots 7, 8)
+    int words = -1;                   ///< which of the page's words it sets; -1: nobody told
 };
 
 /// One line of print for sighted helpers.
@@ -49,6 +50,31 @@ struct PrintLine {
     Point baseline;   ///< left end
     double size = 0;  ///< letter size (em) in mm
     std::string text;
+    int words = -1;  ///< as of BrailleLine
+};
+
+enum class WordsKind : std::uint8_t {
+    title,
+    caption,
+    name,     ///< of a thing, beside it
+    letters,  ///< two that stand for a name, beside its thing
+    key,      ///< an entry of the key; without a line of its own on the page: the key has its own pages
+    label,    ///< of the drawing, such as a number on an axis
+    scale,    ///< what the scale bar stands for
+    mark,     ///< which of several sheets it is
+};
+std::string_view name_of(WordsKind kind);                     ///< "title", "caption", ...
+std::optional<WordsKind> words_named(std::string_view name);  ///< nothing for any other word
+
+/// Words that are set on a page, in braille, in print or in both, for who sets them anew.
+struct PageWords {
+    WordsKind kind = WordsKind::label;
+    std::string text;             ///< UTF-8, one line
+    std::string key = {};         ///< of letters and key: the two letters
+    Point at = {};                ///< of a label, mm; with `across` and `down` as Label has them
+    double across = 0, down = 0;  ///< likewise
+    double within = 0;            ///< of names and letters, as Name has it
+    bool optional = false;        ///< likewise
 };
 
 struct PageStroke {
@@ -76,6 +102,7 @@ struct PageName {
     std::string key;  ///< two letters that stand for it at its place, the words being in the key; empty: the words stand there
     Point thing;      ///< what it names is there
     Rect place;       ///< of the words, or of the two letters
+    int words = -1;   ///< as of BrailleLine
 };
 
 /// The scale bar: a line with a mark at each end, and what it stands for beside it.
@@ -112,7 +139,21 @@ struct Page {
     std::vector<std::string> remarks = {};  ///< as in the drawing
     bool is_key = false;                    ///< nothing is drawn on it: its names say what the letters on the drawing stand for
     std::optional<PageScale> scale = {};
+    std::vector<PageWords> words = {};
+    std::string medium = {};  ///< its name; empty: nobody told
+    Rect drawing = {};        ///< where the drawing lies; of no width: there is none
 };
+
+/// Points of lines and areas, and widths, are whole numbers of these, so that a file that writes them so holds the page itself.
+inline constexpr double kPageStep = 0.01;  // mm
+/// Moves them there, by half a step at most, and drops points that then fall on the one before them, and rings that are left
+/// with fewer than three; a line of no length keeps two.
+void put_on_steps(Page& page);
+Point on_steps(Point p);
+std::vector<Point> on_steps(const std::vector<Point>& points);
+
+/// Drops words that nobody sets, but those of a key.
+void drop_unset_words(Page& page);
 
 /// How wide a line of that class is drawn, mm.
 double width_of(LineClass line, const Medium& medium);

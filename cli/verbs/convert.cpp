@@ -52,6 +52,11 @@ constexpr Flag kFlags[] = {
     {"--paper", "-p", "PAPER",
      "paper of every output: a name or a size such as 200x150mm; each format has its own if none is named", false, "papers"},
     {"--medium", "-m", "MEDIUM", "what is printed on; each format has its own if none is named", false, "media"},
+    {"--embosser", "", "NAME",
+     "lay out outputs that are of no machine, such as svg and pdf, for this one, of tactics list embossers: to look at its dots, "
+     "or "
+     "to edit a page before it is embossed",
+     false, "embossers displays"},
     kMarginFlag,
     kBindingFlag,
     kDuplexFlag,

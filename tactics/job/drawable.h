@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,9 +32,10 @@ struct Drawable {
     PrintWords words = {};
     std::string no_room_for_words = {};  ///< what is told where a page has no room for them in braille
     std::string title = {}, title_origin = {};
-    std::optional<double> width = {};  ///< mm: it says itself how wide it is in the world
-    std::string model_json = {};       ///< of a model that is folded out: what became of its objects
-    bool made_for_sheet = false;       ///< its drawing is made by the sheet's rules, another for each, and needs no mending
+    std::optional<double> width = {};      ///< mm: it says itself how wide it is in the world
+    std::string model_json = {};           ///< of a model that is folded out: what became of its objects
+    bool made_for_sheet = false;           ///< its drawing is made by the sheet's rules, another for each, and needs no mending
+    std::shared_ptr<const Page> own = {};  ///< it is a page already, which we wrote (own_pages.h)
     /// Width over height of its drawing on that sheet.
     std::function<double(const Sheet& sheet)> aspect = {};
     /// Its drawing for that place, without what stays of `words` in it.

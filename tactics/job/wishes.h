@@ -19,12 +19,19 @@
 
 namespace tactics {
 
+/// What was asked for by name: a page of our own that is read keeps its own else, whatever is usual.
+struct AskedByName {
+    bool language = false, braille = false, cell = false;
+};
+
 /// How pages are made: what is the same for all pictures of a batch. What is left out is as the program would choose it.
 struct Wishes {
     RecipeWish chain;
     std::optional<Recipe> recipe;  ///< finish()ed; nothing: made of `chain`, or chosen for each picture
     Sheet sheet;                   ///< all but paper and medium, which may come from the format
     std::optional<Paper> paper;
+    AskedByName asked = {};
+    const Format* machine = nullptr;        ///< outputs that are of no machine are laid out for this one; nullptr: for their own
     KeptSheet kept = {};                    ///< what counts where sheet and paper leave something open
     TableWish table = {};                   ///< what is drawn of a table
     bool tables_only = false;               ///< a file is a table, whatever it looks like

@@ -21,6 +21,9 @@ struct LabelBlock {
 /// Throws Error(usage) as to_braille does.
 LabelBlock set_label(const std::string& text, const Sheet& sheet);
 
+/// Its lines set those words, which become the page's.
+void say(LabelBlock& block, Page& page, PageWords words);
+
 /// The block where `label` wants it, its `at` being on the page; pushed back onto paper of that size where it would leave
 /// it. Throws Error(usage) if it is wider than the paper.
 LabelBlock placed(LabelBlock block, const Label& label, Point at, const CellSize& cell, double page_width, double page_height);
