@@ -95,13 +95,23 @@ std::vector<Point> on_steps(const std::vector<Point>& points) {
 }
 
 void put_on_steps(Page& page) {
+    // The last ones on a sheet whose sides lie between steps.
+    const double right = std::floor(page.width / kPageStep + 1e-6) * kPageStep;
+    const double bottom = std::floor(page.height / kPageStep + 1e-6) * kPageStep;
+    const auto stepped = [&](std::vector<Point> points) {
+        for (Point& p : points) p = {std::min(p.x, right), std::min(p.y, bottom)};
+        points = on_steps(points);
+        // 8.5 in is a little less than 215.9 mm.
+        for (Point& p : points) p = {std::min(p.x, page.width), std::min(p.y, page.height)};
+        return points;
+    };
     for (PageStroke& stroke : page.strokes) {
-        stroke.points = on_steps(stroke.points);
+        stroke.points = stepped(std::move(stroke.points));
         stroke.width = on_steps(stroke.width);
         if (stroke.points.size() < 3) stroke.closed = false;
     }
-    const auto put = [](std::vector<std::vector<Point>>& rings) {
-        for (auto& ring : rings) ring = on_steps(ring);
+    const auto put = [&](std::vector<std::vector<Point>>& rings) {
+        for (auto& ring : rings) ring = stepped(std::move(ring));
         std::erase_if(rings, [](const auto& ring) { return ring.size() < 3; });
     };
     for (auto* areas : {&page.areas, &page.textured}) {
