@@ -69,6 +69,7 @@ void plan_sheet(Request& request, const Given& given) {
     request.sheet.caption = given.value("--caption");
     request.sheet.print_title = !given.has("--no-print-title");
     plan_language(request.sheet, given, request.notes);
+    request.asked = {given.has("--language"), given.has("--braille"), given.has("--cell")};
     request.kept = kept_sheet(given);
 }
 
@@ -173,6 +174,18 @@ constexpr std::string_view kOfDrawings[] = {"--recipe", "--filter",     "--detai
                                             "--leave",  "--label",      "--labels", "--words",    "--tiles",   "--width",
                                             "--scale",  "--real-width", "--bare",   "--model",    "--object",  "--save-recipe"};
 
+// Its sheet and its dots for outputs that are of no machine.
+void plan_machine(Request& request, const Given& given) {
+    if (!given.has("--embosser")) return;
+    const std::string name = given.value("--embosser");
+    request.machine = &find_machine(name, "--embosser");
+    if (given.has("--cell"))
+        throw Error(Fault::usage, "--cell", std::string(request.machine->name) + " has braille of its own size; leave it out");
+    if (find_settings(request, request.machine->name) == nullptr)
+        request.settings.push_back({request.machine, Settings(request.machine->options)});
+    set_model(*find_settings(request, request.machine->name), name, "--embosser");
+}
+
 void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     request.chain = read_chain(given, disk);
     if (given.has("--as-drawn")) request.chain.as_drawn = true;
@@ -191,6 +204,7 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
             if (given.has(flag)) throw Error(Fault::usage, flag, "it is about drawings, and --text makes none; leave it out");
     request.allowed = allowed_formats(given);
     plan_settings(request);
+    plan_machine(request, given);
     request.workers = workers_value(given);
     plan_labels(request.items, given, disk);
     for (const Item& item : request.items) {

@@ -2,6 +2,9 @@
 #include "tactics/page.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 
 namespace tactics {
 
@@ -55,6 +58,92 @@ void move_by(Page& page, double right, double down) {
         move_rect(name.place);
     }
     if (page.scale) move_rect(page.scale->place);
+    for (PageWords& words : page.words) move(words.at);
+    move_rect(page.drawing);
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 8> kWordsKinds{"title", "caption", "name", "letters", "key", "label", "scale", "mark"};
+
+// Divided, not multiplied by a hundredth: so it is the number that its decimal digits are read as. Nothing is below 0: -0 is 0.
+double on_steps(double mm) { return std::round(mm * (1 / kPageStep)) / (1 / kPageStep) + 0.0; }
+
+}  // namespace
+
+std::string_view name_of(WordsKind kind) { return kWordsKinds[static_cast<std::size_t>(kind)]; }
+
+std::optional<WordsKind> words_named(std::string_view name) {
+    const auto found = std::find(kWordsKinds.begin(), kWordsKinds.end(), name);
+    if (found == kWordsKinds.end()) return std::nullopt;
+    return static_cast<WordsKind>(found - kWordsKinds.begin());
+}
+
+Point on_steps(Point p) { return {on_steps(p.x), on_steps(p.y)}; }
+
+std::vector<Point> on_steps(const std::vector<Point>& points) {
+    std::vector<Point> out;
+    out.reserve(points.size());
+    for (const Point& each : points) {
+        const Point p = on_steps(each);
+        if (out.size() > 1 && out.back().x == p.x && out.back().y == p.y) continue;
+        out.push_back(p);
+    }
+    // The second may fall on the first if others follow.
+    if (out.size() > 2 && out[0].x == out[1].x && out[0].y == out[1].y) out.erase(out.begin());
+    return out;
+}
+
+void put_on_steps(Page& page) {
+    // The last ones on a sheet whose sides lie between steps.
+    const double right = std::floor(page.width / kPageStep + 1e-6) * kPageStep;
+    const double bottom = std::floor(page.height / kPageStep + 1e-6) * kPageStep;
+    const auto stepped = [&](std::vector<Point> points) {
+        for (Point& p : points) p = {std::min(p.x, right), std::min(p.y, bottom)};
+        points = on_steps(points);
+        // 8.5 in is a little less than 215.9 mm.
+        for (Point& p : points) p = {std::min(p.x, page.width), std::min(p.y, page.height)};
+        return points;
+    };
+    for (PageStroke& stroke : page.strokes) {
+        stroke.points = stepped(std::move(stroke.points));
+        stroke.width = on_steps(stroke.width);
+        if (stroke.points.size() < 3) stroke.closed = false;
+    }
+    const auto put = [&](std::vector<std::vector<Point>>& rings) {
+        for (auto& ring : rings) ring = stepped(std::move(ring));
+        std::erase_if(rings, [](const auto& ring) { return ring.size() < 3; });
+    };
+    for (auto* areas : {&page.areas, &page.textured}) {
+        for (Area& area : *areas) put(area.rings);
+        std::erase_if(*areas, [](const Area& area) { return area.rings.empty(); });
+    }
+    for (Region& region : page.regions) {
+        region.at = on_steps(region.at);
+        put(region.rings);
+    }
+}
+
+void drop_unset_words(Page& page) {
+    std::vector<int> number(page.words.size(), -1);
+    const auto each = [&](const auto& visit) {
+        for (BrailleLine& line : page.braille) visit(line.words);
+        for (PrintLine& line : page.print) visit(line.words);
+        for (PageName& name : page.names) visit(name.words);
+    };
+    each([&](int words) {
+        if (words >= 0) number[static_cast<std::size_t>(words)] = 0;
+    });
+    std::vector<PageWords> kept;
+    for (std::size_t i = 0; i < page.words.size(); ++i) {
+        if (number[i] < 0 && page.words[i].kind != WordsKind::key) continue;
+        number[i] = static_cast<int>(kept.size());
+        kept.push_back(std::move(page.words[i]));
+    }
+    page.words = std::move(kept);
+    each([&](int& words) {
+        if (words >= 0) words = number[static_cast<std::size_t>(words)];
+    });
 }
 
 bool is_blank(const Page& page) {
@@ -71,6 +160,7 @@ Page empty_like(const Page& page) {
     empty.bed = page.bed;
     empty.braille_table = page.braille_table;
     empty.language = page.language;
+    empty.medium = page.medium;
     return empty;
 }
 

@@ -3,7 +3,7 @@
 //
 // lay_out guarantees that no position is off the paper; no line is thinner than the medium's thinnest; line classes, units and
 // scale are resolved; text is translated into braille, and all text is one line of valid UTF-8 without control characters;
-// nothing is grey.
+// nothing is grey; points of lines and areas lie on the steps of kPageStep.
 #pragma once
 
 #include <cstdint>
@@ -42,6 +42,7 @@ struct DotBed {
 struct BrailleLine {
     Point first_dot;                  ///< centre of dot 1 of the first cell
     std::vector<std::uint8_t> cells;  ///< bit 0 = dot 1 ... bit 5 = dot 6 (bits 6, 7 = dots 7, 8)
+    int words = -1;                   ///< which of the page's words it sets; -1: nobody told
 };
 
 /// One line of print for sighted helpers.
@@ -49,6 +50,31 @@ struct PrintLine {
     Point baseline;   ///< left end
     double size = 0;  ///< letter size (em) in mm
     std::string text;
+    int words = -1;  ///< as of BrailleLine
+};
+
+enum class WordsKind : std::uint8_t {
+    title,
+    caption,
+    name,     ///< of a thing, beside it
+    letters,  ///< two that stand for a name, beside its thing
+    key,      ///< an entry of the key; without a line of its own on the page: the key has its own pages
+    label,    ///< of the drawing, such as a number on an axis
+    scale,    ///< what the scale bar stands for
+    mark,     ///< which of several sheets it is
+};
+std::string_view name_of(WordsKind kind);                     ///< "title", "caption", ...
+std::optional<WordsKind> words_named(std::string_view name);  ///< nothing for any other word
+
+/// Words that are set on a page, in braille, in print or in both, for who sets them anew.
+struct PageWords {
+    WordsKind kind = WordsKind::label;
+    std::string text;             ///< UTF-8, one line
+    std::string key = {};         ///< of letters and key: the two letters
+    Point at = {};                ///< of a label, mm; with `across` and `down` as Label has them
+    double across = 0, down = 0;  ///< likewise
+    double within = 0;            ///< of names and letters, as Name has it
+    bool optional = false;        ///< likewise
 };
 
 struct PageStroke {
@@ -76,6 +102,7 @@ struct PageName {
     std::string key;  ///< two letters that stand in its place if the words are in the key; empty: the words stand there
     Point thing;      ///< a point on the named thing
     Rect place;       ///< box of the words, or of the two letters
+    int words = -1;   ///< as in BrailleLine
 };
 
 /// The scale bar: a line with a mark at each end, with the length that it represents beside it.
@@ -113,7 +140,21 @@ struct Page {
     std::vector<std::string> remarks = {};  ///< as in the drawing
     bool is_key = false;                    ///< a page without a drawing: its names explain the letters on the drawing
     std::optional<PageScale> scale = {};
+    std::vector<PageWords> words = {};
+    std::string medium = {};  ///< its name; empty: nobody told
+    Rect drawing = {};        ///< where the drawing lies; of no width: there is none
 };
+
+/// Points of lines and areas, and widths, are integer multiples of this, so a file that writes them so holds the page itself.
+inline constexpr double kPageStep = 0.01;  // mm
+/// Moves them there, by half a step at most, and drops points that then coincide with the one before, and rings left with fewer
+/// than three points; a line of no length keeps two.
+void put_on_steps(Page& page);
+Point on_steps(Point p);
+std::vector<Point> on_steps(const std::vector<Point>& points);
+
+/// Drops words that no line sets, except those of a key.
+void drop_unset_words(Page& page);
 
 /// Width of a line of that class, mm.
 double width_of(LineClass line, const Medium& medium);

@@ -50,6 +50,10 @@ constexpr Flag kFlags[] = {
     {"--paper", "-p", "PAPER", "paper of every output: a name or a size such as 200x150mm; by default each format has its own",
      false, "papers"},
     {"--medium", "-m", "MEDIUM", "what the page is made on; by default each format has its own", false, "media"},
+    {"--embosser", "", "NAME",
+     "lay out outputs that belong to no machine, such as svg and pdf, for this one of tactics list embossers: to look at its "
+     "dots, or to edit a page before it is embossed",
+     false, "embossers displays"},
     kMarginFlag,
     kBindingFlag,
     kDuplexFlag,

@@ -1,58 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scalable Vector Graphics 1.1: the page in millimetres, in groups that can be found again in a drawing program.
+// Scalable Vector Graphics 1.1: the page in millimetres, in layers that drawing programs show (Inkscape's), with curves as
+// curves. It holds the page as it is, so that it can be read back (readers/svg/own_page.h).
 #include <algorithm>
+#include <set>
 
 #include "print/base64.h"
 #include "print/format.h"
 #include "print/ink.h"
 #include "print/one_bit_png.h"
+#include "print/svg_lines.h"
+#include "print/svg_told.h"
 #include "print/xml.h"
 #include "tactics/description/description.h"
 #include "tactics/geometry/dashed_line.h"
 #include "tactics/layout/named_lines.h"
+#include "tactics/layout/own_layers.h"
+#include "tactics/layout/own_marks.h"
 
 namespace tactics {
 
 namespace {
-
-// Hundredths of a millimetre as millimetres, as short as can be: 1.5, .05, -3.
-void append_steps(std::string& text, long steps) {
-    if (steps < 0) {
-        text += '-';
-        steps = -steps;
-    }
-    const long rest = steps % 100;
-    if (steps >= 100 || rest == 0) append_whole(text, steps / 100);
-    if (rest == 0) return;
-    text += '.';
-    text += static_cast<char>('0' + rest / 10);
-    if (rest % 10 != 0) text += static_cast<char>('0' + rest % 10);
-}
-void append_mm(std::string& text, double mm) { append_steps(text, to_steps(mm)); }
-
-void append_attribute(std::string& text, const char* name, double mm) {
-    text += std::string(" ") + name + "=\"";
-    append_mm(text, mm);
-    text += '"';
-}
-
-// Each point from the one before it, on the grid of whole steps: shorter, and no error adds up.
-void append_path(std::string& text, const std::vector<Point>& points, bool closed) {
-    long x = 0, y = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const long px = to_steps(points[i].x), py = to_steps(points[i].y);
-        if (i > 1 && px == x && py == y) continue;  // but a line of no length stays, it is a dot
-        if (i < 2) text += i == 0 ? "M" : "l";
-        const long dx = px - x, dy = py - y;
-        if (i > 1 && dx >= 0) text += ' ';
-        append_steps(text, dx);
-        if (dy >= 0) text += ' ';
-        append_steps(text, dy);
-        x = px;
-        y = py;
-    }
-    if (closed) text += 'z';
-}
 
 // Unsmoothed, in the older and the newer word for it; who knows neither will smooth it.
 std::string picture_group(const Bitmap& picture) {
@@ -63,6 +30,7 @@ std::string picture_group(const Bitmap& picture) {
     append_attribute(text, "y", picture.place.top);
     append_attribute(text, "width", picture.place.width);
     append_attribute(text, "height", picture.place.height);
+    append_exact(text, marks::kAt, {picture.place.left, picture.place.top, picture.place.width, picture.place.height});
     text += " preserveAspectRatio=\"none\" style=\"image-rendering:optimizeSpeed;image-rendering:pixelated\"";
     return text + " xlink:href=\"data:image/png;base64," + to_base64(png.finish()) + "\"/>\n";
 }
@@ -83,52 +51,60 @@ void append_thing(std::string& text, const Description& description, bool area, 
 
 std::string role_class(Role role) { return role == Role::line ? "" : " class=\"tactics-" + std::string(name_of(role)) + "\""; }
 
-std::string areas_group(const Page& page, const Description& description) {
-    std::string text = "<g id=\"areas\" fill-rule=\"evenodd\">\n";
+std::string number_of(std::size_t number) {
+    std::string text;
+    append_told(text, marks::kNumber, number);
+    return text;
+}
+
+void append_areas(std::string& text, const Page& page, const Description& description, std::string_view layer) {
     for (std::size_t i = 0; i < page.areas.size(); ++i) {
-        std::string path = "<path" + role_class(page.areas[i].role) + " d=\"";
+        if (layer_of(page.areas[i]) != layer) continue;
+        std::string path = "<path" + role_class(page.areas[i].role) + number_of(i) + " fill=\"#000\" stroke=\"none\" d=\"";
         for (const auto& ring : page.areas[i].rings) append_path(path, ring, true);
         append_thing(text, description, true, i, path + "\"/>\n");
     }
+    if (layer != marks::kGround) return;
     // Nothing is seen of these: they say where the patterns among the lines are.
     for (std::size_t i = 0; i < page.textured.size(); ++i) {
         std::string path = "<path class=\"tactics-texture-";
         append_whole(path, page.textured[i].texture);
-        path += "\" fill=\"none\" d=\"";
+        path += '"' + number_of(i) + " fill=\"none\" stroke=\"none\" d=\"";
         for (const auto& ring : page.textured[i].rings) append_path(path, ring, true);
         append_thing(text, description, true, page.areas.size() + i, path + "\"/>\n");
     }
-    return text + "</g>\n";
 }
 
-// Left open, for more of the same.
-std::string stroke_start(const PageStroke& stroke) {
-    std::string path = "<path" + role_class(stroke.role);
+std::string stroke_start(const PageStroke& stroke, std::size_t number) {
+    std::string path = "<path" + role_class(stroke.role) + number_of(number);
     append_attribute(path, "stroke-width", stroke.width);
-    path += " d=\"";
-    append_path(path, stroke.points, stroke.closed);
-    return path;
+    return path + " fill=\"none\" stroke=\"#000\"";
 }
-std::string stroke_path(const PageStroke& stroke) { return stroke_start(stroke) + "\"/>\n"; }
 
-std::string strokes_group(const Page& page, const Description& description) {
-    std::string text = "<g id=\"lines\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+void append_strokes(std::string& text, const Page& page, const Description& description, std::string_view layer) {
     for (std::size_t i = 0; i < page.strokes.size(); ++i) {
         const PageStroke& stroke = page.strokes[i];
-        std::string path = stroke_start(stroke);
-        // A pattern is thousands of marks, too short to have an element each.
-        while (stroke.role == Role::pattern && i + 1 < page.strokes.size() && page.strokes[i + 1].role == Role::pattern &&
-               page.strokes[i + 1].width == stroke.width) {
-            ++i;
-            append_path(path, page.strokes[i].points, page.strokes[i].closed);
+        if (layer_of(stroke, page) != layer) continue;
+        std::string path = stroke_start(stroke, i);
+        if (stroke.role == Role::pattern) {
+            // Thousands of marks, too short to have an element each.
+            path += " d=\"";
+            append_path(path, stroke.points, stroke.closed);
+            while (i + 1 < page.strokes.size() && page.strokes[i + 1].role == Role::pattern &&
+                   page.strokes[i + 1].width == stroke.width) {
+                ++i;
+                append_path(path, page.strokes[i].points, page.strokes[i].closed);
+            }
+            text += path + "\"/>\n";
+            continue;
         }
-        path += "\"/>\n";
+        path += course_attributes(stroke) + "/>\n";
         // A thing that is a dashed line is all of its dashes.
         const std::size_t first = i;
-        for (const std::size_t last = last_of_line(page, first); i < last; ++i) path += stroke_path(page.strokes[i + 1]);
+        for (const std::size_t last = last_of_line(page, first); i < last; ++i)
+            path += stroke_start(page.strokes[i + 1], i + 1) + course_attributes(page.strokes[i + 1]) + "/>\n";
         append_thing(text, description, false, first, path);
     }
-    return text + "</g>\n";
 }
 
 // Two digits a cell, so that who reads the file need not guess what its dots say: dots 1 to 8 are bits 0 to 7.
@@ -142,50 +118,141 @@ std::string cells_class(const BrailleLine& line) {
     return name;
 }
 
-std::string name_group(const PageName& name) {
-    std::string text = "<g class=\"tactics-name";
-    if (!name.key.empty()) text += " tactics-key-" + escaped(name.key);
-    return text + "\" aria-label=\"" + escaped(name.text) + "\">\n";
+bool is_title(int words, const Page& page) {
+    if (words < 0) return false;
+    const WordsKind kind = page.words[static_cast<std::size_t>(words)].kind;
+    return kind == WordsKind::title || kind == WordsKind::caption;
 }
 
-std::string braille_group(const Page& page) {
-    std::string text = "<g id=\"braille\" class=\"tactics-cell";
+// What the lines of one text are called, and whose they are.
+std::string braille_start(const PageName* name, int words, const Page& page) {
+    std::string text = "<g";
+    if (name != nullptr) {
+        text += " class=\"tactics-name";
+        if (!name->key.empty()) text += " tactics-key-" + escaped(name->key);
+        text += '"';
+    }
+    const std::string said = name != nullptr ? name->text : words >= 0 ? page.words[static_cast<std::size_t>(words)].text : "";
+    if (!said.empty()) text += " aria-label=\"" + escaped(said) + "\" inkscape:label=\"" + escaped(said) + '"';
+    return text + ">\n";
+}
+
+void append_braille(std::string& text, const Page& page, bool title) {
+    const std::vector<const PageName*> names = names_of_lines(page);
+    for (std::size_t i = 0; i < page.braille.size();) {
+        const int words = page.braille[i].words;
+        const PageName* name = names[i];
+        if (is_title(words, page) != title) {
+            ++i;
+            continue;
+        }
+        text += braille_start(name, words, page);
+        for (; i < page.braille.size() && page.braille[i].words == words && names[i] == name; ++i) {
+            const BrailleLine& line = page.braille[i];
+            text += "<g class=\"" + cells_class(line) + "\"" + number_of(i);
+            if (words >= 0) append_told(text, marks::kWords, static_cast<std::size_t>(words));
+            append_exact(text, marks::kAt, {line.first_dot.x, line.first_dot.y});
+            text += ">\n";
+            for (const Point& dot : dots_of(line, page.cell)) {
+                text += "<circle";
+                append_attribute(text, "cx", dot.x);
+                append_attribute(text, "cy", dot.y);
+                append_attribute(text, "r", page.braille_dot / 2);
+                text += "/>\n";
+            }
+            text += "</g>\n";
+            if (words < 0 && name == nullptr) {
+                ++i;
+                break;
+            }
+        }
+        text += "</g>\n";
+    }
+}
+
+std::string cell_class(const Page& page) {
+    std::string text = " class=\"tactics-cell";
     for (const double size : {page.cell.dot_pitch, page.cell.cell_pitch, page.cell.line_pitch, page.cell.dot}) {
         text += '-';
         append_number(text, size, 4);
     }
-    text += page.is_key ? " tactics-is-key\">\n" : "\">\n";
-    const std::vector<const PageName*> names = names_of_lines(page);
-    const PageName* open = nullptr;
-    for (std::size_t i = 0; i < page.braille.size(); ++i) {
-        const BrailleLine& line = page.braille[i];
-        const PageName* name = names[i];
-        if (name != open && open != nullptr) text += "</g>\n";
-        if (name != open && name != nullptr) text += name_group(*name);
-        open = name;
-        text += "<g class=\"" + cells_class(line) + "\">\n";
-        for (const Point& dot : dots_of(line, page.cell)) {
-            text += "<circle";
-            append_attribute(text, "cx", dot.x);
-            append_attribute(text, "cy", dot.y);
-            append_attribute(text, "r", page.braille_dot / 2);
-            text += "/>\n";
-        }
-        text += "</g>\n";
-    }
-    return text + (open != nullptr ? "</g>\n</g>\n" : "</g>\n");
+    return text + (page.is_key ? " tactics-is-key\"" : "\"");
 }
 
-std::string print_group(const Page& page) {
-    std::string text = "<g id=\"print\" font-family=\"DejaVu Sans, sans-serif\">\n";
-    for (const PrintLine& line : page.print) {
-        text += "<text";
-        append_attribute(text, "x", line.baseline.x);
-        append_attribute(text, "y", line.baseline.y);
-        append_attribute(text, "font-size", line.size);
-        text += ">" + escaped(line.text) + "</text>\n";
+std::string text_element(int words, Point baseline, double size, std::string_view said, const std::string& more) {
+    std::string text = "<text" + more;
+    if (words >= 0) append_told(text, marks::kWords, static_cast<std::size_t>(words));
+    append_told(text, marks::kText, said);
+    append_exact(text, marks::kAt, {baseline.x, baseline.y, size});
+    append_attribute(text, "x", baseline.x);
+    append_attribute(text, "y", baseline.y);
+    append_attribute(text, "font-size", size);
+    return text + ">" + escaped(said) + "</text>\n";
+}
+
+void append_print(std::string& text, const Page& page, bool title) {
+    for (std::size_t i = 0; i < page.print.size(); ++i) {
+        const PrintLine& line = page.print[i];
+        if (is_title(line.words, page) == title)
+            text += text_element(line.words, line.baseline, line.size, line.text, number_of(i));
     }
-    return text + "</g>\n";
+}
+
+// What is in braille only, as texts that nobody sees before the layer is shown: there the words can be typed anew.
+void append_unprinted(std::string& text, const Page& page) {
+    constexpr double kSize = 3.53;  // mm, 10 pt
+    std::set<int> said;
+    for (const PrintLine& line : page.print) said.insert(line.words);
+    std::string texts;
+    for (const BrailleLine& line : page.braille) {
+        if (line.words < 0 || !said.insert(line.words).second) continue;
+        const PageWords& words = page.words[static_cast<std::size_t>(line.words)];
+        if (words.kind == WordsKind::letters) {
+            const bool listed = std::any_of(page.words.begin(), page.words.end(), [&](const PageWords& other) {
+                return other.kind == WordsKind::key && other.key == words.key;
+            });
+            if (listed) continue;  // its words are in the key
+        }
+        texts += text_element(line.words, {line.first_dot.x, line.first_dot.y - page.braille_dot}, kSize, words.text, "");
+    }
+    // A key on pages of its own: its words stand at the letters.
+    for (std::size_t i = 0; i < page.words.size(); ++i) {
+        const PageWords& words = page.words[i];
+        if (words.kind != WordsKind::key || said.count(static_cast<int>(i)) > 0) continue;
+        for (const BrailleLine& line : page.braille) {
+            if (line.words < 0) continue;
+            const PageWords& letters = page.words[static_cast<std::size_t>(line.words)];
+            if (letters.kind != WordsKind::letters || letters.key != words.key) continue;
+            texts +=
+                text_element(static_cast<int>(i), {line.first_dot.x, line.first_dot.y - page.braille_dot}, kSize, words.text, "");
+            break;
+        }
+    }
+    if (!texts.empty())
+        text +=
+            "<g id=\"words-of-braille\" inkscape:groupmode=\"layer\" inkscape:label=\"words of the braille\" "
+            "style=\"display:none\">\n" +
+            texts + "</g>\n";
+}
+
+std::string layer_group(const marks::PageLayer& layer, const Page& page, const Description& description) {
+    std::string text;
+    if (layer.name == marks::kGround && page.picture) text += picture_group(*page.picture);
+    append_areas(text, page, description, layer.name);
+    append_strokes(text, page, description, layer.name);
+    const bool title = layer.name == marks::kTitleLayer, braille = title || layer.name == marks::kBraille,
+               print = title || layer.name == marks::kWordsLayer;
+    if (braille) append_braille(text, page, title);
+    if (print) append_print(text, page, title);
+    if (layer.name == marks::kWordsLayer) append_unprinted(text, page);
+    std::string start = "<g id=\"layer-" + std::string(layer.name) + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" +
+                        std::string(layer.label) + '"';
+    append_told(start, marks::kLayer, layer.name);
+    if (braille && !page.braille.empty()) start += cell_class(page);
+    if (print) start += " font-family=\"DejaVu Sans, sans-serif\"";
+    // What a person draws in a layer of lines has a pen of its own.
+    if (!braille) start += " fill-rule=\"evenodd\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
+    return start + ">\n" + text + "</g>\n";
 }
 
 // Over all that is drawn, so that a pointer or a touch tablet meets them first; of two that lie over each other the later one.
@@ -193,14 +260,15 @@ std::string print_group(const Page& page) {
 std::string regions_group(const Page& page) {
     std::string text = "<g id=\"regions\" fill=\"none\" pointer-events=\"all\">\n";
     std::size_t number = 0;
-    for (const Region& region : page.regions) {
+    for (std::size_t i = 0; i < page.regions.size(); ++i) {
+        const Region& region = page.regions[i];
         if (region.rings.empty()) continue;
         const std::string id = "region-" + std::to_string(++number);
         text +=
             "<path id=\"" + id + "\" class=\"tactics-region\" role=\"img\" tabindex=\"0\" aria-labelledby=\"" + id + "-title\"";
         if (!region.description.empty()) text += " aria-describedby=\"" + id + "-desc\"";
         if (!region.path.empty()) text += " data-path=\"" + escaped(region.path) + "\"";
-        text += " d=\"";
+        text += region_told(region, i) + " d=\"";
         for (const auto& ring : region.rings) append_path(text, ring, true);
         text += "\"><title id=\"" + id + "-title\">" + escaped(region.name) + "</title>";
         if (!region.description.empty())
@@ -215,22 +283,19 @@ std::string encode(const Page& page, const Settings&) {
     std::string width, height;
     append_number(width, page.width, 4);
     append_number(height, page.height, 4);
-    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"";
+    std::string text =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+        "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"";
     if (page.picture) text += " xmlns:xlink=\"http://www.w3.org/1999/xlink\"";
     // Not the role "img": what is in one is hidden from screen readers (WAI-ARIA: children presentational), and the things
     // have titles. "graphics-document" would say it better, but EPUB allows only older roles.
     text += " version=\"1.1\" width=\"" + width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
-            "\" xml:lang=\"" + escaped(page.language) +
-            "\" role=\"document\" aria-labelledby=\"title\" aria-describedby=\"desc\">\n<title id=\"title\">" +
+            "\" xml:lang=\"" + escaped(page.language) + '"' + page_told(page) +
+            " role=\"document\" aria-labelledby=\"title\" aria-describedby=\"desc\">\n<title id=\"title\">" +
             (page.title.empty() ? "Tactile graphic" : escaped(page.title)) + "</title>\n<desc id=\"desc\" xml:lang=\"" +
             escaped(alternative_language(page)) + "\">" + escaped(alternative_text(page, description)) + "</desc>\n";
-    text += "<g id=\"drawing\">\n";
-    if (page.picture) text += picture_group(*page.picture);
-    if (!page.areas.empty() || !page.textured.empty()) text += areas_group(page, description);
-    if (!page.strokes.empty()) text += strokes_group(page, description);
-    text += "</g>\n";
-    if (!page.braille.empty()) text += braille_group(page);
-    if (!page.print.empty()) text += print_group(page);
+    for (const marks::PageLayer& layer : marks::kLayers) text += layer_group(layer, page, description);
+    text += rest_told(page);
     text += regions_group(page);
     return text + "</svg>\n";
 }

@@ -13,11 +13,13 @@
 #include "tactics/job/figure.h"
 #include "tactics/job/figure_pictures.h"
 #include "tactics/job/holds.h"
+#include "tactics/job/own_pages.h"
 #include "tactics/job/reading.h"
 #include "tactics/job/surface_heights.h"
 #include "tactics/job/table.h"
 #include "tactics/readers/model.h"
 #include "tactics/readers/svg/figure.h"
+#include "tactics/readers/svg/own_page.h"
 #include "tactics/relief/height_picture.h"
 
 namespace tactics {
@@ -139,6 +141,23 @@ Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, 
     return drawable;
 }
 
+// A page that we wrote, which a person may have gone on with; nothing: it is of another maker.
+std::optional<Drawable> drawable_of_own_page(Source& source, const Job& job, Notes& notes) {
+    auto found = read_own_page(bytes_of(source.file.get()), source.name);
+    if (!found) {
+        std::rewind(source.file.get());
+        return std::nullopt;
+    }
+    for (std::string& note : found->notes) notes.push_back(to_act_on(std::move(note)));
+    const auto own = std::make_shared<const Page>(std::move(found->page));
+    Drawable drawable{.info = {"SVG", static_cast<int>(std::lround(own->width)), static_cast<int>(std::lround(own->height))}};
+    drawable.own = own;
+    drawable.aspect = [own](const Sheet&) { return own->drawing.height > 0 ? own->drawing.width / own->drawing.height : 1; };
+    drawable.draw = [own](const Sheet&, const Rect&, const PrintWords&, DrawingWay&) { return drawing_of_page(*own); };
+    tell_what_does_nothing("a page of ours already", job, notes);
+    return drawable;
+}
+
 Drawable drawable_of_table(Source& source, const Job& job, const Sheet& sheet, Notes& notes) {
     std::vector<std::string> told;
     const auto plot = std::make_shared<Plot>(plot_of(source, job.table, told));
@@ -208,7 +227,9 @@ Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, N
 
 Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, Notes& notes) {
     switch (job.tables_only ? Holds::table : look_at(source)) {
-        case Holds::svg: return drawable_of_figure(source, job, sheet, notes);
+        case Holds::svg:
+            if (auto own = drawable_of_own_page(source, job, notes)) return std::move(*own);
+            return drawable_of_figure(source, job, sheet, notes);
         case Holds::table: return drawable_of_table(source, job, sheet, notes);
         case Holds::model: return drawable_of_model(source, job, sheet, notes);
         case Holds::pdf:  // of which open_input has made a picture, unless somebody else opened it

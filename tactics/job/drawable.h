@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,9 +34,10 @@ struct Drawable {
     PrintWords words = {};
     std::string no_room_for_words = {};  ///< message if a page has no room for them in braille
     std::string title = {}, title_origin = {};
-    std::optional<double> width = {};  ///< real width from the file, mm
-    std::string model_json = {};       ///< of a folded-out model: what was done with its objects
-    bool made_for_sheet = false;       ///< it is drawn for each sheet by the sheet's rules, and needs no mending
+    std::optional<double> width = {};      ///< real width from the file, mm
+    std::string model_json = {};           ///< of a folded-out model: what was done with its objects
+    bool made_for_sheet = false;           ///< it is drawn for each sheet by the sheet's rules, and needs no mending
+    std::shared_ptr<const Page> own = {};  ///< a page that we wrote, as it was (own_pages.h)
     /// Width / height of its drawing on that sheet.
     std::function<double(const Sheet& sheet)> aspect = {};
     /// Its drawing for that place, without the print that `words` removes.

@@ -17,6 +17,7 @@
 #include "tactics/job/mending.h"
 #include "tactics/job/open_input.h"
 #include "tactics/job/output_settings.h"
+#include "tactics/job/own_pages.h"
 #include "tactics/job/page_files.h"
 #include "tactics/job/reading.h"
 #include "tactics/job/room_for_names.h"
@@ -58,7 +59,9 @@ public:
         made_.resize(job_.outputs.size());
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) {
             make_room_for_words(outcome_.layouts[i], arranged_[i]);
-            const Pages pages = lay_out_one(outcome_.layouts[i].sheet, std::move(arranged_[i]));
+            if (stays_[i]) begin(JobStep::laying_out);
+            const Pages pages =
+                stays_[i] ? pages_of_own(*from_.own) : lay_out_one(outcome_.layouts[i].sheet, std::move(arranged_[i]));
             tell_layout(outcome_.layouts[i], pages);
             outcome_.layouts[i].mended = mended_.told;
             outcome_.layouts[i].detail = detail_;
@@ -111,7 +114,9 @@ private:
             if (at == outcome_.layouts.size()) {
                 Layout layout;
                 layout.sheet = sheet;
-                arranged_.push_back(arrange(sheet, from_.aspect(sheet)));
+                stays_.push_back(from_.own && stays_as_it_is(sheet, *from_.own, job_, *output.format));
+                arranged_.push_back(stays_.back() ? Arrangement{pages_of_own(*from_.own).place, {}, {}, {}, {}, {}}
+                                                  : arrange(sheet, from_.aspect(sheet)));
                 layout.place = arranged_.back().place;
                 check_machine(job_, *output.format, layout.sheet, layout.place);
                 outcome_.layouts.push_back(std::move(layout));
@@ -122,6 +127,7 @@ private:
 
     Sheet planned_sheet(const Format& format) {
         Sheet sheet = sheet_for(job_, format, job_);
+        if (from_.own) take_own(sheet, *from_.own, job_, format);
         if (sheet.scale && !sheet.real_width) sheet.real_width = own_width();
         if (sheet.title.empty() && !from_.title.empty() && !sheet.bare) {
             sheet.title = from_.title;
@@ -349,6 +355,7 @@ private:
     std::string more_room_ = "larger paper or " + spelled("tiles") + " 2x1";  // as the user would get it
     int from_right_ = 0;                                                      // outputs whose title is not printed
     std::vector<Arrangement> arranged_;                                       // for each layout
+    std::vector<bool> stays_;                                                 // each is the page that was read
     std::vector<std::size_t> layout_of_;                                      // each output's
     std::vector<std::vector<Made>> made_;                                     // of each output
     CutCells cut_;

@@ -26,7 +26,8 @@ Settings Wishes::settings_of(const Format& format) const {
     return set;
 }
 
-Sheet sheet_for(const Wishes& wishes, const Format& format, const Item& item) {
+Sheet sheet_for(const Wishes& wishes, const Format& output, const Item& item) {
+    const Format& format = output.dots == nullptr && wishes.machine != nullptr ? *wishes.machine : output;
     Sheet sheet = wishes.sheet;
     const bool display = format.dots != nullptr && format.dots(wishes.settings_of(format)).width > 0;
     if (display && (wishes.paper || sheet.margin || sheet.binding))

@@ -19,17 +19,24 @@
 
 namespace tactics {
 
+/// Choices that were made by name. Without them, a page of our own that is read back keeps its own.
+struct AskedByName {
+    bool language = false, braille = false, cell = false;
+};
+
 /// How to make pages; the same for all pictures of a batch. The program chooses everything that is left open.
 struct Wishes {
     RecipeWish chain;
     std::optional<Recipe> recipe;  ///< finish()ed; nothing: built from `chain`, or chosen for each picture
     Sheet sheet;                   ///< without paper and medium, which may come from the format
     std::optional<Paper> paper;
-    KeptSheet kept = {};                    ///< used where sheet and paper leave something open
-    TableWish table = {};                   ///< which columns of a table to draw
-    bool tables_only = false;               ///< treat every file as a table
-    ChartWish chart = {};                   ///< how a plot is drawn
-    ModelDrawingWish model = {};            ///< how a model is drawn
+    AskedByName asked = {};
+    const Format* machine = nullptr;  ///< the machine for which outputs that belong to none are laid out; nullptr: their own
+    KeptSheet kept = {};              ///< used where sheet and paper leave something open
+    TableWish table = {};             ///< which columns of a table to draw
+    bool tables_only = false;         ///< treat every file as a table
+    ChartWish chart = {};             ///< how a plot is drawn
+    ModelDrawingWish model = {};      ///< how a model is drawn
     std::vector<std::string> allowed = {};  ///< of kAskedFormats: the files are trusted
     int page = 0;                           ///< page of a PDF; 0: the first, or all pages of text
     bool as_text = false;                   ///< lay out the text of a file as braille pages (written.h)

@@ -97,12 +97,16 @@ public:
                 drawn_.live.left + drawn_.braille_dot / 2 +
                     static_cast<double>(column_ * (width_ + kBetween)) * drawn_.cell.cell_pitch,
                 drawn_.live.top + band_.height + drawn_.braille_dot / 2 + static_cast<double>(row_) * drawn_.cell.line_pitch};
+            Page& page = pages_.back();
+            if (&line == &lines.front() || page.words.empty() || page.words.back().kind != WordsKind::key)
+                page.words.push_back({WordsKind::key, entry.text, entry.letters});
+            const int words = static_cast<int>(page.words.size()) - 1;
             if (&line == &lines.front()) {
                 const Rect place{dot.x - drawn_.braille_dot / 2, dot.y - drawn_.braille_dot / 2,
                                  static_cast<double>(line.size()) * drawn_.cell.cell_pitch, drawn_.cell.line_pitch};
-                pages_.back().names.push_back({entry.text, entry.letters, place.middle(), place});
+                page.names.push_back({entry.text, entry.letters, place.middle(), place, words});
             }
-            pages_.back().braille.push_back({dot, std::move(line)});
+            page.braille.push_back({dot, std::move(line), words});
             ++row_;
         }
     }
@@ -116,6 +120,7 @@ private:
         column_ = 0;
         Page& page = pages_.emplace_back(empty_like(drawn_));
         page.title = title_;
+        if (!title_.empty()) page.words.push_back({WordsKind::title, title_});
         page.print = band_.print;
         page.braille = band_.braille;
         page.is_key = true;

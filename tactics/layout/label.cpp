@@ -2,6 +2,7 @@
 #include "tactics/layout/label.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
@@ -40,6 +41,13 @@ LabelBlock set_label(const std::string& text, const Sheet& sheet) {
     block.width = std::max(block.width, (cells - 1) * cell.cell_pitch + cell.dot_pitch + dot);
     block.braille.push_back(std::move(braille));
     return block;
+}
+
+void say(LabelBlock& block, Page& page, PageWords words) {
+    const int number = static_cast<int>(page.words.size());
+    page.words.push_back(std::move(words));
+    for (PrintLine& line : block.print) line.words = number;
+    for (BrailleLine& line : block.braille) line.words = number;
 }
 
 LabelBlock placed(LabelBlock block, const Label& label, Point at, const CellSize& cell, double page_width, double page_height) {

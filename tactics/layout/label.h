@@ -21,6 +21,9 @@ struct LabelBlock {
 /// Throws Error(usage) as to_braille does.
 LabelBlock set_label(const std::string& text, const Sheet& sheet);
 
+/// The block's lines set those words, which are added to the page.
+void say(LabelBlock& block, Page& page, PageWords words);
+
 /// Places the block as `label` asks, with `at` in page coordinates; pushes it back onto paper of that size if it would leave it.
 /// Throws Error(usage) if it is wider than the paper.
 LabelBlock placed(LabelBlock block, const Label& label, Point at, const CellSize& cell, double page_width, double page_height);

@@ -58,10 +58,14 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) 
     page.width = place.page_width;
     page.height = place.page_height;
     page.live = place.live;
+    page.drawing = place.drawing;
+    page.medium = sheet.medium->name;
     page.title = std::move(arrangement.title);
     page.caption = std::move(arrangement.caption);
     page.print = std::move(arrangement.band.print);
     page.braille = std::move(arrangement.band.braille);
+    if (!page.title.empty()) page.words.push_back({WordsKind::title, page.title});
+    if (!page.caption.empty()) page.words.push_back({WordsKind::caption, page.caption});
     page.braille_dot = sheet.cell.dot;
     page.cell = sheet.cell;
     page.bed = sheet.bed;
@@ -88,7 +92,9 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) 
     }
     page.remarks = drawing.remarks;
     for (const Label& label : drawing.labels) {
-        LabelBlock block = placed(set_label(label.text, sheet), label, mover.moved(label.at), page.cell, page.width, page.height);
+        const Point at = mover.moved(label.at);
+        LabelBlock block = placed(set_label(label.text, sheet), label, at, page.cell, page.width, page.height);
+        say(block, page, {WordsKind::label, to_line(label.text), "", at, label.across, label.down});
         std::move(block.print.begin(), block.print.end(), std::back_inserter(page.print));
         std::move(block.braille.begin(), block.braille.end(), std::back_inserter(page.braille));
     }
@@ -103,13 +109,16 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) 
     std::vector<KeyEntry> key = set_names(page, std::move(names), sheet, windows);
     draw_patterns(page, *sheet.medium,
                   arrangement.cut ? arrangement.cut->live : page.live);  // last: they give way to all that is there
+    drop_unset_words(page);
     return {std::move(page), std::move(key), arrangement.cut, place};
 }
 
 }  // namespace
 
 Page lay_out(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) {
-    return draw(drawing, sheet, std::move(arrangement)).page;
+    Page page = draw(drawing, sheet, std::move(arrangement)).page;
+    put_on_steps(page);
+    return page;
 }
 
 Page lay_out(const Drawing& drawing, const Sheet& sheet) {
@@ -135,6 +144,8 @@ Pages pages_of(const Drawing& drawing, const Sheet& sheet, Arrangement arrangeme
     if (sheet.duplex && sheet.binding && sheet.binding->edge != Binding::Edge::top)
         for (std::size_t back = 1; back < pages.all.size(); back += 2)
             move_by(pages.all[back], sheet.binding->edge == Binding::Edge::left ? -sheet.binding->room : sheet.binding->room, 0);
+    for (Page& page : pages.all) put_on_steps(page);
+    if (pages.large) put_on_steps(*pages.large);
     return pages;
 }
 

@@ -228,6 +228,16 @@ private:
         room_.take(place);
         words_.push_back(place);
         LabelBlock block = piece.block;
+        const bool words = piece.key.empty();
+        say(block, page_,
+            {words ? WordsKind::name : WordsKind::letters,
+             piece.name.text,
+             piece.key,
+             {},
+             0,
+             0,
+             piece.name.within,
+             piece.name.optional});
         for (PrintLine& line : block.print) {
             line.baseline.x += place.left;
             line.baseline.y += place.top;
@@ -238,7 +248,7 @@ private:
         }
         std::move(block.print.begin(), block.print.end(), std::back_inserter(page_.print));
         std::move(block.braille.begin(), block.braille.end(), std::back_inserter(page_.braille));
-        page_.names.push_back({piece.name.text, piece.key, piece.name.at, place});
+        page_.names.push_back({piece.name.text, piece.key, piece.name.at, place, static_cast<int>(page_.words.size()) - 1});
     }
 
     void leave_out(const Piece& piece, const std::string& what) {
@@ -286,11 +296,14 @@ private:
         const double last = 2 * page_.cell.dot_pitch + page_.braille_dot;
         const double height = static_cast<double>(key.size() - 1) * page_.cell.line_pitch + last;
         const auto place = room_.lowest(width, height, [this](const Rect& rect) { return is_whole(rect); });
+        const int first = static_cast<int>(page_.words.size());
+        for (const KeyEntry& entry : key) page_.words.push_back({WordsKind::key, entry.text, entry.letters});
         if (!place) return key;
         for (std::size_t i = 0; i < key.size(); ++i)
             page_.braille.push_back({{place->left + page_.braille_dot / 2,
                                       place->top + page_.braille_dot / 2 + static_cast<double>(i) * page_.cell.line_pitch},
-                                     std::move(key[i].cells)});
+                                     std::move(key[i].cells),
+                                     first + static_cast<int>(i)});
         return {};
     }
 

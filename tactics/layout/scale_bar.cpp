@@ -84,6 +84,7 @@ void set_scale_bar(Page& page, const Rect& room, double scale, const Sheet& shee
         for (const double x : {left, right}) draw({x, middle - tick / 2 + line / 2}, {x, middle + tick / 2 - line / 2});
         words = placed(std::move(words), Label{{}, 0, level.down, text}, {right + line / 2 + kClear, middle}, page.cell,
                        page.width, page.height);
+        say(words, page, {WordsKind::scale, text});
         std::move(words.print.begin(), words.print.end(), std::back_inserter(page.print));
         std::move(words.braille.begin(), words.braille.end(), std::back_inserter(page.braille));
         return;

@@ -99,7 +99,7 @@ std::optional<Bitmap> picture_within(const Bitmap& picture, const Rect& window) 
 
 // The cells of a line that are in the window as a whole.
 std::optional<BrailleLine> braille_within(const BrailleLine& line, const Page& page, const Rect& window) {
-    BrailleLine part{{0, line.first_dot.y}, {}};
+    BrailleLine part{{0, line.first_dot.y}, {}, line.words};
     for (std::size_t i = 0; i < line.cells.size(); ++i) {
         const BrailleLine one{{line.first_dot.x + static_cast<double>(i) * page.cell.cell_pitch, line.first_dot.y},
                               {line.cells[i]}};
@@ -138,15 +138,17 @@ void add_name(Page& page, const Cut& cut, int column, int row, const Sheet& shee
     const double left = cut.window.left + (cut.window.width - cut.across) / 2 + sheet.medium->thin_line / 2 + mark_gap(sheet);
     const double top = cut.window.top - mark_gap(sheet) - mark_length(sheet);
     const auto letter = static_cast<char>('a' + row);
+    const int words = static_cast<int>(page.words.size());
+    page.words.push_back({WordsKind::mark, std::string{letter, static_cast<char>('1' + column)}});
     if (sheet.braille_table.empty()) {
         constexpr double kSize = 4.94;  // mm, as of the title
-        page.print.push_back({{left, top + kAscent * kSize}, kSize, std::string{letter, static_cast<char>('1' + column)}});
+        page.print.push_back({{left, top + kAscent * kSize}, kSize, page.words.back().text, words});
         return;
     }
     constexpr std::uint8_t kNumberSign = 0b111100;  // dots 3456; digits are the letters from a on
     const double dot = sheet.cell.dot / 2;
     page.braille.push_back(
-        {{left + dot, top + dot}, {letter_cell(letter), kNumberSign, letter_cell(static_cast<char>('a' + column))}});
+        {{left + dot, top + dot}, {letter_cell(letter), kNumberSign, letter_cell(static_cast<char>('a' + column))}, words});
 }
 
 }  // namespace
@@ -198,12 +200,16 @@ std::vector<Page> cut_up(const Page& page, const Cut& cut, const Sheet& sheet) {
             for (const PageName& name : page.names)
                 if (holds(window, name.place)) part.names.push_back(name);
             if (page.scale && holds(window, page.scale->place)) part.scale = page.scale;
+            part.words = page.words;
+            part.drawing = page.drawing;
             move_by(part, cut.window.left - window.left, cut.window.top - window.top);
             part.width = cut.width;
             part.height = cut.height;
             part.live = cut.live;
             add_marks(part, cut, column, row, sheet);
             add_name(part, cut, column, row, sheet);
+            // The pages of a key are of all sheets.
+            drop_unset_words(part);
         }
     return sheets;
 }

@@ -162,10 +162,13 @@ TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live) {
     const double cells = (live.width - dot - sheet.cell.dot_pitch) / sheet.cell.cell_pitch;
     const auto most = static_cast<std::size_t>(std::max(0.0, std::floor(cells + 1e-9))) + 1;
     double y = live.top;
+    int words = -1;
     const auto add = [&](const std::string& text, std::vector<Cells> lines) {
         if (text.empty()) return;
+        ++words;
         if (sheet.print_title) {
             PrintLine line = print_line(text, live);
+            line.words = words;
             line.baseline.y += y - live.top;
             y += (kAscent + kDescent) * line.size + clear;
             band.print.push_back(std::move(line));
@@ -174,7 +177,7 @@ TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live) {
         for (std::size_t i = 0; i < lines.size(); ++i) {
             eight_dots = eight_dots || *std::max_element(lines[i].begin(), lines[i].end()) > 0x3F;
             const double top = y + static_cast<double>(i) * sheet.cell.line_pitch;
-            band.braille.push_back({{live.left + dot / 2, top + dot / 2}, std::move(lines[i])});
+            band.braille.push_back({{live.left + dot / 2, top + dot / 2}, std::move(lines[i]), words});
         }
         if (!lines.empty())
             y += static_cast<double>(lines.size() - 1) * sheet.cell.line_pitch + (eight_dots ? 3 : 2) * sheet.cell.dot_pitch +

@@ -46,6 +46,7 @@ std::vector<std::vector<std::uint8_t>> wrapped(const std::vector<std::uint8_t>& 
 /// The cells of a hyphen in that table; empty: it has no short one, or there is no table.
 std::vector<std::uint8_t> hyphen_of(const std::string& braille_table);
 
+/// Its lines are of the words 0, the title, and behind it, if there is one, those of the caption.
 TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live);
 
 }  // namespace tactics

@@ -70,14 +70,14 @@ TEST_F(PictureWords, ThatAreSureAreSetAndOthersAreTold) {
     const Ending sure = with_reader(table("95"), {"chart.pgm", "-o", "a.svg", "-r", "line-art"});
     EXPECT_EQ(sure.code, 0);
     EXPECT_TRUE(holds(sure.err, "chart.pgm: print was read at 1 place and stands in braille")) << sure.err;
-    EXPECT_TRUE(holds(bytes_of(folder / "a.svg"), "<g id=\"braille\""));
+    EXPECT_TRUE(holds(bytes_of(folder / "a.svg"), "<g class=\"tactics-cells-"));
     EXPECT_FALSE(holds(bytes_of(folder / "a.svg"), "stroke-width=\""));
     const Ending unsure = with_reader(table("45"), {"chart.pgm", "-o", "b.svg", "-r", "line-art"});
     EXPECT_TRUE(holds(unsure.err,
                       "chart.pgm: print at 49.8 %, 50 % was read as \"LL\" with little sureness (45 of 100) and is left in the "
                       "lines; if it is words, give it with --label \"49.8%,50%=...\""))
         << unsure.err;
-    EXPECT_FALSE(holds(bytes_of(folder / "b.svg"), "<g id=\"braille\""));
+    EXPECT_FALSE(holds(bytes_of(folder / "b.svg"), "<g class=\"tactics-cells-"));
     EXPECT_TRUE(holds(bytes_of(folder / "b.svg"), "stroke-width=\""));
     // A map or a diagram of areas has its words beside its things, too.
     const Ending regions = with_reader(table("95"), {"chart.pgm", "-o", "d.svg", "-r", "regions"});
@@ -126,8 +126,8 @@ TEST_F(PictureWords, FromRightToLeftAreInBrailleOnly) {
     EXPECT_EQ(end.code, 0) << end.err;
     EXPECT_TRUE(holds(end.err, "disc.tif: the title runs from right to left and is in braille only")) << end.err;
     const std::string page = bytes_of(folder / "a.svg");
-    EXPECT_TRUE(holds(page, "<g id=\"braille\""));
-    EXPECT_FALSE(holds(page, "<g id=\"print\""));
+    EXPECT_TRUE(holds(page, "<g class=\"tactics-cells-"));
+    EXPECT_FALSE(holds(page, "<text data-tactics-n"));
     EXPECT_TRUE(holds(page, "<title id=\"title\">" + title + "</title>"));
 }
 

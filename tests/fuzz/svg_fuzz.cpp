@@ -6,6 +6,7 @@
 
 #include "tactics/error.h"
 #include "tactics/readers/svg/figure.h"
+#include "tactics/readers/svg/own_page.h"
 #include "tactics/readers/svg/svg.h"
 #include "tactics/rules/rule.h"
 
@@ -14,6 +15,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         const std::string_view bytes =
             size == 0 ? std::string_view() : std::string_view(reinterpret_cast<const char*>(data), size);
+        if (const auto own = read_own_page(bytes, "fuzzed.svg"))
+            for (const PageStroke& stroke : own->page.strokes)
+                for (const Point& p : stroke.points)
+                    if (!(p.x >= 0 && p.x <= own->page.width && p.y >= 0 && p.y <= own->page.height)) std::abort();
         const FoundPage found = read_svg(bytes, "fuzzed.svg", 10, Paper{"a4", "", 210, 297});
         const Drawing drawing =
             drawing_of_figure(read_svg(bytes, "fuzzed.svg", 0, Paper{"a4", "", 210, 297}, SvgPurpose::figure), 200);

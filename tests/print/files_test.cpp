@@ -192,12 +192,13 @@ TEST(PageFiles, TooManyPixelsAreRefusedWithWhatCanBeHad) {
     EXPECT_THROW(encode(page, "png", {{"width", "200000"}}), Error);
 }
 
-TEST(PageFiles, SvgHasGroupsToBeFoundAgain) {
+TEST(PageFiles, SvgHasLayersWithNames) {
     Drawing drawing = hard_drawing();
     drawing.picture = picture_drawing(60, 40).picture;
     const std::string svg = encode(lay_out(drawing, sheet_of("a4", "A <title>")), "svg");
-    for (const char* part : {"id=\"drawing\"", "id=\"areas\"", "id=\"lines\"", "id=\"braille\"", "id=\"print\"", "id=\"picture\"",
-                             "<title id=\"title\">A &lt;title&gt;</title>", "<desc id=\"desc\""})
+    for (const char* part : {"inkscape:label=\"ground\"", "inkscape:label=\"inner lines\"", "inkscape:label=\"main outlines\"",
+                             "inkscape:label=\"words\"", "inkscape:label=\"braille\"", "inkscape:label=\"title\"",
+                             "id=\"picture\"", "<title id=\"title\">A &lt;title&gt;</title>", "<desc id=\"desc\""})
         EXPECT_NE(svg.find(part), std::string::npos) << part;
 }
 

@@ -342,5 +342,26 @@ TEST(Binding, TakesItsRoomFromOneSide) {
     }
 }
 
+// A file that writes hundredths of a millimetre holds the page itself.
+TEST(LayOut, PointsStandOnSteps) {
+    Drawing drawing = box(100.0 / 3, 200.0 / 7);
+    for (int i = 0; i < 400; ++i)
+        drawing.strokes[0].points.push_back({16 + 15 * std::cos(i / 63.0), 14 + 13 * std::sin(i / 63.0)});
+    drawing.areas.push_back({{{{1, 1}, {1.00001, 1}, {1.00001, 1.00001}}}, Role::line});
+    Page page = lay_out(drawing, sheet_of("a4", "Steps"));
+    const auto stands = [](double mm) { return std::abs(mm * 100 - std::round(mm * 100)) < 1e-9; };
+    for (const PageStroke& stroke : page.strokes) {
+        EXPECT_TRUE(stands(stroke.width));
+        for (std::size_t i = 0; i < stroke.points.size(); ++i) {
+            EXPECT_TRUE(stands(stroke.points[i].x) && stands(stroke.points[i].y));
+            if (i > 0) EXPECT_GT(distance(stroke.points[i], stroke.points[i - 1]), 0.009);
+        }
+    }
+    EXPECT_TRUE(page.areas.empty()) << "smaller than a step";
+    const Page before = page;
+    put_on_steps(page);
+    EXPECT_EQ(page.strokes[0].points.size(), before.strokes[0].points.size());
+}
+
 }  // namespace
 }  // namespace tactics

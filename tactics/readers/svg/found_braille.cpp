@@ -276,6 +276,11 @@ std::vector<std::vector<std::pair<Point, int>>> texts_in(const std::vector<const
 
 }  // namespace
 
+void settle_discs(std::vector<Disc> discs, Page& page) {
+    for (const Disc& disc : take_braille(std::move(discs), page))
+        page.strokes.push_back({{disc.middle, disc.middle}, false, disc.diameter});
+}
+
 bool is_braille_dot(const std::vector<Point>& ring, Disc& disc) {
     if (ring.size() < 6 || ring.size() > 1000) return false;
     const auto [left, top, right, bottom] = tactics::box_of(ring);

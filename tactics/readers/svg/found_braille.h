@@ -17,6 +17,9 @@ struct Disc {
 /// they measure; those that fit no cell are left.
 std::vector<Disc> take_braille(std::vector<Disc> discs, Page& page);
 
+/// The same, and those that fit none become dots of the page.
+void settle_discs(std::vector<Disc> discs, Page& page);
+
 /// Is this ring a disc of the size of a braille dot?
 bool is_braille_dot(const std::vector<Point>& ring, Disc& disc);
 

@@ -6,10 +6,12 @@
 #include <map>
 
 #include "tactics/error.h"
+#include "tactics/layout/own_marks.h"
 #include "tactics/readers/svg/chart_parts.h"
 #include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/embedded.h"
 #include "tactics/readers/svg/found_braille.h"
+#include "tactics/readers/svg/found_mark.h"
 #include "tactics/readers/svg/rings.h"
 #include "tactics/readers/svg/style_sheet.h"
 #include "tactics/readers/svg/svg_choice.h"
@@ -38,8 +40,9 @@ constexpr int kMostUses = 16;                // of a thing that uses a thing tha
 
 class Reader {
 public:
-    Reader(const std::string& file, FoundPage& found, SvgPurpose purpose, SvgLook look = SvgLook::plain)
-        : file_(file), found_(found), look_(look), figure_(purpose != SvgPurpose::page), ground_(look) {}
+    Reader(const std::string& file, FoundPage& found, SvgPurpose purpose, SvgLook look = SvgLook::plain,
+           std::vector<FoundMark>* marks = nullptr)
+        : file_(file), found_(found), look_(look), figure_(purpose != SvgPurpose::page), marks_(marks), ground_(look) {}
 
     void run(const Element& root, double margin, const std::optional<Paper>& paper) {
         if (root.name != "svg")
@@ -64,7 +67,7 @@ public:
         if (figure_) found_.page.title = title_of(root);
         clip_ = {0, 0, page.width, page.height};
         for (const Element& child : root.children) draw(child, to_mm, style, 0);
-        settle_discs();
+        settle_discs(std::move(discs_), found_.page);
         if (figure_) letters_.settle(found_);
         if (!figure_ && is_blank(found_.page))
             found_.notes.push_back("nothing on this page is to be felt: no line or area is darker than half grey; draw in black");
@@ -133,18 +136,18 @@ private:
     }
 
     void draw_group(const Element& group, const Transform& transform, const Style& style, int uses) {
-        if (auto cell = cell_told(group)) {
-            for (double* size : {&cell->dot_pitch, &cell->cell_pitch, &cell->line_pitch, &cell->dot}) *size *= transform.scale();
-            cell_ = cell;
-        }
+        if (auto cell = cell_told(group, transform.scale())) cell_ = cell;
         // What names nothing, such as the title, which title_of knows; and the same in print.
-        if (figure_ && !lettering_ && (tells_cells(group) || (cell_ && group.attribute("id") == "print"))) return;
+        if (figure_ && !lettering_ && (tells_cells(group) || tells_words(group))) return;
         const std::size_t disc = discs_.size(), line = found_.page.braille.size();
+        const MarkKeeper keeper(tells_cells(group) ? marks_ : nullptr, group, transform, layer_, found_.page);
+        const std::string_view outer_layer = layer_;
+        if (const auto layer = group.attribute(marks::kLayer); !layer.empty()) layer_ = layer;
         const Element* const outer = group_;
-        const bool in_formula = outer != nullptr && outer->attribute("data-mml-node") == "math";
-        if (!in_formula) group_ = &group;
+        if (outer == nullptr || outer->attribute("data-mml-node") != "math") group_ = &group;
         for (const Element& child : group.children) draw(child, transform, style, uses);
         group_ = outer;
+        layer_ = outer_layer;
         if (!figure_) settle_group(group, cell_, discs_, disc, line, found_.page);
     }
 
@@ -174,10 +177,7 @@ private:
                 say_right(found_.words, before, words);  // others label all their texts
             return;
         }
-        const bool upwards = ink_.box.height > 1.5 * ink_.box.width && words.size() > 2;
-        const auto lines = 1.0 + static_cast<double>(std::count(element.comment.begin(), element.comment.end(), '\n'));
-        found_.words.push_back({std::move(words), ink_.box.middle(), (upwards ? ink_.box.width : ink_.box.height) / lines,
-                                upwards, upwards ? ink_.box.height : ink_.box.width});
+        found_.words.push_back(words_in_box(std::move(words), ink_.box, element.comment));
     }
 
     // Matplotlib and others cut the curves of a chart off at its frame.
@@ -222,6 +222,8 @@ private:
     }
 
     void draw_shape(const Element& element, const Transform& transform, const Style& style) {
+        const MarkKeeper keeper(marks_, element, transform, layer_, found_.page);
+        ours_ = marks_ != nullptr && !element.attribute(marks::kNumber).empty();
         if (take_region(element, transform, found_.page)) return;
         Pen pen(transform);
         if (!draw_outline(element, lengths_, pen, figure_ ? &missed_.broken : nullptr)) return;
@@ -311,7 +313,7 @@ private:
         Disc disc;
         if (figure_) {
             if (!std::all_of(rings.begin(), rings.end(), [&](const auto& ring) { return lies_in(ring, clip_); })) return;
-        } else if (role == Role::line && rings.size() == 1 && is_braille_dot(rings[0], disc)) {
+        } else if (role == Role::line && !ours_ && rings.size() == 1 && is_braille_dot(rings[0], disc)) {
             discs_.push_back(disc);
             return;
         }
@@ -324,7 +326,7 @@ private:
     void add_stroke(Subpath subpath, double width, bool butt, Role role) {
         auto& points = subpath.points;
         const bool dot = std::all_of(points.begin(), points.end(), [&](Point p) { return distance(p, points[0]) < 1e-6; });
-        if (dot && role == Role::pattern) {  // no braille
+        if (dot && (role == Role::pattern || ours_)) {  // no braille
             found_.page.strokes.push_back({{points[0], points[0]}, false, width, role});
             return;
         }
@@ -339,17 +341,13 @@ private:
     }
 
     void draw_picture(const Element& element, const Transform& transform) {
+        const MarkKeeper keeper(marks_, element, transform, layer_, found_.page);
         const auto place = upright_box(element, lengths_, transform);
         const std::string_view address = element.attribute("href");
         const bool known = place && std::abs(place->width) <= kFarthest && std::abs(place->height) <= kFarthest;
         if (!known ||
             !(figure_ ? take_figure_picture(found_, address, *place, clip_) : take_page_picture(found_, address, *place)))
             ++missed_.pictures;
-    }
-
-    void settle_discs() {
-        for (const Disc& disc : take_braille(std::move(discs_), found_.page))
-            found_.page.strokes.push_back({{disc.middle, disc.middle}, false, disc.diameter});
     }
 
     const std::string& file_;
@@ -362,6 +360,8 @@ private:
     std::optional<CellSize> cell_;  // of our own files, mm
     const SvgLook look_;
     const bool figure_;
+    std::vector<FoundMark>* const marks_;  // nullptr: nobody wants to know
+    std::string_view layer_ = {};          // of our own files
     const TextNeeds needs_{[this](const Element& part, const Style& outer) { return sheet_.style_of(part, outer, missed_); },
                            [this](std::string_view id) {
                                const auto found = by_id_.find(id);
@@ -375,9 +375,16 @@ private:
     Ground ground_;                   // its
     std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
     bool in_marker_ = false;  // which has none of its own
+    bool ours_ = false;       // what is drawn is numbered by us
 };
 
 }  // namespace
+
+FoundPage read_marked_svg(const Element& root, const std::string& file, std::vector<FoundMark>& marks) {
+    FoundPage found;
+    Reader(file, found, SvgPurpose::page, SvgLook::plain, &marks).run(root, 0, std::nullopt);
+    return found;
+}
 
 FoundPage read_svg(std::string_view bytes, const std::string& file, double margin, const std::optional<Paper>& paper,
                    SvgPurpose purpose, const LetterReader& read_letters) {

@@ -7,6 +7,7 @@
 
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/region_place.h"
+#include "tactics/layout/own_marks.h"
 #include "tactics/layout/room.h"
 #include "tactics/readers/svg/svg_path.h"
 #include "tactics/text/utf8.h"
@@ -82,7 +83,7 @@ int texture_told(const Element& shape) {
     return number.size() == 1 && number[0] >= '1' && number[0] <= '9' ? number[0] - '0' : 0;
 }
 
-std::optional<CellSize> cell_told(const Element& group) {
+std::optional<CellSize> cell_told(const Element& group, double scale) {
     auto rest = told(group, "cell-");
     if (!rest) return std::nullopt;
     CellSize cell;
@@ -90,13 +91,18 @@ std::optional<CellSize> cell_told(const Element& group) {
         const auto end = rest->find('-');
         const auto number = parse_number(rest->substr(0, end));
         if (!number || !(*number > 0 && *number < 1000)) return std::nullopt;
-        *size = *number;
+        *size = *number * scale;
         rest->remove_prefix(end == rest->npos ? rest->size() : end + 1);
     }
     return cell;
 }
 
 bool tells_cells(const Element& group) { return told(group, "cells-").has_value(); }
+
+bool tells_words(const Element& group) {
+    const auto layer = group.attribute(marks::kLayer);
+    return layer == marks::kWordsLayer || layer == marks::kTitleLayer;
+}
 
 bool take_region(const Element& shape, const Transform& transform, Page& page) {
     if (shape.name != "path" || told(shape, "region") != "") return false;

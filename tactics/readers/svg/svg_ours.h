@@ -15,10 +15,12 @@ namespace tactics {
 
 Role role_told(const Element& shape);    ///< Role::line if it tells none
 int texture_told(const Element& shape);  ///< 0: none
-/// Of a group with all braille of the page: the size of its cells, in the group's units.
-std::optional<CellSize> cell_told(const Element& group);
+/// Of a group with braille of the page: the size of its cells, mm; `scale` is that of the group's units.
+std::optional<CellSize> cell_told(const Element& group, double scale);
 /// Of a group with a line of braille: its dots say what is told here, and need not be known again.
 bool tells_cells(const Element& group);
+/// Of a layer with print: words that are known already, as those of the braille.
+bool tells_words(const Element& group);
 /// A path that says where a thing of the drawing lies becomes a region of the page, and is not drawn, whoever painted it.
 bool take_region(const Element& shape, const Transform& transform, Page& page);
 

@@ -249,6 +249,13 @@ void say_right(std::vector<FoundWords>& words, std::size_t from, const std::stri
     words.resize(from + 1);
 }
 
+FoundWords words_in_box(std::string words, const Rect& box, std::string_view comment) {
+    const bool upwards = box.height > 1.5 * box.width && words.size() > 2;
+    const auto lines = 1.0 + static_cast<double>(std::count(comment.begin(), comment.end(), '\n'));
+    return {std::move(words), box.middle(), (upwards ? box.width : box.height) / lines, upwards,
+            upwards ? box.height : box.width};
+}
+
 std::string title_of(const Element& root) {
     std::string title, about;
     for (const Element& child : root.children) {

@@ -31,6 +31,9 @@ void add_words(std::vector<FoundWords>& all, std::vector<FoundWords> more);
 /// Of a group or path whose letters are shapes: Inkscape says them in aria-label, Matplotlib in a comment. Empty: it is none.
 std::string words_beside(const Element& element);
 
+/// Words whose letters, as shapes, fill that box; with as many lines as the comment beside them.
+FoundWords words_in_box(std::string words, const Rect& box, std::string_view comment);
+
 /// Of the whole drawing: its parts, and its metadata, have titles, too. Empty: none.
 std::string title_of(const Element& root);
 

@@ -112,7 +112,7 @@ TEST(SvgOurs, AKeyIsOne) {
 // Somebody made the drawing larger, or moved a dot, in a drawing program.
 TEST(SvgOurs, WhatWasChangedSinceIsSeen) {
     std::string svg = svg_of(braille_page());
-    const std::string group = "<g id=\"braille\"";
+    const std::string group = "<g id=\"layer-braille\"";
     std::string larger = svg;
     larger.replace(larger.find(group), group.size(), group + " transform=\"scale(1.1)\"");
     const Page scaled = read(larger);
@@ -142,7 +142,7 @@ TEST(SvgOurs, WhatIsNoneOfOursIsNothing) {
          {"tactics-cell-", "tactics-cell-2.5", "tactics-cell-2.5-0-10-1", "tactics-cell-1e999-6-10-1", "cell-2.5-6-10-1.6"}) {
         Element group;
         group.attributes = {{"class", cell}};
-        EXPECT_FALSE(cell_told(group)) << cell;
+        EXPECT_FALSE(cell_told(group, 1)) << cell;
     }
 }
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Our own SVG converted again: the same files, or what is asked for.
+#include "tactics/job/own_pages.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tactics/braille/braille.h"
+#include "tactics/job/make_pages.h"
+#include "tactics/layout/lay_out.h"
+#include "tactics/readers/svg/own_page.h"
+#include "tests/cli/picture.h"
+#include "tests/cli/tool.h"
+#include "tests/print/hard_pages.h"
+
+namespace tactics {
+namespace {
+
+class OwnPages : public testing::Test {
+protected:
+    OwnPages() {
+        tests::write_bytes(folder / "discs.tif", tests::grey_picture(240, 180, [](int x, int y) {
+                               return std::hypot(x - 80, y - 90) < 60 || std::hypot(x - 190, y - 60) < 25 ? 20 : 220;
+                           }));
+    }
+    Job job(const std::string& input, std::vector<std::string> pages) const {
+        Job made{{(folder / input).string(), {}}, {}};
+        for (const std::string& page : pages) made.outputs.push_back(output_to((folder / page).string()));
+        return made;
+    }
+    Job german(std::vector<std::string> pages) const {
+        Job made = job("discs.tif", std::move(pages));
+        made.sheet.title = "Zwei Kreise";
+        made.sheet.language = "de";
+        made.sheet.braille_table = "de-g1.ctb";
+        made.labels = parse_labels("33%,50% Größe\n80%,33% klein\n", "test");
+        return made;
+    }
+    std::string bytes(const std::string& name) const { return tests::bytes_of(folder / name); }
+    Page page(const std::string& name) const { return read_own_page(bytes(name), name)->page; }
+
+    tests::Folder folder;
+};
+
+TEST_F(OwnPages, AreConvertedIntoTheSameFiles) {
+    ASSERT_EQ(make_pages(german({"a.svg", "a.pdf", "a.png", "a.ps"})).error, "");
+    const Outcome again = make_pages(job("a.svg", {"b.svg", "b.pdf", "b.png", "b.ps"}));
+    ASSERT_EQ(again.error, "");
+    for (const std::string ending : {"svg", "pdf", "png", "ps"}) EXPECT_EQ(bytes("a." + ending), bytes("b." + ending)) << ending;
+    EXPECT_EQ(again.layouts.front().names.size(), 2u);
+}
+
+TEST_F(OwnPages, OfAnEmbosserAreConvertedIntoTheSameBraille) {
+    Job dots = german({"a.svg", "a.brf", "a.pef"});
+    dots.sheet.medium = &find_medium("embosser", "test");
+    dots.paper = find_paper("11x11.5", "test");
+    ASSERT_EQ(make_pages(dots).error, "");
+    ASSERT_EQ(make_pages(job("a.svg", {"b.brf", "b.pef", "b.svg"})).error, "");
+    for (const std::string ending : {"svg", "brf", "pef"}) EXPECT_EQ(bytes("a." + ending), bytes("b." + ending)) << ending;
+}
+
+TEST_F(OwnPages, AnotherMediumHasTheirDrawingAndTheirWords) {
+    ASSERT_EQ(make_pages(german({"a.svg"})).error, "");
+    Job dots = job("a.svg", {"b.svg"});
+    dots.sheet.medium = &find_medium("embosser", "test");
+    const Outcome made = make_pages(dots);
+    ASSERT_EQ(made.error, "");
+    const Page before = page("a.svg"), after = page("b.svg");
+    EXPECT_EQ(after.medium, "embosser");
+    EXPECT_EQ(after.braille_table, "de-g1.ctb");
+    EXPECT_EQ(after.title, "Zwei Kreise");
+    ASSERT_EQ(after.names.size(), 2u);
+    const auto drawn = [](const Page& one) {
+        return std::count_if(one.strokes.begin(), one.strokes.end(),
+                             [](const PageStroke& stroke) { return stroke.role == Role::line; });
+    };
+    EXPECT_EQ(drawn(before), drawn(after));
+}
+
+TEST_F(OwnPages, GiveWayToWhatIsAskedFor) {
+    ASSERT_EQ(make_pages(german({"a.svg"})).error, "");
+    Job titled = job("a.svg", {"b.svg"});
+    titled.sheet.title = "Ein Titel";
+    ASSERT_EQ(make_pages(titled).error, "");
+    EXPECT_EQ(page("b.svg").title, "Ein Titel");
+    EXPECT_EQ(page("b.svg").language, "de");
+    EXPECT_EQ(page("b.svg").width, page("a.svg").width);
+    Job larger = job("a.svg", {"c.svg"});
+    larger.paper = find_paper("a3", "test");
+    ASSERT_EQ(make_pages(larger).error, "");
+    EXPECT_GT(page("c.svg").drawing.width, 1.3 * page("a.svg").drawing.width);
+    Job same = job("a.svg", {"d.svg"});
+    same.paper = find_paper("a4", "test");
+    ASSERT_EQ(make_pages(same).error, "");
+    EXPECT_EQ(bytes("d.svg"), bytes("a.svg"));
+}
+
+TEST(PagesOfOwn, TheKeyComesBehindItsDrawing) {
+    Drawing drawing;
+    drawing.width = 100;
+    drawing.height = 130;
+    for (int row = 0; row < 9; ++row) drawing.strokes.push_back({{{0, row * 16.0}, {100, row * 16.0}}, false, LineClass::normal});
+    for (int i = 0; i < 8; ++i)
+        drawing.names.push_back(
+            {{50, 8 + 16.0 * i}, "Number " + std::to_string(i) + ", with far more words than a line has room for", "n"});
+    const Pages pages = pages_of(drawing, rendered::sheet_of("a5", "Keys"));
+    ASSERT_GT(pages.all.size(), 1u) << "its key has no room on the page";
+    const Format& pdf = *find_format("pdf");
+    const auto file = [&](const std::vector<Page>& all) {
+        std::string bytes;
+        each_file(pdf, all, Settings(pdf.options), [&](std::string_view more) { bytes += more; });
+        return bytes;
+    };
+    const Format& svg = *find_format("svg");
+    const Page again = read_own_page(svg.encode(pages.all.front(), Settings(svg.options)), "a.svg")->page;
+    EXPECT_EQ(file(pages_of_own(again).all), file(pages.all));
+    const Page key = read_own_page(svg.encode(pages.all.back(), Settings(svg.options)), "b.svg")->page;
+    EXPECT_EQ(pages_of_own(key).all.size(), 1u);
+}
+
+}  // namespace
+}  // namespace tactics
