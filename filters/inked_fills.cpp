@@ -108,10 +108,13 @@ Found flats_of(const cv::Mat& pixels, double mm) {
     for (int i = 1; i < count; ++i) {
         const int wide = stats.at<int>(i, cv::CC_STAT_WIDTH), high = stats.at<int>(i, cv::CC_STAT_HEIGHT);
         if (std::min(wide, high) < least || parts.size() == kMostParts) continue;
-        Part part;
-        part.mask = labels == i;
-        const double width = widest(part.mask);
+        const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP), wide, high);
+        const cv::Mat own = labels(box) == i;
+        const double width = widest(own);
         if (width < least) continue;
+        Part part;
+        part.mask = cv::Mat::zeros(pixels.size(), CV_8U);
+        own.copyTo(part.mask(box));
         part.kind.colour = mean_of(pixels, part.mask);
         found.open |= part.mask;
         if (width * mm < kNarrowest && stats.at<int>(i, cv::CC_STAT_AREA) < 0.1 * static_cast<double>(pixels.total())) continue;
@@ -236,6 +239,28 @@ std::vector<Area> take_fills(Image& picture) {
         if (area.texture > 0 && !area.rings.empty()) areas.push_back(std::move(area));
     }
     return areas;
+}
+
+std::optional<Point> hatched_place(const Image& picture) {
+    constexpr double kPage = 250;  // mm of the longer side
+    const double mm = kPage / std::max(picture.width, picture.height);
+    const Image ink = ink_on_white(picture);
+    const std::vector<Part> parts = hatches_of(view_of(picture), ink, flats_of(view_of(picture), mm), mm);
+    std::optional<Point> place;
+    double most = 0;
+    for (const Part& part : parts) {
+        if (!same_kind(part.kind, parts.front().kind)) return std::nullopt;
+        cv::Mat deep;
+        cv::distanceTransform(part.mask, deep, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+        double own = 0;
+        cv::Point at;
+        cv::minMaxLoc(deep, nullptr, &own, nullptr, &at);
+        if (own > most) {
+            most = own;
+            place = Point{at.x + 0.5, at.y + 0.5};
+        }
+    }
+    return place;
 }
 
 }  // namespace tactics

@@ -47,6 +47,23 @@ constexpr double kLongestDash = 8, kWidestDash = 1.2, kMostGap = 4;
 
 // A point is as large as it is drawn, but as wide as two of the dots of braille, which it is not taken for then.
 constexpr double kLeastPoint = 0.5, kMostPoint = 3.5, kFeltPoint = 1.6;  // radius, mm
+constexpr std::size_t kMostMeasured = 1000;
+
+// Smaller where most of them are near others, so that more of them have room; the gap is that between any two things.
+double felt_radius(const std::vector<InkedPoint>& points, double mm) {
+    constexpr double kGap = 3.4, kLeast = 1;
+    std::vector<double> nearest;
+    for (std::size_t i = 0; i < points.size() && i < kMostMeasured; ++i) {
+        double least = 1e9;
+        for (std::size_t j = 0; j < points.size() && j < kMostMeasured; ++j)
+            if (i != j) least = std::min(least, distance(points[i].middle, points[j].middle));
+        nearest.push_back(least * mm);
+    }
+    if (nearest.empty()) return kFeltPoint;
+    const auto few = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 4);
+    std::nth_element(nearest.begin(), few, nearest.end());
+    return std::clamp((*few - kGap) / 2, kLeast, kFeltPoint);
+}
 
 // What is nearly black, whatever it stands on.
 Image black_ink(const Image& picture) {
@@ -123,9 +140,10 @@ KnownParts take_known_parts(Image& picture, bool fills) {
     take_dashes(picture, parts);
     const auto points = points_in(ink_on_white(picture), kLeastPoint / mm, kMostPoint / mm);
     take_out(picture, points);
+    const double felt = felt_radius(points, mm);
     for (const InkedPoint& point : points) {
         Drawing disc;
-        draw_symbol(PlotSymbol::disc, {point.middle.x * mm, point.middle.y * mm}, std::max(point.radius * mm, kFeltPoint), disc);
+        draw_symbol(PlotSymbol::disc, {point.middle.x * mm, point.middle.y * mm}, std::max(point.radius * mm, felt), disc);
         std::move(disc.areas.begin(), disc.areas.end(), std::back_inserter(parts.areas));
     }
     return parts;

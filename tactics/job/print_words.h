@@ -33,9 +33,10 @@ struct ToldWords {
 struct PrintWords {
     Lettering lettering;
     std::vector<ToldWords> told;
-    Notes notes;              ///< for the user
-    bool remove_all = false;  ///< and nothing is set
-    std::string title = {};   ///< of the figure, if it has a long one; empty: it has none, or the user gave one
+    Notes notes;                     ///< for the user
+    bool remove_all = false;         ///< and nothing is set
+    std::vector<Rect> samples = {};  ///< of a legend whose words stand at the things themselves, in percent
+    std::string title = {};          ///< of the figure, if it has a long one; empty: it has none, or the user gave one
 
     /// Paints over what does not stay in the line work. What is not sure stays: nothing stands for it yet.
     void take_from(Image& picture) const;

@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <set>
 
 #include "filters/arrow_heads.h"
+#include "filters/inked_legend.h"
 #include "filters/inked_points.h"
 #include "tests/filters/pictures.h"
 
@@ -221,6 +223,43 @@ TEST(KnownParts, OneFillOrMoreThanThereAreTexturesHaveNone) {
     Image many = bars({[](int, int) { return 0; }, [](int, int) { return 40; }, [](int, int) { return 80; },
                        [](int, int) { return 120; }, [](int, int) { return 160; }, [](int, int) { return 200; }});
     EXPECT_TRUE(take_known_parts(many, true).areas.empty());
+}
+
+// Two curves and, at the top left, a sample of each before words that are painted over.
+TEST(InkedLegend, WordsGoToTheCurveInTheColourOfTheirSample) {
+    Image picture = make_image(400, 300, 3, 0, 255);
+    const auto paint = [&](int x, int y, std::array<std::uint8_t, 3> colour) {
+        for (int v = y - 1; v <= y + 1; ++v) std::copy(colour.begin(), colour.end(), picture.row(v) + 3 * x);
+    };
+    const std::array<std::uint8_t, 3> red{220, 30, 30}, blue{30, 60, 220}, black{0, 0, 0};
+    for (int x = 20; x < 380; ++x) {
+        paint(x, 250 - x / 4, red);
+        paint(x, 120 + x / 4, blue);
+        paint(x, 290, black);
+    }
+    for (int x = 30; x < 60; ++x) {
+        paint(x, 20, blue);
+        paint(x, 40, red);
+        paint(x, 60, black);
+    }
+    const std::vector<LegendWords> words{
+        {{66, 14, 120, 26}, 12}, {{66, 34, 120, 46}, 12}, {{66, 54, 120, 66}, 12}, {{200, 270, 240, 282}, 12}};
+    const auto entries = legend_in(picture, words);
+    ASSERT_EQ(entries.size(), 2u);  // black may be an axis
+    for (const LegendEntry& entry : entries) {
+        const double on = entry.words == 0 ? 120 + entry.at.x / 4 : 250 - entry.at.x / 4;
+        EXPECT_NEAR(entry.at.y, on, 3);
+        EXPECT_GT(std::abs((120 + entry.at.x / 4) - (250 - entry.at.x / 4)), 40);  // not where they cross
+        EXPECT_NEAR(entry.sample.left, 30, 2);
+    }
+    EXPECT_TRUE(legend_in(picture, {words[0]}).empty());
+}
+
+TEST(InkedLegend, SamplesOfOneColourSayNothing) {
+    Image picture = make_image(400, 300, 1, 0, 255);
+    for (const int y : {20, 40, 150, 200})
+        for (int x = y < 100 ? 30 : 20; x < (y < 100 ? 60 : 380); ++x) picture.row(y)[x] = picture.row(y + 1)[x] = 90;
+    EXPECT_TRUE(legend_in(picture, {{{66, 14, 120, 26}, 12}, {{66, 34, 120, 46}, 12}}).empty());
 }
 
 }  // namespace
