@@ -17,7 +17,7 @@ class Figure:
     curves: list = dataclasses.field(default_factory=list)  # (look, [(x, y), ...]); of one look is what a reader takes for one
     bars: list = dataclasses.field(default_factory=list)  # (look, left, top, right, bottom)
     points: list = dataclasses.field(default_factory=list)  # (x, y) of filled marks
-    samples: list = dataclasses.field(default_factory=list)  # of a legend: (look, left, top, right, bottom)
+    samples: list = dataclasses.field(default_factory=list)  # of a legend: (look, words, left, top, right, bottom)
     pixel_words: list = None  # words, where a picture of it shows others
 
 

@@ -35,6 +35,14 @@ class Page:
                     self.textured.append((int(role.removeprefix("texture-")), rings))
                 else:
                     self.rings += rings
+        self.names = []  # (text, box of a line of its braille)
+        for group in root.iter(SVG + "g"):
+            if (group.get("class") or "").startswith("tactics-name"):
+                for line in group.iter(SVG + "g"):
+                    dots = [(float(c.get("cx")), float(c.get("cy"))) for c in line.findall(SVG + "circle")]
+                    if dots:
+                        xs, ys = zip(*dots)
+                        self.names.append((group.get("aria-label"), (min(xs), min(ys), max(xs), max(ys))))
         self.steps = Steps(self)
 
     def fill_at(self, x, y):
@@ -42,6 +50,16 @@ class Page:
         if inside(self.rings, x, y):
             return "black"
         return next((str(texture) for texture, rings in self.textured if inside(rings, x, y)), "")
+
+    def places_named(self, text):
+        """Where lines lead from words, or their letters in a key; else where they stand."""
+        for name, (left, top, right, bottom) in self.names:
+            if name != text:
+                continue
+            near = lambda p, l=left, t=top, r=right, b=bottom: l - 6 < p[0] < r + 6 and t - 6 < p[1] < b + 6
+            led = [far for role, _, line in self.lines if role == "lead" for end, far in ((line[0], line[-1]), (line[-1], line[0]))
+                   if near(end)]
+            yield from led or [((left + right) / 2, (top + bottom) / 2)]
 
     def white(self):
         """Share of squares of 10 mm without anything."""
@@ -160,6 +178,14 @@ def style_at(page, places):
     return max(found, key=found.get, default=None)
 
 
+def names_it(at, look, curves, bars):
+    """Words at that place name what looks so: it is in one of its bars, or its curve is near and nearer than any other."""
+    if look.startswith("fill"):
+        return any(other == look and left <= at[0] <= right and top <= at[1] <= bottom for other, left, top, right, bottom in bars)
+    away = {other: min(math.dist(at, p) for p in points) for other, points in curves.items()}
+    return look in away and away[look] <= 12 and away[look] == min(away.values())
+
+
 def score(page_path, answer, figure):
     page = Page(page_path)
     output = answer["outputs"][0]
@@ -199,8 +225,15 @@ def score(page_path, answer, figure):
         row["told apart"] = sum(1 for look, found in fills.items() if found.count(one_fill[look]) > 0.8 * len(found)
                                 and list(one_fill.values()).count(one_fill[look]) == 1)
     styles = {look: style_at(page, [place(*p) for p in points]) for look, points in figure.curves}
-    for look, x0, y0, x1, y1 in figure.samples:
+    curves = {}
+    for look, points in figure.curves:
+        curves.setdefault(look, []).extend(one[:2] for one in along([place(*p) for p in points], 1))
+    for look, text, x0, y0, x1, y1 in figure.samples:
         row["samples"] += 1
+        if any(names_it(at, look, curves, [(other, *place(a, b), *place(c, d)) for other, a, b, c, d in figure.bars])
+               for at in page.places_named(text)):
+            row["matched"] += 1
+            continue
         if look.startswith("fill"):
             matched = page.fill_at(*place((x0 + x1) / 2, (y0 + y1) / 2)) == one_fill.get(look) and list(one_fill.values()).count(one_fill[look]) == 1
         else:
@@ -220,7 +253,7 @@ def table(rows):
             total = sums.setdefault(key, dict.fromkeys(COLUMNS, 0))
             for name in total:
                 total[name] += row[name]
-    lines = ["| figures of | as | figures | curve length drawn | arrow ends whole | bars closed | points there | fills told apart | legend samples matched "
+    lines = ["| figures of | as | figures | curve length drawn | arrow ends whole | bars closed | points there | fills told apart | legend entries told "
              "| white |", "|---|---|---|---|---|---|---|---|---|---|"]
     share = lambda total, part, whole: f"{total[part]} of {total[whole]}" if total[whole] else ""
     for (maker, form), t in sorted(sums.items(), key=lambda item: (item[0][1], item[0][0] == "all", item[0][0])):

@@ -154,11 +154,11 @@ def truth_of(plot, wide, high):
             truth["arrows"].append((*tip, *shaft[0]))
             truth["curves"].append(("line", [shaft[0], tip]))
         legend = axes.get_legend()
-        for handle in legend.legendHandles if legend else []:
+        for handle, words in zip(legend.legendHandles, legend.get_texts()) if legend else []:
             if hasattr(handle, "get_xydata"):
                 (x0, y0), (x1, y1) = place(handle.get_transform().transform(handle.get_xydata())[[0, -1]])
             else:
                 box = handle.get_window_extent()
                 (x0, y1), (x1, y0) = place([(box.x0, box.y0), (box.x1, box.y1)])
-            truth["samples"].append((look_of(handle), x0, y0, x1, y1))
+            truth["samples"].append((look_of(handle), words.get_text(), x0, y0, x1, y1))
     return truth
