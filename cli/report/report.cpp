@@ -79,6 +79,8 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     json.add("paper", layout.sheet.paper.name);
     json.add("page_width_mm", layout.place.page_width);
     json.add("page_height_mm", layout.place.page_height);
+    json.add("drawing_left_mm", layout.place.drawing.left);
+    json.add("drawing_top_mm", layout.place.drawing.top);
     json.add("drawing_width_mm", layout.place.drawing.width);
     json.add("drawing_height_mm", layout.place.drawing.height);
     json.add("strokes", static_cast<double>(layout.strokes));

@@ -7,6 +7,7 @@
 
 #include "filters/chart.h"
 #include "filters/drawing_of.h"
+#include "filters/known_parts.h"
 #include "filters/list.h"
 #include "tactics/error.h"
 #include "tactics/job/chart_json.h"
@@ -61,7 +62,10 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
         way.finer = longest > std::max(picture.width, picture.height);
         print.take_from(picture);
         if (chooses) way.detail = choose_detail(fitting, picture, on, place, as_drawn);
+        KnownParts parts;
+        if (fitting.has_words && picture.mm_per_pixel > 0) parts = take_known_parts(picture, fitting.name == "diagram");
         Drawing drawing = drawing_of(run_settling(fitting, std::move(picture), way.chosen));
+        if (!drawing.picture) std::move(parts).add_to(drawing);
         if (way.detail) drawing.remarks.push_back(remark_on(*way.detail));
         way.steps = steps_of(fitting);
         return drawing;

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
+#include "filters/inked_legend.h"
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tactics/job/figure_title.h"
@@ -129,7 +131,24 @@ std::size_t thin_out(std::vector<ToldWords>& told) {
     return in_rows + thin_out(told, &ToldWords::y, &ToldWords::x);
 }
 
-void PrintWords::take_from(Image& picture) const { take_out(picture, lettering, !remove_all); }
+void PrintWords::take_from(Image& picture) const {
+    take_out(picture, lettering, !remove_all);
+    constexpr int kFades = 2;  // pixels around a sample in which it fades into the ground
+    for (const Rect& sample : samples) {
+        const auto pixel = [](double percent, int size, int more) {
+            return std::clamp(static_cast<int>(std::lround(percent / 100 * size)) + more, 0, size);
+        };
+        const int left = pixel(sample.left, picture.width, -kFades), top = pixel(sample.top, picture.height, -kFades);
+        const int right = pixel(sample.left + sample.width, picture.width, kFades),
+                  bottom = pixel(sample.top + sample.height, picture.height, kFades);
+        if (left >= right || top >= bottom) continue;
+        std::array<std::uint8_t, 3> ground{};
+        std::copy_n(picture.row((top + bottom) / 2) + std::max(0, left - 1) * picture.channels, picture.channels, ground.begin());
+        for (int y = top; y < bottom; ++y)
+            for (int x = left; x < right; ++x)
+                std::copy_n(ground.begin(), picture.channels, picture.row(y) + x * picture.channels);
+    }
+}
 
 bool PrintWords::any_set() const {
     return std::any_of(told.begin(), told.end(), [](const ToldWords& words) { return words.set && !words.title; });
@@ -178,6 +197,37 @@ void add_unsure(Notes& notes, const std::vector<ToldWords>& told) {
         if (!one.set) notes.push_back({unsure_line(one), count > 1 ? Note::Kind::know : Note::Kind::act});
 }
 
+// Words of a legend stand at what their samples show.
+void place_legend(PrintWords& words, Reading& reading) {
+    const Lettering& lettering = words.lettering;
+    if (words.told.size() < 2) return;
+    Image picture = reading.get({kLookForWords, true});
+    if (picture.width == 0 || picture.height == 0) return;
+    take_out(picture, lettering, true);
+    const double across = static_cast<double>(picture.width) / lettering.width,
+                 down = static_cast<double>(picture.height) / lettering.height;
+    std::vector<LegendWords> boxes;
+    for (std::size_t i = 0; i < words.told.size(); ++i) {
+        const PixelBox& box = lettering.words[i].box;
+        const bool may = words.told[i].set && !words.told[i].title && !lettering.words[i].upwards;
+        boxes.push_back({{static_cast<int>(box.left * across), static_cast<int>(box.top * down),
+                          static_cast<int>(box.right * across), static_cast<int>(box.bottom * down)},
+                         may ? lettering.words[i].letter_height * down : 0});
+    }
+    std::string told;
+    for (const LegendEntry& entry : legend_in(picture, boxes)) {
+        const double x = 100.0 / picture.width, y = 100.0 / picture.height;
+        words.told[entry.words].wanted = {entry.at.x * x, entry.at.y * y};
+        words.told[entry.words].loose = false;
+        words.samples.push_back(
+            {entry.sample.left * x, entry.sample.top * y, entry.sample.width() * x, entry.sample.height() * y});
+        told += (told.empty() ? "\"" : ", \"") + words.told[entry.words].text + "\"";
+    }
+    if (!told.empty())
+        words.notes.push_back("of its legend these words " + told +
+                              " each name what is painted like their sample, and stand there");
+}
+
 }  // namespace
 
 WordsWish find_words_wish(std::string_view name, std::string_view place) {
@@ -217,6 +267,7 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
     keep_what_has_braille(words.told, sheet.braille_table);
     if (sheet.title.empty() && !words.told.empty()) words.title = take_title(words.told, places, first_ink(reading, lettering));
     want_places(words.told, std::move(places));
+    place_legend(words, reading);
     // What stays in the lines stays there as a whole.
     for (std::size_t i = 0; i < words.told.size(); ++i) lettering.words[i].sure = words.told[i].set;
     const auto set = std::count_if(words.told.begin(), words.told.end(), [](const ToldWords& one) { return one.set; });

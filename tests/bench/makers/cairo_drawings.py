@@ -51,7 +51,16 @@ class Board:
             self.to.set_source_rgb(*fill)
             self.to.fill_preserve()
             self.to.set_source_rgb(0, 0, 0)
+        self.note_path()
         self.to.stroke()
+
+    def note_path(self):
+        for kind, at in self.to.copy_path_flat():
+            if kind == cairo.PATH_MOVE_TO:
+                self.curves.append(("line", []))
+            points = self.curves[-1][1]
+            points.append((100 * at[0] / WIDE, 100 * at[1] / HIGH) if at else points[0])
+        self.curves = [curve for curve in self.curves if len(curve[1]) > 1]
 
     def box(self, x, y, w, h, fill=None):
         self.line((x, y), (x + w, y), (x + w, y + h), (x, y + h), close=True, fill=fill)
@@ -69,7 +78,7 @@ class Board:
             self.to.line_to(x1 + size * math.cos(angle + turn), y1 + size * math.sin(angle + turn))
         self.to.close_path()
         self.to.fill()
-        self.arrows.append((100 * x1 / WIDE, 100 * y1 / HIGH))
+        self.arrows.append((100 * x1 / WIDE, 100 * y1 / HIGH, 100 * x0 / WIDE, 100 * y0 / HIGH))
 
 
 def circuit(b):
@@ -140,7 +149,6 @@ def axes(b):
     b.arrow(60, 310, 60, 40)
     points = [(60 + 3 * i, 300 - 230 * (1 - math.exp(-i / 40))) for i in range(110)]
     b.line(*points)
-    b.curves.append([(100 * x / WIDE, 100 * y / HIGH) for x, y in points])
     b.say("time t in s", 250, 335)
     b.say("speed v in m/s", 25, 180, upwards=True)
     b.say("A falling ball", 240, 20)

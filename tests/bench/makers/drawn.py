@@ -1,11 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """SVG written by hand after the habits of drawing programs and web libraries; PNG and PDF of it by librsvg."""
+import math
 import os
 
 import figure
 
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
 ARROW = '<marker id="{0}" viewBox="0 0 10 10" refX="9" refY="5" markerWidth="8" markerHeight="8" orient="auto"><path d="{1}"/></marker>'
+
+
+def rectangle(x, y, wide, high):
+    return [(x, y), (x + wide, y), (x + wide, y + high), (x, y + high), (x, y)]
+
+
+def ellipse(x, y, rx, ry):
+    return [(x + rx * math.cos(math.tau * i / 64), y + ry * math.sin(math.tau * i / 64)) for i in range(65)]
+
+
+def bezier(*p):
+    weights = [((1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t ** 3) for t in (i / 40 for i in range(41))]
+    return [tuple(sum(w * q[axis] for w, q in zip(ws, p)) for axis in (0, 1)) for ws in weights]
 
 
 def d3_bars():
@@ -26,7 +40,7 @@ def d3_bars():
     out += "</g>"
     for i, value in enumerate((8, 12, 5, 16)):
         out += f'<rect class="bar" x="{20 + 95 * i}" width="60" y="{260 - 15 * value}" height="{15 * value}"/>'
-    return out + "</g></svg>", words, 0
+    return out + "</g></svg>", words, {"bars": [("bar", 80 + 95 * i, 300 - 15 * v, 140 + 95 * i, 300) for i, v in enumerate((8, 12, 5, 16))], "size": (480, 360)}
 
 
 def drawio():
@@ -47,7 +61,8 @@ def drawio():
     for path, tip in (("M 140 50 L 273 50", "M 278 50 L 271 53.5 L 273 50 L 271 46.5 Z"),
                       ("M 340 80 L 256 155", "M 252 158 L 255 151 L 256 155 L 260 156 Z")):
         out += f'<path d="{path}" fill="none" stroke="#000" stroke-miterlimit="10"/><path d="{tip}" fill="#000" stroke="#000"/>'
-    return out + "</g></svg>", words, 2
+    return out + "</g></svg>", words, {"arrows": [(278, 50, 140, 50), (252, 158, 340, 80)], "curves": [[(140, 50), (273, 50)], [(340, 80), (256, 155)]] + \
+        [[(x, y), (x + 120, y), (x + 120, y + 60), (x, y + 60), (x, y)] for x, y, _ in boxes], "size": (421, 241)}
 
 
 def commons():
@@ -61,7 +76,9 @@ def commons():
     out += '<path class="leader" d="M110,50 L215,170"/>'
     out += '<text x="400" y="40"><tspan x="400" y="40">Cell</tspan><tspan x="400" dy="1.2em">membrane</tspan></text>'
     out += '<path class="leader" d="M390,70 L350,125"/><text><tspan x="250" y="380" font-size="120%">An animal cell</tspan></text></svg>'
-    return out, [("Nucleus", 18, 9), ("Cell", 80, 9), ("membrane", 80, 13.5), ("An animal cell", 50, 93)], 2
+    return out, [("Nucleus", 18, 9), ("Cell", 80, 9), ("membrane", 80, 13.5), ("An animal cell", 50, 93)], \
+        {"arrows": [(215, 170, 110, 50), (350, 125, 390, 70)], "curves": [[(110, 50), (215, 170)], [(390, 70), (350, 125)], ellipse(250, 210, 150, 110),
+                                                                     ellipse(250, 200, 45, 45)], "size": (500, 400)}
 
 
 def on_a_path():
@@ -70,7 +87,8 @@ def on_a_path():
           '<use xlink:href="#river" fill="none" stroke="#36c" stroke-width="4"/>' \
           '<text font-size="18" dy="-6"><textPath xlink:href="#river" startOffset="30%">River Severn</textPath></text>' \
           '<circle cx="400" cy="80" r="6"/><text x="400" y="60" font-size="18" text-anchor="middle">Bristol</text></svg>'
-    return out, [("River Severn", 45, 62), ("Bristol", 83, 17)], 0
+    return out, [("River Severn", 45, 62), ("Bristol", 83, 17)], \
+        {"curves": [bezier((40, 220), (140, 120), (260, 300), (440, 140))], "points": [(400, 80)], "size": (480, 320)}
 
 
 def em_fonts():
@@ -80,7 +98,8 @@ def em_fonts():
           '<text style="font-size:12pt" x="200" y="280" text-anchor="middle">not to scale</text></g>'
     for x, r in ((60, 18), (170, 20), (290, 12)):
         out += f'<circle cx="{x}" cy="100" r="{r}" fill="none" stroke="#000"/>'
-    return out + "</svg>", [("Planets", 50, 8), ("Venus", 16, 48), ("Earth", 44, 48), ("Mars", 72, 48), ("not to scale", 50, 92)], 0
+    return out + "</svg>", [("Planets", 50, 8), ("Venus", 16, 48), ("Earth", 44, 48), ("Mars", 72, 48), ("not to scale", 50, 92)], \
+        {"curves": [ellipse(x, 100, r, r) for x, r in ((60, 18), (170, 20), (290, 12))], "size": (400, 300)}
 
 
 def inkscape():
@@ -95,7 +114,8 @@ def inkscape():
           '<g aria-label="Boiler" style="stroke-width:0.26"><path d="M 130,50 v -8 h 3 q 2,2 0,4 q 3,2 0,4 z m 8,-5 q 3,0 3,3 q 0,3 -3,3 q -3,0 -3,-3 q 0,-3 3,-3 z"/>' \
           '<path d="m 145,45 v 6 m 4,-9 v 9 m 4,-4 h 4 m 3,-2 v 6" style="fill:none;stroke:#000"/></g>' \
           '<rect x="120" y="60" width="50" height="30" style="fill:none;stroke:#000"/></svg>'
-    return out, [("Steam", 27, 39), ("engine", 27, 45), ("Boiler", 69, 31)], 0
+    return out, [("Steam", 27, 39), ("engine", 27, 45), ("Boiler", 69, 31)], \
+        {"curves": [rectangle(40, 40, 60, 40), rectangle(120, 60, 50, 30)], "size": (210, 148)}
 
 
 def office():
@@ -110,7 +130,8 @@ def office():
         words.append((name, 100 * (x + 1800) / 16000, 100 * (y + 1100) / 9000))
     for x in (4600, 9800):
         out += f'<path fill="none" stroke="#000" d="M {x},2100 L {x + 1300},2100"/><path fill="#000" stroke="none" d="M {x + 1600},2100 l -450,-150 v 300 z"/>'
-    return out + "</g></svg>", words, 2
+    return out + "</g></svg>", words, {"arrows": [(x + 1600, 2100, x, 2100) for x in (4600, 9800)], "size": (16000, 9000),
+                                    "curves": [rectangle(x, 1000, 3600, 2200) for x in (1000, 6200, 11400)] + [[(x, 2100), (x + 1300, 2100)] for x in (4600, 9800)]}
 
 
 def excel():
@@ -125,7 +146,8 @@ def excel():
         out += f'<text font-family="Calibri,Calibri_MSFontService,sans-serif" font-weight="400" font-size="16" transform="matrix(1 0 0 1 {x + 20} 315)">{name}</text>'
         words.append((name, 100 * (x + 40) / 600, 86))
     out += '<text font-size="20" transform="translate(210 30)">Sales by region</text><path d="M80 290H560" stroke="#262626" fill="none"/></g></svg>'
-    return out, words + [("Sales by region", 47, 7)], 0
+    return out, words + [("Sales by region", 47, 7)], \
+        {"bars": [("bar", 100 + 160 * i, 290 - v, 180 + 160 * i, 290) for i, v in enumerate((150, 220, 90))], "size": (600, 360)}
 
 
 def mathjax():
@@ -138,7 +160,7 @@ def mathjax():
         '<g data-mml-node="math">'
     for code, x in (("1D466", 900), ("3D", 1668), ("1D465", 2724)):
         out += f'<g data-mml-node="mi" transform="translate({x - 600},0)"><use data-c="{code}" xlink:href="#MJX-1-TEX-{code}"/></g>'
-    return out + '</g></g><path d="M300 1000 L2600 400" stroke="#000" stroke-width="20"/></svg>', [("y = x", 45, 28)], 0
+    return out + '</g></g><path d="M300 1000 L2600 400" stroke="#000" stroke-width="20"/></svg>', [("y = x", 45, 28)], {"curves": [[(300, 1750), (2600, 1150)]], "size": (3000, 2000)}
 
 
 def mermaid():
@@ -151,7 +173,7 @@ def mermaid():
                f'<g class="label" transform="translate(-55,-10)"><foreignObject width="110" height="20"><div xmlns="http://www.w3.org/1999/xhtml">' \
                f'<span class="nodeLabel">{name}</span></div></foreignObject></g></g>'
         words.append((name, 50, 100 * y / 300))
-    return out + "</svg>", words, 1
+    return out + "</svg>", words, {"arrows": [(200, 206, 200, 90)], "curves": [[(200, 90), (200, 205)], rectangle(130, 40, 140, 50), rectangle(130, 210, 140, 50)], "size": (400, 300)}
 
 
 def markers():
@@ -162,7 +184,9 @@ def markers():
           '<line x1="60" y1="60" x2="340" y2="60" marker-end="url(#full)"/><path d="M60,150 L340,150" marker-end="url(#vee)"/>' \
           '<polyline points="60,240 200,220 340,240" marker-start="url(#back)" marker-end="url(#full)"/></g>' \
           '<g font-size="18" text-anchor="middle"><text x="200" y="45">force</text><text x="200" y="135">speed</text><text x="200" y="205">both</text></g></svg>'
-    return out, [("force", 50, 13), ("speed", 50, 43), ("both", 50, 66)], 4
+    return out, [("force", 50, 13), ("speed", 50, 43), ("both", 50, 66)], \
+        {"arrows": [(342, 60, 60, 60), (342, 150, 60, 150), (58, 240.3, 200, 220), (342, 240.3, 200, 220)], "size": (400, 300),
+         "curves": [[(60, 60), (340, 60)], [(60, 150), (340, 150)], [(60, 240), (200, 220), (340, 240)]]}
 
 
 def symbols():
@@ -172,7 +196,8 @@ def symbols():
           '<use xlink:href="#house" x="20" y="60" width="200" height="200"/><svg x="300" y="60" width="200" height="200" viewBox="0 0 100 100">' \
           '<rect x="5" y="5" width="90" height="90" fill="none" stroke="#000"/><text x="50" y="55" font-size="16" text-anchor="middle">Market</text></svg>' \
           '<g text-anchor="middle" font-size="20"><text x="300" y="35" stroke="#fff" stroke-width="4">Old town</text><text x="300" y="35">Old town</text></g></svg>'
-    return out, [("School", 20, 68), ("Market", 67, 53), ("Old town", 50, 10)], 0
+    return out, [("School", 20, 68), ("Market", 67, 53), ("Old town", 50, 10)], \
+        {"curves": [rectangle(310, 70, 180, 180), [(40, 160), (120, 80), (200, 160), (200, 250), (40, 250), (40, 160)]], "size": (600, 300)}
 
 
 def entities():
@@ -180,7 +205,7 @@ def entities():
     out = HEAD + 'width="500" height="300"><g font-family="serif" font-size="20"><text x="60" y="60">H<tspan dy="5" font-size="13">2</tspan><tspan dy="-5">O</tspan></text>' \
           '<text x="200" y="60">m/s<tspan baseline-shift="super" font-size="13">2</tspan></text><text x="330" y="60">α = 30°</text>' \
           '<text x="60" y="200">−5 °C</text><text x="200" y="200">A′</text><text x="330" y="200">½ λ</text></g><path d="M40,120 H460" stroke="#000"/></svg>'
-    return out, [("H2O", 16, 18), ("m/s²", 45, 18), ("α = 30°", 73, 18), ("−5 °C", 17, 64), ("A′", 42, 64), ("½ λ", 70, 64)], 0
+    return out, [("H2O", 16, 18), ("m/s²", 45, 18), ("α = 30°", 73, 18), ("−5 °C", 17, 64), ("A′", 42, 64), ("½ λ", 70, 64)], {"curves": [[(40, 120), (460, 120)]], "size": (500, 300)}
 
 
 def turned():
@@ -189,7 +214,8 @@ def turned():
     out = HEAD + f'width="500" height="400"><path d="M50,350 L450,50 M50,50 L450,350" stroke="#000" stroke-width="3"/><text transform="translate(130,270) rotate(-36)" ' \
           f'font-size="18">Mill Road</text><text transform="translate(110,80) rotate(36)" font-size="18">High Street</text><text x="{xs}" y="60" font-size="16">Church</text>' \
           f'<text x="30" y="210" font-size="16" rotate="0">Park</text></svg>'
-    return out, [("Mill Road", 33, 60), ("High Street", 30, 27), ("Church", 65, 14), ("Park", 9, 51)], 0
+    return out, [("Mill Road", 33, 60), ("High Street", 30, 27), ("Church", 65, 14), ("Park", 9, 51)], \
+        {"curves": [[(50, 350), (450, 50)], [(50, 50), (450, 350)]], "size": (500, 400)}
 
 
 def venn():
@@ -197,7 +223,8 @@ def venn():
     out = HEAD + 'width="480" height="320"><g opacity="0.5"><circle cx="190" cy="170" r="120" fill="#e41a1c"/></g><circle cx="300" cy="170" r="120" fill="#377eb8" ' \
           'fill-opacity="0.4"/><g font-size="18" text-anchor="middle"><text x="130" y="175">Odd</text><text x="360" y="175">Prime</text><text x="245" y="165">3</text>' \
           '<text x="245" y="190">5</text><text x="245" y="30">Numbers below ten</text></g></svg>'
-    return out, [("Odd", 27, 53), ("Prime", 75, 53), ("3", 51, 50), ("5", 51, 58), ("Numbers below ten", 51, 7.5)], 0
+    return out, [("Odd", 27, 53), ("Prime", 75, 53), ("3", 51, 50), ("5", 51, 58), ("Numbers below ten", 51, 7.5)], \
+        {"curves": [ellipse(190, 170, 120, 120), ellipse(300, 170, 120, 120)], "size": (480, 320)}
 
 
 def plotly():
@@ -214,7 +241,8 @@ def plotly():
     out += '</g><g class="infolayer"><text class="gtitle" x="300" y="32" text-anchor="middle" dy="0em" style="font-size: 17px; fill: rgb(42, 63, 95);">' \
            'Height of a plant</text><text class="xtitle" x="320" y="385" text-anchor="middle" style="font-size: 14px;"><tspan>Week</tspan></text></g>' \
            '<path d="M80,340H560M80,60V340" style="fill:none;stroke:#000"/></svg>'
-    return out, words + [("Week", 53, 95)], 0
+    return out, words + [("Week", 53, 95)], \
+        {"curves": [[(80 + x, 60 + y) for x, y in ((0, 250), (120, 180), (240, 200), (360, 90), (480, 40))]], "size": (600, 400)}
 
 
 def plantuml():
@@ -234,7 +262,10 @@ def plantuml():
                f'<line style="stroke:#181818;stroke-width:1.0;" x1="60" x2="250" y1="{y}" y2="{y}"/>' \
                f'<text fill="#000000" font-family="sans-serif" font-size="13" textLength="80" x="115" y="{y - 6}">{text}</text>'
         words.append((text, 48, 100 * (y - 10) / 260))
-    return out + "</g></svg>", words, 2
+    return out + "</g></svg>", words, \
+        {"arrows": [(250, 100, 60, 100), (60, 160, 250, 160)], "size": (320, 260),
+         "curves": [[(60, 46), (60, 215)], [(250, 46), (250, 215)], [(60, 100), (250, 100)], [(60, 160), (250, 160)]] +
+                   [rectangle(x - 30, y, 60, 30) for x in (60, 250) for y in (15, 215)]}
 
 
 DRAWINGS = [plotly, plantuml, d3_bars, drawio, commons, on_a_path, em_fonts, inkscape, office, excel, mathjax, mermaid, markers, symbols, entities, turned, venn]
@@ -250,9 +281,17 @@ def needs():
 PIXELS = {"Order of goods": "Order of ...", "Boiler": "", "y = x": ""}
 
 
+def truth(size, arrows=(), curves=(), bars=(), points=()):
+    """In percent, of places in the units of a drawing of that size."""
+    wide, high = size
+    place = lambda *numbers: [100 * n / (high if i % 2 else wide) for i, n in enumerate(numbers)]
+    return {"arrows": [place(*one) for one in arrows], "curves": [("line", figure.in_percent(one, wide, high)) for one in curves],
+            "bars": [(look, *place(*one)) for look, *one in bars], "points": [place(*one) for one in points]}
+
+
 def make(folder, dpi):
     for draw in DRAWINGS:
-        text, words, heads = draw()
+        text, words, drawn = draw()
         path = os.path.join(folder, f"drawn-{draw.__name__}.svg")
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
@@ -260,5 +299,5 @@ def make(folder, dpi):
         if draw not in NO_RENDERING:
             files |= figure.renderings(path, dpi)
         shown = [(PIXELS.get(text, text), x, y) for text, x, y in words]
-        yield figure.Figure("drawn", draw.__name__, files, words, [None] * heads,
-                            pixel_words=[label for label in shown if label[0]])
+        yield figure.Figure("drawn", draw.__name__, files, words, pixel_words=[label for label in shown if label[0]],
+                            **truth(**drawn))

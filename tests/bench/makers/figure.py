@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a maker of figures gives: its files, and the truth that its own script knows."""
 import dataclasses
+import json
 import os
 import shutil
 import subprocess
@@ -12,13 +13,25 @@ class Figure:
     name: str
     files: dict  # form ("SVG", "SVG glyphs", "PNG", "PDF") to path
     words: list = dataclasses.field(default_factory=list)  # (text, x, y): middle in percent from left and top; None: not known
-    arrows: list = dataclasses.field(default_factory=list)  # (x, y) of tips, in percent, too
-    curves: list = dataclasses.field(default_factory=list)  # lists of (x, y)
+    arrows: list = dataclasses.field(default_factory=list)  # (x, y, x, y): the tip, and a place behind it on the line; in percent, too
+    curves: list = dataclasses.field(default_factory=list)  # (look, [(x, y), ...]); of one look is what a reader takes for one
+    bars: list = dataclasses.field(default_factory=list)  # (look, left, top, right, bottom)
+    points: list = dataclasses.field(default_factory=list)  # (x, y) of filled marks
+    samples: list = dataclasses.field(default_factory=list)  # of a legend: (look, words, left, top, right, bottom)
     pixel_words: list = None  # words, where a picture of it shows others
 
 
     def words_as(self, form):
         return self.pixel_words if form == "PNG" and self.pixel_words is not None else self.words
+
+    def keep_truth(self, folder):
+        """All that is known of it, beside its files."""
+        with open(os.path.join(folder, f"{self.maker}-{self.name}.truth.json"), "w", encoding="utf-8") as file:
+            json.dump(dataclasses.asdict(self), file, indent=1)
+
+
+def in_percent(points, wide, high):
+    return [(100 * x / wide, 100 * y / high) for x, y in points]
 
 
 def missing(*programs):

@@ -19,10 +19,16 @@ def make(folder, dpi):
         with open(path, encoding="utf-8") as file:
             for line in file.read().splitlines():
                 kind, x, y, text = line.split("\t")
+                x, y = float(x), float(y)
+                places = [tuple(map(float, place.split(","))) for place in text.split() if "," in place] if kind != "word" else []
                 if kind == "word":
-                    made.words.append((text, float(x), float(y)))
+                    made.words.append((text, x, y))
                 elif kind == "arrow":
-                    made.arrows.append((float(x), float(y)))
+                    made.arrows.append((x, y, *places[0]))
+                elif kind == "bar":
+                    made.bars.append((text.split()[0], x, y, *places[0]))
+                elif kind == "point":
+                    made.points.append((x, y))
                 else:
-                    made.curves.append([tuple(map(float, point.split(","))) for point in text.split()])
+                    made.curves.append((text.split()[0], places))
         yield made

@@ -4,6 +4,8 @@ import json
 import re
 import subprocess
 
+import line_score
+
 COLUMNS = ("figures", "words", "right", "wrong", "told", "silent", "blank", "failed")
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻₀₁₂₃₄₅₆₇₈₉", "0123456789-0123456789")
 NEAR = 6  # percent: a line of braille off its place, or the middle of words that were guessed to be longer
@@ -24,7 +26,7 @@ def near(one, label):
 
 
 def score(program, source, figure, form, page):
-    row = dict.fromkeys(COLUMNS, 0) | {"figures": 1, "seconds": 0.0, "faults": []}
+    row = dict.fromkeys(COLUMNS, 0) | {"figures": 1, "seconds": 0.0, "faults": [], "lines": None}
     run = subprocess.run([program, "convert", source, "-o", page, "--json"], capture_output=True, text=True, check=False)
     parts = lambda text: plain(text).split()
     words = figure.words_as(form)
@@ -35,8 +37,11 @@ def score(program, source, figure, form, page):
         row["faults"].append(run.stderr.strip()[-200:])
         return row
     answer = json.loads(run.stdout)
+    with open(page + ".json", "w", encoding="utf-8") as file:
+        file.write(run.stdout)
     row["seconds"] = answer["seconds"]
     row["blank"] = int(answer["outputs"][0]["empty"])
+    row["lines"] = line_score.score(page, answer, figure)
     found = answer.get("words", [])
     stands = [w for w in found if w["set"]]
     told = [w for w in found if not w["set"]]

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "filters/dash_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+namespace tactics {
+
+namespace {
+
+constexpr std::size_t kLeast = 4;          // dashes of a line; three in a row are dots after a word
+constexpr double kOnCourse = 0.86;         // cosine of what a line may turn from dash to dash: 30 degrees
+constexpr std::size_t kMostDashes = 4000;  // of a picture; more is a pattern or noise
+
+struct Dash {
+    Point ends[2];  // pixels, of its middle line
+    double width = 0;
+    std::uint32_t piece = 0;  // of the picture's
+    Point middle() const { return {(ends[0].x + ends[1].x) / 2, (ends[0].y + ends[1].y) / 2}; }
+    double length() const { return distance(ends[0], ends[1]); }
+};
+
+// Along its main axis (of the second moments), if it is thin across it.
+std::optional<Dash> dash_of(const std::vector<const Run*>& runs, double longest, double widest) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, syy = 0, sxy = 0;
+    for (const Run* run : runs)
+        for (int x = run->begin; x < run->end; ++x) {
+            const double px = x + 0.5, py = run->row + 0.5;
+            ++n;
+            sx += px;
+            sy += py;
+            sxx += px * px;
+            syy += py * py;
+            sxy += px * py;
+        }
+    const double mx = sx / n, my = sy / n, cxx = sxx / n - mx * mx + 1.0 / 12, cyy = syy / n - my * my + 1.0 / 12,
+                 cxy = sxy / n - mx * my;
+    const double mean = (cxx + cyy) / 2, off = std::hypot((cxx - cyy) / 2, cxy);
+    // A bar of length l has a variance of l^2 / 12.
+    const double length = std::sqrt(12 * (mean + off)), width = std::sqrt(12 * std::max(0.0, mean - off));
+    if (length > longest || width > widest) return std::nullopt;
+    const double angle = std::atan2(2 * cxy, cxx - cyy) / 2, half = std::max(0.0, length - width) / 2;
+    const Point along{half * std::cos(angle), half * std::sin(angle)};
+    return Dash{{{mx - along.x, my - along.y}, {mx + along.x, my + along.y}}, width};
+}
+
+struct Link {
+    std::size_t a, b;  // ends: 2 * dash + which
+    double gap;
+};
+
+class Rows {
+public:
+    Rows(std::vector<Dash> dashes, double reach) : dashes_(std::move(dashes)), links_(2 * dashes_.size(), kNone) {
+        std::vector<Link> all;
+        for (std::size_t i = 0; i < dashes_.size(); ++i)
+            for (std::size_t j = i + 1; j < dashes_.size(); ++j) {
+                if (distance(dashes_[i].middle(), dashes_[j].middle()) > reach + (dashes_[i].length() + dashes_[j].length()) / 2)
+                    continue;
+                for (std::size_t e = 0; e < 2; ++e)
+                    for (std::size_t f = 0; f < 2; ++f) {
+                        const double gap = distance(dashes_[i].ends[e], dashes_[j].ends[f]);
+                        if (gap <= reach && go_on(i, e, j, f)) all.push_back({2 * i + e, 2 * j + f, gap});
+                    }
+            }
+        std::stable_sort(all.begin(), all.end(), [](const Link& a, const Link& b) { return a.gap < b.gap; });
+        for (const Link& link : all)
+            if (links_[link.a] == kNone && links_[link.b] == kNone && links_[link.a ^ 1] != link.b && keeps_course(link)) {
+                links_[link.a] = link.b;
+                links_[link.b] = link.a;
+            }
+    }
+
+    // Of rows that are long enough, the ends at which each of their dashes begins, in their order.
+    std::vector<std::vector<std::size_t>> chains() const {
+        std::vector<std::vector<std::size_t>> all;
+        std::vector<bool> seen(dashes_.size());
+        for (std::size_t i = 0; i < dashes_.size(); ++i) {
+            if (seen[i]) continue;
+            // Back to its beginning, or once around.
+            std::size_t first = 2 * i;
+            while (links_[first] != kNone && links_[first] / 2 != i) first = links_[first] ^ 1;
+            if (links_[first] != kNone) first = 2 * i;
+            std::vector<std::size_t> chain;
+            for (std::size_t end = first; end != kNone && !seen[end / 2]; end = links_[end ^ 1]) {
+                seen[end / 2] = true;
+                chain.push_back(end);
+            }
+            if (chain.size() >= kLeast) all.push_back(std::move(chain));
+        }
+        return all;
+    }
+    std::vector<double> gaps(const std::vector<std::size_t>& chain) const {
+        std::vector<double> all;
+        for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+            all.push_back(distance(dash(chain[i]).ends[1 - (chain[i] & 1)], dash(chain[i + 1]).ends[chain[i + 1] & 1]));
+        return all;
+    }
+    const Dash& dash(std::size_t end) const { return dashes_[end / 2]; }
+
+private:
+    static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+    static double cosine(Point a, Point b) {
+        const double size = std::hypot(a.x, a.y) * std::hypot(b.x, b.y);
+        return size > 0 ? (a.x * b.x + a.y * b.y) / size : 1;
+    }
+
+    // A dash has a direction if it is clearly longer than wide; a dot has that of the pixels' corners.
+    Point direction(std::size_t dash, std::size_t end) const {
+        const Dash& one = dashes_[dash];
+        if (one.length() < one.width) return {};
+        return {one.ends[end].x - one.ends[1 - end].x, one.ends[end].y - one.ends[1 - end].y};
+    }
+
+    bool go_on(std::size_t i, std::size_t e, std::size_t j, std::size_t f) const {
+        const Point a = dashes_[i].middle(), b = dashes_[j].middle(), way{b.x - a.x, b.y - a.y};
+        const Point out = direction(i, e), in = direction(j, f);
+        return cosine(out, way) >= kOnCourse && cosine({-in.x, -in.y}, way) >= kOnCourse;
+    }
+
+    // Dots get their direction from those that they are joined to.
+    bool keeps_course(const Link& link) const {
+        const Point a = dashes_[link.a / 2].middle(), b = dashes_[link.b / 2].middle(), way{b.x - a.x, b.y - a.y};
+        for (const auto& [end, sign] : {std::pair{link.a, 1.0}, std::pair{link.b, -1.0}}) {
+            const std::size_t other = links_[end ^ 1];
+            if (other == kNone) continue;
+            const Point from = dashes_[other / 2].middle(), own = dashes_[end / 2].middle();
+            if (cosine({own.x - from.x, own.y - from.y}, {sign * way.x, sign * way.y}) < kOnCourse) return false;
+        }
+        return true;
+    }
+
+    std::vector<Dash> dashes_;
+    std::vector<std::size_t> links_;  // of each end
+};
+
+// Pieces that only happen to stand in a row have gaps of any length.
+bool are_alike(std::vector<double> gaps) {
+    constexpr double kLonger = 1.7, kMostLonger = 0.25;
+    const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+    std::nth_element(gaps.begin(), middle, gaps.end());
+    const double most = kLonger * *middle + 1;
+    const auto longer = std::count_if(gaps.begin(), gaps.end(), [&](double gap) { return gap > most; });
+    return static_cast<double>(longer) <= kMostLonger * static_cast<double>(gaps.size());
+}
+
+}  // namespace
+
+std::vector<DashRow> dash_rows_in(const Image& ink, const DashLimits& limits) {
+    if (limits.longest < 1) return {};
+    const Components pieces =
+        find_components(ink.width, ink.height, Joined::by_corners, [&](std::size_t i) { return ink.pixels[i] < 128; });
+    const auto extents = pieces.extents();
+    std::vector<std::vector<const Run*>> runs(pieces.count);
+    for (const Run& run : pieces.runs)
+        if (static_cast<double>(extents[run.component]) <= limits.longest) runs[run.component].push_back(&run);
+    std::vector<Dash> dashes;
+    for (std::uint32_t piece = 0; piece < pieces.count; ++piece) {
+        if (runs[piece].empty()) continue;
+        if (auto dash = dash_of(runs[piece], limits.longest, limits.widest)) {
+            dash->piece = piece;
+            dashes.push_back(*dash);
+        }
+    }
+    if (dashes.size() < kLeast || dashes.size() > kMostDashes) return {};
+    const Rows found(std::move(dashes), limits.gap);
+    std::vector<DashRow> rows;
+    for (const std::vector<std::size_t>& chain : found.chains()) {
+        if (!are_alike(found.gaps(chain))) continue;
+        DashRow row;
+        std::vector<double> widths;
+        for (const std::size_t end : chain) {
+            const Dash& dash = found.dash(end);
+            row.points.push_back(dash.ends[end & 1]);
+            row.points.push_back(dash.ends[1 - (end & 1)]);
+            widths.push_back(dash.width);
+            for (const Run* run : runs[dash.piece]) row.ink.push_back(*run);
+        }
+        const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+        std::nth_element(widths.begin(), middle, widths.end());
+        row.width = *middle;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+}  // namespace tactics

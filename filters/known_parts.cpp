@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "filters/known_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <numbers>
+#include <utility>
+
+#include "filters/arrow_heads.h"
+#include "filters/darken.h"
+#include "filters/dash_rows.h"
+#include "filters/inked_fills.h"
+#include "filters/inked_points.h"
+#include "filters/opencv.h"
+#include "filters/plot_symbols.h"
+
+namespace tactics {
+
+namespace {
+
+// They say more than lines of their length: as strong as an edge can be.
+constexpr float kStrength = 255;
+
+// A barb is felt as a line from 6.4 mm on (media.inc, swell paper); longer ones would be lines of their own. 35 degrees off the
+// line its end has 3.6 mm of it, and a corner of 29 degrees or more is no gap (rules/narrow.h).
+constexpr double kLeastBarb = 6.4, kMostBarb = 10, kLeastTurn = 35, kMostTurn = 45;
+constexpr double kLongestHead = 14;  // mm of a head as it is drawn
+
+Stroke head_of(const InkedHead& head, double mm) {
+    const Point tip{head.tip.x * mm, head.tip.y * mm}, neck{head.neck.x * mm, head.neck.y * mm};
+    const double length = std::clamp(head.length() * mm, kLeastBarb, kMostBarb),
+                 half = distance(head.barbs[0], head.barbs[1]) / 2;
+    const double degrees = std::asin(std::min(1.0, half / head.length())) * 180 / std::numbers::pi;
+    const double turn = std::clamp(degrees, kLeastTurn, kMostTurn) * std::numbers::pi / 180, way = distance(tip, neck);
+    const Point back{(neck.x - tip.x) / way, (neck.y - tip.y) / way};
+    const auto barb = [&](double sign) {
+        const double c = std::cos(turn), s = sign * std::sin(turn);
+        return Point{tip.x + length * (back.x * c - back.y * s), tip.y + length * (back.x * s + back.y * c)};
+    };
+    return {{barb(1), tip, barb(-1)}, false, LineClass::normal, kStrength, Role::arrow};
+}
+
+// Dashes as drawing tools make them: on the page up to 8 mm long, 1.2 mm wide, with gaps of no more than 4 mm.
+constexpr double kLongestDash = 8, kWidestDash = 1.2, kMostGap = 4;
+
+// A point is as large as it is drawn, but as wide as two of the dots of braille, which it is not taken for then.
+constexpr double kLeastPoint = 0.5, kMostPoint = 3.5, kFeltPoint = 1.6;  // radius, mm
+constexpr std::size_t kMostMeasured = 1000;
+
+// Smaller where most of them are near others, so that more of them have room; the gap is that between any two things.
+double felt_radius(const std::vector<InkedPoint>& points, double mm) {
+    constexpr double kGap = 3.4, kLeast = 1;
+    std::vector<double> nearest;
+    for (std::size_t i = 0; i < points.size() && i < kMostMeasured; ++i) {
+        double least = 1e9;
+        for (std::size_t j = 0; j < points.size() && j < kMostMeasured; ++j)
+            if (i != j) least = std::min(least, distance(points[i].middle, points[j].middle));
+        nearest.push_back(least * mm);
+    }
+    if (nearest.empty()) return kFeltPoint;
+    const auto few = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 4);
+    std::nth_element(nearest.begin(), few, nearest.end());
+    return std::clamp((*few - kGap) / 2, kLeast, kFeltPoint);
+}
+
+// What is nearly black, whatever it stands on.
+Image black_ink(const Image& picture) {
+    constexpr std::uint8_t kBlack = 100;
+    Image ink = to_grey(picture);
+    for (std::uint8_t& sample : ink.pixels) sample = sample < kBlack ? 0 : 255;
+    return ink;
+}
+
+// With the paler pixels around them they get the colour of what is nearest to them. Other ink stays.
+void paint_over(Image& picture, const Image& all_ink, const std::vector<Run>& ink) {
+    cv::Mat own(picture.height, picture.width, CV_8U, cv::Scalar(255));
+    for (const Run& run : ink) own(cv::Rect(run.begin, run.row, run.end - run.begin, 1)) = 0;
+    const cv::Mat others = (view_of(all_ink) < 128) & own;
+    cv::erode(own, own, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(5, 5)));
+    own |= others;
+    cv::Mat away, label;
+    cv::distanceTransform(255 - own, away, label, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
+    std::vector<const std::uint8_t*> nearest(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) +
+                                             1);
+    const Image before = picture;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            if (own.at<std::uint8_t>(y, x) != 0)
+                nearest[static_cast<std::size_t>(label.at<int>(y, x))] = before.row(y) + x * picture.channels;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            if (const std::uint8_t* from = nearest[static_cast<std::size_t>(label.at<int>(y, x))];
+                own.at<std::uint8_t>(y, x) == 0 && from != nullptr)
+                std::copy_n(from, picture.channels, picture.row(y) + x * picture.channels);
+}
+
+void take_dashes(Image& picture, KnownParts& parts) {
+    const Image ink = ink_on_white(picture);
+    std::vector<Run> ink_of_all;
+    const double mm = picture.mm_per_pixel;
+    for (const DashRow& row : dash_rows_in(ink, {kLongestDash / mm, std::max(2.0, kWidestDash / mm), kMostGap / mm})) {
+        Stroke stroke{{}, false, LineClass::normal, kStrength, Role::dash};
+        for (const Point& p : row.points) stroke.points.push_back({p.x * mm, p.y * mm});
+        parts.strokes.push_back(std::move(stroke));
+        ink_of_all.insert(ink_of_all.end(), row.ink.begin(), row.ink.end());
+    }
+    if (!ink_of_all.empty()) paint_over(picture, ink, ink_of_all);
+}
+
+}  // namespace
+
+void KnownParts::add_to(Drawing& drawing) && {
+    for (Stroke& stroke : strokes) {
+        for (Point& p : stroke.points) p = {std::clamp(p.x, 0.0, drawing.width), std::clamp(p.y, 0.0, drawing.height)};
+        drawing.strokes.push_back(std::move(stroke));
+    }
+    std::move(areas.begin(), areas.end(), std::back_inserter(drawing.areas));
+}
+
+KnownParts take_known_parts(Image& picture, bool fills) {
+    KnownParts parts;
+    if (fills) parts.areas = take_fills(picture);
+    const double mm = picture.mm_per_pixel;
+    // On a dark ground of its own a head is only seen by how black it is, on white a pale one by its colour.
+    for (const bool by_colour : {true, false}) {
+        const Image ink = by_colour ? ink_on_white(picture) : black_ink(picture);
+        auto heads = arrow_heads_in(ink, kLongestHead / mm);
+        // A point on a short line looks much like one.
+        const auto points = points_in(ink, kLeastPoint / mm, kMostPoint / mm);
+        std::erase_if(heads, [&](const InkedHead& head) {
+            return std::any_of(points.begin(), points.end(), [&](const InkedPoint& point) {
+                return distance(point.middle, head.tip) < head.length() + point.radius;
+            });
+        });
+        take_out(picture, heads);
+        for (const InkedHead& head : heads) parts.strokes.push_back(head_of(head, mm));
+    }
+    take_dashes(picture, parts);
+    const auto points = points_in(ink_on_white(picture), kLeastPoint / mm, kMostPoint / mm);
+    take_out(picture, points);
+    const double felt = felt_radius(points, mm);
+    for (const InkedPoint& point : points) {
+        Drawing disc;
+        draw_symbol(PlotSymbol::disc, {point.middle.x * mm, point.middle.y * mm}, std::max(point.radius * mm, felt), disc);
+        std::move(disc.areas.begin(), disc.areas.end(), std::back_inserter(parts.areas));
+    }
+    return parts;
+}
+
+}  // namespace tactics

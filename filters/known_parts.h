@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a drawn picture shows that has a form of its own on a page: heads of arrows, dashed lines, filled points, fills. A finger
+// knows them by that form, so they are looked for first and drawn as such; what is left is drawn by the recipe.
+#pragma once
+
+#include <vector>
+
+#include "tactics/drawing.h"
+#include "tactics/image.h"
+
+namespace tactics {
+
+/// In mm, from the picture's left and top.
+struct KnownParts {
+    std::vector<Stroke> strokes;  ///< Role::arrow: a head, from barb to tip to barb; Role::dash: a dashed line, whole
+    std::vector<Area> areas;      ///< Role::symbol: a point; with a texture: a surface
+
+    void add_to(Drawing& drawing) &&;
+};
+
+/// Takes them out of the picture, which has its size in mm; the lines that heads and points were on stay whole. With `fills`
+/// surfaces get textures, too (inked_fills.h): for who draws both sides of every line and outlines of surfaces.
+KnownParts take_known_parts(Image& picture, bool fills);
+
+}  // namespace tactics

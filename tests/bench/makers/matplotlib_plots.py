@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Figures of Matplotlib whose lines and fills are hard to bring over, and what is drawn of any figure of it."""
+import figure
+
+try:
+    import numpy as np
+    from matplotlib import patches
+    from matplotlib import pyplot as plt
+except ImportError:
+    plt = None
+
+
+def hatched(_):
+    at = np.arange(4)
+    plt.bar(at - 0.2, [12, 18, 9, 15], 0.4, label="Boys", color="white", edgecolor="black", hatch="//")
+    plt.bar(at + 0.2, [14, 11, 16, 10], 0.4, label="Girls", color="black", edgecolor="black")
+    plt.xticks(at, ["Swim", "Run", "Jump", "Row"])
+    plt.ylabel("Pupils")
+    plt.ylim(0, 24)
+    plt.legend()
+    plt.title("Sports of a school")
+
+
+def crossing(_):
+    x = np.linspace(0, 10, 120)
+    plt.plot(x, 1 + 0.8 * x, label="Oil")
+    plt.plot(x, 9 - 0.7 * x, label="Coal")
+    plt.plot(x, 5 + 2.5 * np.sin(x * 0.8), label="Sun")
+    plt.legend()
+    plt.title("Three sources of power")
+    plt.xlabel("Year")
+    plt.ylabel("Share")
+
+
+def styles(_):
+    x = np.linspace(0, 6, 100)
+    for k, style in enumerate(("-", "--", ":", "-.")):
+        plt.plot(x, (k + 1) * 2 + np.sin(x + k), "k" + style, label=f"Row {'ABCD'[k]}")
+    plt.ylim(0, 13)
+    plt.legend(ncol=4)
+    plt.title("Four strings")
+    plt.xlabel("Metres")
+
+
+def silhouettes(_):
+    axes = plt.gca()
+    axes.set_axis_off()
+    axes.set_xlim(0, 10)
+    axes.set_ylim(0, 7)
+    axes.add_patch(patches.Polygon([(1, 1), (1.7, 1), (1.7, 2.2), (3, 2.2), (1.9, 3.4), (2.6, 3.4), (1.35, 5.6), (0.1, 3.4), (0.8, 3.4),
+                                    (-0.3, 2.2), (1, 2.2)], color="black"))
+    axes.add_patch(patches.Ellipse((5, 3), 2.4, 3.6, color="black"))
+    axes.add_patch(patches.Polygon([(7, 1), (9.6, 1), (9.6, 3.4), (8.3, 5), (7, 3.4)], color="black"))
+    for x, name in ((1.35, "Fir"), (5, "Egg"), (8.3, "House")):
+        axes.text(x, 0.2, name, ha="center")
+
+
+def heads(_):
+    axes = plt.gca()
+    axes.set_axis_off()
+    axes.set_xlim(0, 10)
+    axes.set_ylim(0, 7)
+    for style, scale, a, b in (("-|>", 20, (1, 1), (4, 3)), ("->", 20, (9, 1), (6, 3)), ("-|>", 30, (5, 3.4), (5, 6)), ("->", 14, (1, 6), (4, 4.4)),
+                               ("-|>", 14, (9, 6), (6, 4.4))):
+        axes.annotate("", b, a, arrowprops={"arrowstyle": style, "mutation_scale": scale, "color": "black", "shrinkA": 0, "shrinkB": 0})
+    axes.add_patch(patches.Circle((5, 3), 0.35, fill=False))
+    plt.title("Forces on a ball")
+
+
+def outliers(random):
+    data = [np.append(random.normal(m, s, 50), extra) for m, s, extra in ((20, 2, [32, 9]), (25, 3, [39]), (31, 2, [20]))]
+    plt.boxplot(data, labels=["Red", "Green", "Blue"], flierprops={"marker": "o", "markerfacecolor": "black"},
+                whiskerprops={"linestyle": "--"})
+    plt.title("Length of leaves")
+    plt.ylabel("Millimetres")
+
+
+def stacked(_):
+    at = np.arange(3)
+    below = np.zeros(3)
+    for name, values, grey in (("Bus", [5, 7, 4], "0.3"), ("Train", [6, 3, 5], "0.6"), ("Bike", [3, 4, 6], "0.9")):
+        plt.bar(at, values, 0.6, below, label=name, color=grey, edgecolor="black")
+        below += values
+    plt.xticks(at, ["May", "June", "July"])
+    plt.ylim(0, 21)
+    plt.legend(ncol=3)
+    plt.title("Ways to work")
+
+
+def stems(_):
+    x = np.arange(1, 8)
+    y = np.array([3, 5, 2, 6, 4, 7, 3])
+    plt.errorbar(x, y, yerr=0.8, fmt="ko", capsize=5)
+    plt.ylim(0, 9)
+    plt.title("Seven samples")
+    plt.xlabel("Sample")
+    plt.ylabel("Grams")
+
+
+def parabola(_):
+    axes = plt.gca()
+    axes.set_axis_off()
+    axes.set_xlim(-4, 4)
+    axes.set_ylim(-3, 7)
+    for a, b in (((-3.6, 0), (3.8, 0)), ((0, -2.5), (0, 6.8))):
+        axes.annotate("", b, a, arrowprops={"arrowstyle": "-|>", "mutation_scale": 18, "color": "black", "shrinkA": 0, "shrinkB": 0})
+    x = np.linspace(-2.9, 2.9, 100)
+    plt.plot(x, x * x - 2, "k", linewidth=2)
+    plt.plot([-3.5, 3.5], [-1.6, 5.4], "k--")
+    for text, at in (("x", (3.6, -0.7)), ("y", (0.5, 6.5)), ("f", (-3, 6))):
+        axes.text(*at, text, ha="center", va="center", fontsize=14)
+
+
+PLOTS = [hatched, crossing, styles, silhouettes, heads, outliers, stacked, stems, parabola]
+
+
+def look_of(artist):
+    fill = getattr(artist, "get_hatch", lambda: None)()
+    if fill is not None or hasattr(artist, "get_facecolor"):
+        return f"fill {[round(c, 2) for c in artist.get_facecolor()]} {fill}"
+    return f"line {artist.get_color()} {artist.get_linestyle()}"
+
+
+def truth_of(plot, wide, high):
+    """Members of Figure, of a figure that has been drawn, so many pixels large."""
+    truth = {"arrows": [], "curves": [], "bars": [], "points": [], "samples": []}
+    place = lambda points: [(100 * x / wide, 100 - 100 * y / high) for x, y in points]
+    for axes in plot.axes:
+        for line in axes.lines:
+            at = place(line.get_transform().transform(line.get_xydata()))
+            if line.get_linestyle() != "None" and len(at) > 1:
+                truth["curves"].append((look_of(line), at))
+            elif line.get_marker() in ("o", "."):
+                truth["points"] += at
+        for group in axes.collections:
+            if hasattr(group, "get_segments"):
+                truth["curves"] += [("line", place(axes.transData.transform(one))) for one in group.get_segments()]
+            else:
+                truth["points"] += place(group.get_offset_transform().transform(group.get_offsets()))
+        for patch in axes.patches:
+            ring = place(patch.get_transform().transform_path(patch.get_path()).to_polygons()[0])
+            if isinstance(patch, patches.Rectangle):
+                xs, ys = [x for x, _ in ring], [y for _, y in ring]
+                truth["bars"].append((look_of(patch), min(xs), min(ys), max(xs), max(ys)))
+            else:
+                truth["curves"].append(("line", ring))
+        for words in axes.texts:
+            arrow = getattr(words, "arrow_patch", None)
+            if arrow is None:
+                continue
+            paths, _ = arrow._get_path_in_displaycoord()  # pylint: disable=protected-access
+            shaft = place(paths[0].vertices)
+            tip = place(paths[1].vertices)[1] if len(paths) > 1 else shaft[-1]
+            truth["arrows"].append((*tip, *shaft[0]))
+            truth["curves"].append(("line", [shaft[0], tip]))
+        legend = axes.get_legend()
+        for handle, words in zip(legend.legendHandles, legend.get_texts()) if legend else []:
+            if hasattr(handle, "get_xydata"):
+                (x0, y0), (x1, y1) = place(handle.get_transform().transform(handle.get_xydata())[[0, -1]])
+            else:
+                box = handle.get_window_extent()
+                (x0, y1), (x1, y0) = place([(box.x0, box.y0), (box.x1, box.y1)])
+            truth["samples"].append((look_of(handle), words.get_text(), x0, y0, x1, y1))
+    return truth

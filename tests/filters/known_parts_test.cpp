@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+// Heads of arrows, filled points, dashed lines and fills of a drawn picture.
+#include "filters/known_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <set>
+
+#include "filters/arrow_heads.h"
+#include "filters/inked_legend.h"
+#include "filters/inked_points.h"
+#include "tests/filters/pictures.h"
+
+namespace tactics {
+namespace {
+
+using Shape = std::function<bool(double, double)>;
+
+// Black where any of them is, with soft borders: each pixel is looked at in sixteen places.
+Image inked(int width, int height, const std::vector<Shape>& shapes) {
+    return pictures::drawn(width, height, [&](int x, int y) {
+        int black = 0;
+        for (int i = 0; i < 16; ++i) {
+            const double u = x + (i % 4 + 0.5) / 4, v = y + (i / 4 + 0.5) / 4;
+            black += std::any_of(shapes.begin(), shapes.end(), [&](const Shape& shape) { return shape(u, v); }) ? 1 : 0;
+        }
+        return 255 - 255 * black / 16;
+    });
+}
+
+Shape line(Point a, Point b, double width) {
+    return [=](double x, double y) {
+        const double dx = b.x - a.x, dy = b.y - a.y;
+        const double t = std::clamp(((x - a.x) * dx + (y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+        return std::hypot(x - a.x - t * dx, y - a.y - t * dy) <= width / 2;
+    };
+}
+
+Shape disc(Point middle, double radius) {
+    return [=](double x, double y) { return std::hypot(x - middle.x, y - middle.y) <= radius; };
+}
+
+Shape polygon(std::vector<Point> ring) {
+    return [ring = std::move(ring)](double x, double y) {
+        bool inside = false;
+        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+            if ((ring[i].y > y) != (ring[j].y > y) &&
+                x < ring[i].x + (ring[j].x - ring[i].x) * (y - ring[i].y) / (ring[j].y - ring[i].y))
+                inside = !inside;
+        return inside;
+    };
+}
+
+enum class Form { filled, open, notched };
+
+struct Arrow {
+    Point tip, from, barbs[2];
+    std::vector<Shape> shapes;
+};
+
+Arrow arrow(Form form, double degrees, double length, double half_angle, double width) {
+    const double a = degrees * std::numbers::pi / 180, h = half_angle * std::numbers::pi / 180;
+    Arrow made;
+    made.tip = {100 + 60 * std::cos(a), 100 + 60 * std::sin(a)};
+    made.from = {100 - 60 * std::cos(a), 100 - 60 * std::sin(a)};
+    for (int i = 0; i < 2; ++i) {
+        const double b = a + std::numbers::pi + (i == 0 ? h : -h);
+        made.barbs[i] = {made.tip.x + length * std::cos(b), made.tip.y + length * std::sin(b)};
+    }
+    const double back = form == Form::notched ? 0.6 * length : length * std::cos(h);
+    const Point neck{made.tip.x - back * std::cos(a), made.tip.y - back * std::sin(a)};
+    made.shapes.push_back(line(made.from, form == Form::open ? made.tip : neck, width));
+    if (form == Form::open) {
+        for (const Point& barb : made.barbs) made.shapes.push_back(line(made.tip, barb, width));
+    } else {
+        made.shapes.push_back(polygon({made.tip, made.barbs[0], neck, made.barbs[1]}));
+    }
+    return made;
+}
+
+double barb_off(const InkedHead& head, const Arrow& truth) {
+    const auto off = [&](int i, int j) {
+        return std::max(distance(head.barbs[0], truth.barbs[i]), distance(head.barbs[1], truth.barbs[j]));
+    };
+    return std::min(off(0, 1), off(1, 0));
+}
+
+TEST(ArrowHeads, AreFoundOfAnyFormSizeAndDirection) {
+    int all = 0, found = 0;
+    for (const Form form : {Form::filled, Form::open, Form::notched})
+        for (const double length : {11.0, 18.0, 30.0})
+            for (const double half : {19.0, 27.0})
+                for (double degrees = 3; degrees < 360; degrees += 53, ++all) {
+                    const Arrow truth = arrow(form, degrees, length, half, 2);
+                    const auto heads = arrow_heads_in(inked(200, 200, truth.shapes), 60);
+                    ASSERT_LE(heads.size(), 1u) << degrees;
+                    found += heads.size() == 1 && distance(heads[0].tip, truth.tip) < 3 && barb_off(heads[0], truth) < 5 ? 1 : 0;
+                }
+    EXPECT_GE(found, 0.97 * all) << all;
+}
+
+TEST(ArrowHeads, PointAtBoxesAndStandAtBothEnds) {
+    Arrow one = arrow(Form::filled, 0, 16, 22, 2);
+    one.shapes.push_back(line({one.tip.x + 1, 60}, {one.tip.x + 1, 140}, 2));
+    const auto heads = arrow_heads_in(inked(200, 200, one.shapes), 60);
+    ASSERT_EQ(heads.size(), 1u);
+    EXPECT_LT(distance(heads[0].tip, one.tip), 3);
+    Arrow both = arrow(Form::open, 30, 16, 25, 2);
+    for (const Shape& shape : arrow(Form::open, 210, 16, 25, 2).shapes) both.shapes.push_back(shape);
+    EXPECT_EQ(arrow_heads_in(inked(200, 200, both.shapes), 60).size(), 2u);
+}
+
+TEST(ArrowHeads, CrossingsBranchesCornersTicksAndCurvesHaveNone) {
+    const std::vector<std::vector<Shape>> pictures{
+        {line({20, 20}, {180, 180}, 2), line({20, 180}, {180, 20}, 2), line({20, 100}, {180, 100}, 2)},
+        {line({20, 20}, {180, 20}, 2), line({20, 20}, {20, 180}, 2), line({20, 60}, {28, 60}, 2), line({20, 100}, {28, 100}, 2)},
+        {line({100, 20}, {100, 100}, 2), line({100, 100}, {50, 180}, 2), line({100, 100}, {150, 180}, 2)},
+        {line({20, 100}, {180, 100}, 2), line({180, 92}, {180, 108}, 2)},
+        {disc({60, 100}, 30), line({60, 100}, {180, 100}, 2)},
+        {line({20, 100}, {180, 100}, 5)},
+        {polygon({{20, 20}, {180, 20}, {100, 160}})},
+    };
+    for (std::size_t i = 0; i < pictures.size(); ++i) EXPECT_EQ(arrow_heads_in(inked(200, 200, pictures[i]), 60).size(), 0u) << i;
+    EXPECT_TRUE(arrow_heads_in(make_image(3, 3, 1, 0.2, 0), 60).empty());
+}
+
+TEST(ArrowHeads, TakenOutLeaveTheirLineUpToTheTip) {
+    for (const Form form : {Form::filled, Form::open}) {
+        const Arrow truth = arrow(form, 40, 20, 25, 2);
+        Image picture = inked(200, 200, truth.shapes);
+        take_out(picture, arrow_heads_in(picture, 60));
+        const auto dark = [&](Point p) { return picture.row(static_cast<int>(p.y))[static_cast<int>(p.x)] < 128; };
+        for (const Point& barb : truth.barbs)
+            for (const double t : {0.5, 0.75, 0.95})
+                EXPECT_FALSE(dark({truth.tip.x + t * (barb.x - truth.tip.x), truth.tip.y + t * (barb.y - truth.tip.y)}));
+        for (double t = 0.02; t < 1; t += 0.02)
+            EXPECT_TRUE(dark({truth.tip.x + t * (truth.from.x - truth.tip.x), truth.tip.y + t * (truth.from.y - truth.tip.y)}))
+                << t;
+    }
+}
+
+TEST(InkedPoints, AreDiscsAloneAndOnLinesButNoCrossingsEndsOrHeads) {
+    const Image discs = inked(200, 200,
+                              {disc({40, 40}, 4), disc({100, 100}, 7), line({20, 100}, {180, 100}, 2),
+                               line({150, 20}, {150, 60}, 2), disc({150, 40}, 5), disc({60, 160}, 3)});
+    const auto points = points_in(discs, 1, 20);
+    ASSERT_EQ(points.size(), 4u);
+    for (const auto& [middle, radius, arms] : {std::tuple{Point{40, 40}, 4.0, 0u}, std::tuple{Point{100, 100}, 7.0, 2u},
+                                               std::tuple{Point{150, 40}, 5.0, 2u}, std::tuple{Point{60, 160}, 3.0, 0u}})
+        EXPECT_TRUE(std::any_of(points.begin(), points.end(), [at = middle, r = radius, n = arms](const InkedPoint& point) {
+            return distance(point.middle, at) < 1 && std::abs(point.radius - r) < 1 && point.arms.size() == n;
+        })) << middle.x;
+    const Image others = inked(200, 200,
+                               {line({20, 20}, {180, 180}, 5), line({20, 180}, {180, 20}, 5), line({20, 100}, {60, 100}, 5),
+                                polygon({{120, 20}, {150, 20}, {135, 60}}), disc({150, 120}, 30)});
+    EXPECT_TRUE(points_in(others, 1, 20).empty());
+    Image picture = discs;
+    take_out(picture, points);
+    EXPECT_LT(picture.row(100)[100], 128);  // the line goes on
+    EXPECT_GT(picture.row(95)[100], 200);
+    EXPECT_GT(picture.row(40)[40], 200);
+}
+
+TEST(KnownParts, ADashedCurveIsOneLineOfItsWholeLengthAndIsTakenOut) {
+    std::vector<Shape> dashes;
+    const auto at = [](double t) { return Point{20 + t, 100 + 40 * std::sin(t / 50)}; };
+    for (double t = 0; t < 340; t += 16) dashes.push_back(line(at(t), at(t + 9), 2));
+    Image picture = inked(400, 200, dashes);
+    const KnownParts parts = take_known_parts(picture, false);
+    ASSERT_EQ(parts.strokes.size(), 1u);
+    EXPECT_EQ(parts.strokes[0].role, Role::dash);
+    EXPECT_NEAR(std::abs(parts.strokes[0].points.front().x - parts.strokes[0].points.back().x), 345 * pictures::kPixel, 1);
+    EXPECT_EQ(std::count_if(picture.pixels.begin(), picture.pixels.end(), [](std::uint8_t p) { return p < 200; }), 0);
+}
+
+TEST(KnownParts, HeadsAreOpenAndLargeEnoughForAFinger) {
+    Image picture = inked(200, 200, arrow(Form::filled, 10, 14, 20, 2).shapes);
+    const KnownParts parts = take_known_parts(picture, false);
+    ASSERT_EQ(parts.strokes.size(), 1u);
+    const Stroke& head = parts.strokes[0];
+    EXPECT_EQ(head.role, Role::arrow);
+    EXPECT_FALSE(head.closed);
+    ASSERT_EQ(head.points.size(), 3u);
+    for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) EXPECT_GE(distance(head.points[1], head.points[i]), 6.3);
+}
+
+// Bars 60 pixels wide, 15 mm, of each kind two; a black outline around each.
+Image bars(const std::vector<std::function<int(int, int)>>& fills) {
+    return pictures::drawn(100 * static_cast<int>(fills.size()), 200, [&](int x, int y) {
+        const int u = x % 100, v = y;
+        if (u < 20 || u >= 80 || v < 20 || v >= 180) return 255;
+        if (u < 22 || u >= 78 || v < 22 || v >= 178) return 0;
+        return fills[static_cast<std::size_t>(x / 100)](x, y);
+    });
+}
+
+TEST(KnownParts, EachKindOfFillHasATextureOfItsOwn) {
+    const auto hatch = [](int x, int y) { return (x + y) % 12 < 2 ? 0 : 255; };
+    const auto other = [](int x, int y) { return (x - y + 400) % 12 < 2 ? 0 : 255; };
+    const auto black = [](int, int) { return 0; };
+    Image picture = bars({hatch, black, other, hatch, black, other});
+    const KnownParts parts = take_known_parts(picture, true);
+    ASSERT_EQ(parts.areas.size(), 6u);
+    std::vector<int> textures(6);
+    for (const Area& area : parts.areas) {
+        double x = 0;
+        for (const Point& p : area.rings.at(0)) x += p.x / static_cast<double>(area.rings[0].size());
+        textures.at(static_cast<std::size_t>(x / pictures::kPixel / 100)) = area.texture;
+    }
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(textures[i], textures[i + 3]) << i;
+    EXPECT_EQ((std::set<int>{textures[0], textures[1], textures[2], 0}).size(), 4u);
+    EXPECT_EQ(picture.row(100)[50], picture.row(101)[50]);  // no lines are left in it
+}
+
+TEST(KnownParts, OneFillOrMoreThanThereAreTexturesHaveNone) {
+    Image one = bars({[](int, int) { return 120; }, [](int, int) { return 120; }});
+    EXPECT_TRUE(take_known_parts(one, true).areas.empty());
+    Image many = bars({[](int, int) { return 0; }, [](int, int) { return 40; }, [](int, int) { return 80; },
+                       [](int, int) { return 120; }, [](int, int) { return 160; }, [](int, int) { return 200; }});
+    EXPECT_TRUE(take_known_parts(many, true).areas.empty());
+}
+
+// Two curves and, at the top left, a sample of each before words that are painted over.
+TEST(InkedLegend, WordsGoToTheCurveInTheColourOfTheirSample) {
+    Image picture = make_image(400, 300, 3, 0, 255);
+    const auto paint = [&](int x, int y, std::array<std::uint8_t, 3> colour) {
+        for (int v = y - 1; v <= y + 1; ++v) std::copy(colour.begin(), colour.end(), picture.row(v) + 3 * x);
+    };
+    const std::array<std::uint8_t, 3> red{220, 30, 30}, blue{30, 60, 220}, black{0, 0, 0};
+    for (int x = 20; x < 380; ++x) {
+        paint(x, 250 - x / 4, red);
+        paint(x, 120 + x / 4, blue);
+        paint(x, 290, black);
+    }
+    for (int x = 30; x < 60; ++x) {
+        paint(x, 20, blue);
+        paint(x, 40, red);
+        paint(x, 60, black);
+    }
+    const std::vector<LegendWords> words{
+        {{66, 14, 120, 26}, 12}, {{66, 34, 120, 46}, 12}, {{66, 54, 120, 66}, 12}, {{200, 270, 240, 282}, 12}};
+    const auto entries = legend_in(picture, words);
+    ASSERT_EQ(entries.size(), 2u);  // black may be an axis
+    for (const LegendEntry& entry : entries) {
+        const double on = entry.words == 0 ? 120 + entry.at.x / 4 : 250 - entry.at.x / 4;
+        EXPECT_NEAR(entry.at.y, on, 3);
+        EXPECT_GT(std::abs((120 + entry.at.x / 4) - (250 - entry.at.x / 4)), 40);  // not where they cross
+        EXPECT_NEAR(entry.sample.left, 30, 2);
+    }
+    EXPECT_TRUE(legend_in(picture, {words[0]}).empty());
+}
+
+TEST(InkedLegend, SamplesOfOneColourSayNothing) {
+    Image picture = make_image(400, 300, 1, 0, 255);
+    for (const int y : {20, 40, 150, 200})
+        for (int x = y < 100 ? 30 : 20; x < (y < 100 ? 60 : 380); ++x) picture.row(y)[x] = picture.row(y + 1)[x] = 90;
+    EXPECT_TRUE(legend_in(picture, {{{66, 14, 120, 26}, 12}, {{66, 34, 120, 46}, 12}}).empty());
+}
+
+}  // namespace
+}  // namespace tactics
