@@ -12,6 +12,7 @@
 #include "tactics/job/disk.h"
 #include "tactics/job/made_record.h"
 #include "tactics/job/wishes.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -23,8 +24,8 @@ inline constexpr int kRuleBroken = 3;
 /// What a command is to do: complete and checked before the first picture is opened.
 struct Request : Wishes {
     std::vector<Item> items;
-    std::vector<std::string> notes = {};  ///< of the plan, for the user: what drives a machine that was named by its model
-    int workers = 0;                      ///< 0: as many as there are cores
+    std::vector<Phrase> notes = {};  ///< of the plan, for the user: what drives a machine that was named by its model
+    int workers = 0;                 ///< 0: as many as there are cores
     bool update = false;
     /// Of what may make other pages, what was asked for and what is kept; nothing: no records are kept of what is made.
     std::optional<MadeWith> made_with = {};

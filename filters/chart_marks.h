@@ -22,7 +22,7 @@ MarkGroups groups_of(const std::vector<PlotMark>& marks);
 
 /// Marks of a spatial plot, seen from above: one with a name has its z behind that; others get a symbol by their z, low, middle
 /// or high, unless they have several kinds of symbols. True: they have, so the z of those without a name is not to be seen.
-bool flatten_marks(Plot& plot);
+bool flatten_marks(Plot& plot, std::string_view language);
 
 /// A mark as it is drawn.
 struct ChartMark {

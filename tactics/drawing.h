@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tactics/image.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -79,9 +80,9 @@ struct Name {
 
 /// A thing that a drawing shows, for who points at it or has it read out: nothing of it is felt or seen.
 struct Region {
-    std::string name;         ///< UTF-8, one line; never empty
-    std::string path;         ///< what it is asked for by: "Table/Top"; may be empty
-    std::string description;  ///< UTF-8, one line: how it is drawn, or why it is not; may be empty
+    Phrase name;         ///< UTF-8, one line; never empty
+    std::string path;    ///< what it is asked for by: "Table/Top"; may be empty
+    Phrase description;  ///< UTF-8, one line: how it is drawn, or why it is not; may be empty
     /// What was done with it, for programs: "folded", 3.
     std::vector<std::pair<std::string, int>> counts;
     /// Where it lies, by the non-zero rule, so that its shapes may lie over each other: outer rings run the same way, holes the
@@ -111,8 +112,8 @@ struct Drawing {
     std::vector<Name> names = {};
     /// In reading order, but what lies on others behind them. They may reach half a line width out of the drawing.
     std::vector<Region> regions = {};
-    std::vector<std::string> remarks = {};  ///< on all of it, for who has it described: a sentence each, in English
-    std::optional<Trust> trust = {};        ///< nothing: who drew it cannot tell
+    std::vector<Phrase> remarks = {};  ///< on all of it, for who has it described: a sentence each
+    std::optional<Trust> trust = {};   ///< nothing: who drew it cannot tell
 };
 
 /// As wide as that, its height in proportion: places change, widths of lines do not.

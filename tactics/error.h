@@ -2,10 +2,13 @@
 // One error type for everything that a user can mend: what is wrong, where, and how to mend it.
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -16,14 +19,18 @@ enum class Fault {
 };
 
 /// Message format: `PLACE: what is wrong (how to mend it)`, one line, no final period.
-/// PLACE is what the user can go to: `lines.recipe:3`, `photo.jpg`, `--filter 2`; empty if there is none.
+/// PLACE is what the user can go to: `lines.recipe:3`, `photo.jpg`, `--filter 2`; empty if there is none. what() is in English,
+/// for programs.
 class Error : public std::runtime_error {
 public:
-    Error(Fault fault, std::string_view place, std::string_view message);
+    Error(Fault fault, const Phrase& place, Phrase message);
     Fault fault() const noexcept { return fault_; }
+    /// The same as what(), in the language of whoever is to mend it.
+    const Phrase& told() const noexcept { return *told_; }
 
 private:
     Fault fault_;
+    std::shared_ptr<const Phrase> told_;  // an exception is copied without a throw
 };
 
 /// How messages call a wish of whoever asks for a page: "margin", "real-width". A program spells it as its users write it: the

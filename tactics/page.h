@@ -108,9 +108,9 @@ struct Page {
     std::vector<Name> left_out = {};   ///< optional ones for which there was no room
     /// Where patterns are, for words and rules; they themselves are among the strokes. Each has a texture of 1 or more.
     std::vector<Area> textured = {};
-    std::vector<Region> regions = {};       ///< as in the drawing
-    std::vector<std::string> remarks = {};  ///< as in the drawing
-    bool is_key = false;                    ///< nothing is drawn on it: its names say what the letters on the drawing stand for
+    std::vector<Region> regions = {};  ///< as in the drawing
+    std::vector<Phrase> remarks = {};  ///< as in the drawing
+    bool is_key = false;               ///< nothing is drawn on it: its names say what the letters on the drawing stand for
     std::optional<PageScale> scale = {};
 };
 

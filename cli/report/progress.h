@@ -5,7 +5,8 @@
 
 #include <chrono>
 #include <cstddef>
-#include <string>
+
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -23,7 +24,7 @@ public:
     /// Takes the updating line away.
     void clear();
     /// Says a line in place of the updating one.
-    void say_line(const std::string& line);
+    void say_line(const Phrase& line);
 
     bool updates() const { return updates_; }  ///< there is a line that updates itself
     double seconds() const;                    ///< since the beginning

@@ -9,12 +9,13 @@
 #include "cli/verbs/arm_scene.h"
 #include "tactics/haptics/simulated/arm.h"
 #include "tactics/mesh.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 /// By --plane (that it stands on, a table if none is named), --width, --radius, --stiffness and --damping: as large as the
 /// workspace holds it, or as wide as is asked for if that is less; how large is told. Throws Error.
 ArmScene model_on_arm(const Mesh& mesh, const std::string& name, const Given& given, const ArmFile& file,
-                      std::vector<std::string>& told);
+                      std::vector<Phrase>& told);
 
 }  // namespace tactics

@@ -10,6 +10,7 @@
 #include "tactics/description/description.h"
 #include "tactics/geometry/dashed_line.h"
 #include "tactics/layout/named_lines.h"
+#include "tactics/text/catalogue.h"
 
 namespace tactics {
 
@@ -67,6 +68,9 @@ std::string picture_group(const Bitmap& picture) {
     return text + " xlink:href=\"data:image/png;base64," + to_base64(png.finish()) + "\"/>\n";
 }
 
+// Of the words that are the program's and not a person's.
+std::string own_language(const Description& description) { return escaped(std::string(spoken_language(description.language))); }
+
 // The main things have a name of their own, so that they can be pointed at, told and found again.
 void append_thing(std::string& text, const Description& description, bool area, std::size_t index, const std::string& path) {
     for (std::size_t i = 0; i < description.things.size(); ++i) {
@@ -74,8 +78,9 @@ void append_thing(std::string& text, const Description& description, bool area, 
         if (thing.area != area || thing.index != index) continue;
         const std::string number = std::to_string(i + 1);
         text += "<g id=\"thing-" + number + "\" role=\"img\" aria-labelledby=\"thing-" + number + "-title\"><title id=\"thing-" +
-                number + "-title\" xml:lang=\"en\">" + number + ". " + escaped(thing.what + ", " + thing.place) + "</title>\n" +
-                path + "</g>\n";
+                number + "-title\" xml:lang=\"" + own_language(description) + "\">" + number + ". " +
+                escaped(as_sentence(phrase("{0}, {1}", thing.what, thing.place).in(description.language))) + "</title>\n" + path +
+                "</g>\n";
         return;
     }
     text += path;
@@ -190,7 +195,7 @@ std::string print_group(const Page& page) {
 
 // Over all that is drawn, so that a pointer or a touch tablet meets them first; of two that lie over each other the later one.
 // Nothing of them is seen or printed. They are told, and reached by the keyboard, in their order.
-std::string regions_group(const Page& page) {
+std::string regions_group(const Page& page, const Description& description) {
     std::string text = "<g id=\"regions\" fill=\"none\" pointer-events=\"all\">\n";
     std::size_t number = 0;
     for (const Region& region : page.regions) {
@@ -202,9 +207,10 @@ std::string regions_group(const Page& page) {
         if (!region.path.empty()) text += " data-path=\"" + escaped(region.path) + "\"";
         text += " d=\"";
         for (const auto& ring : region.rings) append_path(text, ring, true);
-        text += "\"><title id=\"" + id + "-title\">" + escaped(region.name) + "</title>";
+        text += "\"><title id=\"" + id + "-title\">" + escaped(region.name.in(page.language)) + "</title>";
         if (!region.description.empty())
-            text += "<desc id=\"" + id + "-desc\" xml:lang=\"en\">" + escaped(region.description) + "</desc>";
+            text += "<desc id=\"" + id + "-desc\" xml:lang=\"" + own_language(description) + "\">" +
+                    escaped(region.description.in(page.language)) + "</desc>";
         text += "</path>\n";
     }
     return number > 0 ? text + "</g>\n" : "";
@@ -222,8 +228,9 @@ std::string encode(const Page& page, const Settings&) {
     text += " version=\"1.1\" width=\"" + width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
             "\" xml:lang=\"" + escaped(page.language) +
             "\" role=\"document\" aria-labelledby=\"title\" aria-describedby=\"desc\">\n<title id=\"title\">" +
-            (page.title.empty() ? "Tactile graphic" : escaped(page.title)) + "</title>\n<desc id=\"desc\" xml:lang=\"" +
-            escaped(alternative_language(page)) + "\">" + escaped(alternative_text(page, description)) + "</desc>\n";
+            escaped(page.title.empty() ? phrase("Tactile graphic").in(page.language) : page.title) +
+            "</title>\n<desc id=\"desc\" xml:lang=\"" + escaped(alternative_language(page)) + "\">" +
+            escaped(alternative_text(page, description)) + "</desc>\n";
     text += "<g id=\"drawing\">\n";
     if (page.picture) text += picture_group(*page.picture);
     if (!page.areas.empty() || !page.textured.empty()) text += areas_group(page, description);
@@ -231,7 +238,7 @@ std::string encode(const Page& page, const Settings&) {
     text += "</g>\n";
     if (!page.braille.empty()) text += braille_group(page);
     if (!page.print.empty()) text += print_group(page);
-    text += regions_group(page);
+    text += regions_group(page, description);
     return text + "</svg>\n";
 }
 

@@ -23,7 +23,7 @@ struct BoundFile {
     std::string path;
     std::size_t pages = 0;             ///< 0: no picture had one, and no file is written
     std::vector<std::string> missing;  ///< the pictures that have no page in it
-    std::string error;                 ///< why it could not be written; empty: it was
+    Phrase error;                      ///< why it could not be written; empty: it was
 };
 
 /// Takes outcomes with bound outputs (item.h) as they are done, by any thread, and hands them on in the order of their items.

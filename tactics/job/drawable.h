@@ -29,7 +29,7 @@ struct Drawable {
     Recipe recipe = {};       ///< that draws it; without steps: it is lines already
     std::string reason = {};  ///< why auto chose that; empty: the user named it, or there is none
     PrintWords words = {};
-    std::string no_room_for_words = {};  ///< what is told where a page has no room for them in braille
+    bool print_is_left = false;  ///< where a page has no room for words in braille: in the lines; else they are left out
     std::string title = {}, title_origin = {};
     std::optional<double> width = {};  ///< mm: it says itself how wide it is in the world
     std::string model_json = {};       ///< of a model that is folded out: what became of its objects

@@ -11,6 +11,6 @@ namespace tactics {
 
 /// Fills in the text of such words, with its sureness, where it is sure and is that of all their letters. Gives why nothing could
 /// be read and how to mend it; empty: all is well, or there was nothing to read. `program` is for tests.
-std::string read_letter_picture(FoundPage& figure, std::string_view language, const std::string& program = "tesseract");
+Phrase read_letter_picture(FoundPage& figure, std::string_view language, const std::string& program = "tesseract");
 
 }  // namespace tactics

@@ -75,10 +75,10 @@ struct Outcome {
     /// Files beside the outputs that are named like a further page, and no page of this picture: of an earlier run, or a
     /// person's own, so they are told and left.
     std::vector<std::string> left_over;
-    bool up_to_date = false;                  ///< --update found nothing to do
-    std::vector<std::string> made_anew = {};  ///< why --update made pages that were there
+    bool up_to_date = false;             ///< --update found nothing to do
+    std::vector<Phrase> made_anew = {};  ///< why --update made pages that were there
     double seconds = 0;
-    std::string error;            ///< empty: done
+    Phrase error;                 ///< empty: done
     Fault fault = Fault::failed;  ///< only with an error
 };
 

@@ -9,20 +9,21 @@
 #include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 #include "tactics/repair/repair.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 struct MendingTold {
-    bool measured = false;           ///< false: it was left as it was drawn, and nothing is known of it
-    bool complete = true;            ///< false: there is so much in it that not all was looked at
-    std::vector<Mend> changes;       ///< where, in the drawing
-    std::vector<std::string> notes;  ///< the same as sentences
+    bool measured = false;      ///< false: it was left as it was drawn, and nothing is known of it
+    bool complete = true;       ///< false: there is so much in it that not all was looked at
+    std::vector<Mend> changes;  ///< where, in the drawing
+    std::vector<Phrase> notes;  ///< the same as sentences
     std::size_t broken_before = 0;
     std::size_t broken_after = 0;
     double kept = 1;                  ///< share of the lines
     std::optional<Trust> trust = {};  ///< as the drawing had it
-    std::string doubt;                ///< why people would hardly agree with it, and what to do; empty: they may
-    std::string advice;               ///< what to do about a drawing that is not fit to be felt in this size; empty: it is
+    Phrase doubt;                     ///< why people would hardly agree with it, and what to do; empty: they may
+    Phrase advice;                    ///< what to do about a drawing that is not fit to be felt in this size; empty: it is
 };
 
 struct Mended {

@@ -9,6 +9,7 @@
 #include "tactics/job/table_wish.h"
 #include "tactics/plot.h"
 #include "tactics/readers/read.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -16,13 +17,13 @@ namespace tactics {
 /// told how many. A curve of one point is a ring, and so is a point between two gaps. Throws Error: usage for a wish that names
 /// no column or more than can be told apart, and failed, with the line, for what is no number. A pair of numbers is kept in 16
 /// bytes, with as much again while the curve grows.
-Plot plot_of(Source& source, const TableWish& wish, std::vector<std::string>& notes);
+Plot plot_of(Source& source, const TableWish& wish, std::vector<Phrase>& notes);
 
 /// Whether plot_of looks for heights over x and y in it, by its wish and its first rows; what it finds may be points in space
 /// all the same. Rewinds it. Throws Error as plot_of does.
 bool is_of_heights(Source& source, const TableWish& wish);
 
 /// The surface of a table of heights; nothing where they are points in space, or curves. Throws Error as plot_of does.
-std::optional<PlotSurface> surface_in(Source& source, const TableWish& wish, std::vector<std::string>& notes);
+std::optional<PlotSurface> surface_in(Source& source, const TableWish& wish, std::vector<Phrase>& notes);
 
 }  // namespace tactics

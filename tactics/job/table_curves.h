@@ -9,15 +9,16 @@
 #include "tactics/plot.h"
 #include "tactics/readers/read.h"
 #include "tactics/readers/table.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 /// Throws Error as plot_of does.
 Plot curves_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
-                 std::vector<std::string>& notes);
+                 std::vector<Phrase>& notes);
 
 /// How often the values of the column are where, in the bins of the wish. Throws Error as plot_of does.
 Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
-                    std::vector<std::string>& notes);
+                    std::vector<Phrase>& notes);
 
 }  // namespace tactics

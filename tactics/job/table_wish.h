@@ -38,6 +38,7 @@ struct TableWish {
     bool log_x = false, log_y = false;
     std::optional<Decimal> decimal = {};  ///< of its numbers; nothing: as its first rows have it
     std::optional<Decimal> written = {};  ///< on the page; nothing: as in the table
+    std::string language = "en";          ///< of the words that the plot has besides those of the table (BCP 47)
     std::optional<DateOrder> dates = {};  ///< of its dates; nothing: as its first rows have it
 };
 

@@ -12,7 +12,7 @@ namespace tactics {
 
 /// What went wrong, as a line that begins with the name of what was worked on; no text if nothing did.
 struct Failure {
-    std::string text;
+    Phrase text;
     Fault fault = Fault::failed;
 };
 Failure failure_of(const std::string& name, const std::function<void()>& work);

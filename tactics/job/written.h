@@ -9,12 +9,13 @@
 #include "tactics/layout/text_pages.h"
 #include "tactics/readers/read.h"
 #include "tactics/readers/svg/pdf_text.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 struct Written {
     std::vector<TextBlock> blocks;
-    std::vector<std::string> notes;  ///< of what is left out or set on a guess, one line each
+    std::vector<Phrase> notes;  ///< of what is left out or set on a guess, one line each
 };
 
 /// Pages of a PDF, from 1.

@@ -33,6 +33,6 @@ TextPages text_pages(const std::vector<TextBlock>& blocks, const Sheet& sheet, s
 std::size_t lines_of_braille(const std::vector<Page>& pages);
 
 /// What is to be told of letters without cells; empty: all have some.
-std::string note_of_unknown(const std::vector<std::string>& letters);
+Phrase note_of_unknown(const std::vector<std::string>& letters);
 
 }  // namespace tactics

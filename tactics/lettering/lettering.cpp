@@ -109,7 +109,7 @@ bool may_be_words(const ReadLine& one, const std::vector<ReadLine>& all) {
 // Each line as Tesseract reads it, at two sizes. Letters that stand alone are asked for where no font can tell them.
 struct Asked {
     std::vector<ReadLine> all;
-    std::string trouble;
+    Phrase trouble;
 };
 
 Asked ask_tesseract(const Image& grey, std::vector<LetteringLine> lines, bool ask_alone, std::string_view language,

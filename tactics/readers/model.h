@@ -11,6 +11,7 @@
 #include "tactics/model.h"
 #include "tactics/readers/read.h"
 #include "tactics/readers/stl.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -22,10 +23,10 @@ std::string_view model_format(Source& source);
 /// standards (COLLADA and X3D may say another unit), and are turned. What a file asks for beside itself is not read. `notes`:
 /// what was left out. Throws Error(failed): not as the format has it, a number that is none, no triangles or too many, the
 /// program not there.
-Mesh read_mesh(Source& source, std::vector<std::string>& notes);
+Mesh read_mesh(Source& source, std::vector<Phrase>& notes);
 
 /// The same with all that the file says of objects. Of formats that have triangles only, those are the faces.
-Model read_model(Source& source, std::vector<std::string>& notes);
+Model read_model(Source& source, std::vector<Phrase>& notes);
 
 /// By its name, as `model_format` gives it: it says how large things are.
 bool has_unit(std::string_view format);
@@ -33,6 +34,6 @@ bool has_unit(std::string_view format);
 /// Hands out all triangles, in the same order each time. Those of an STL are read anew each time, and none is kept.
 using Triangles = std::function<void(const std::function<void(const Triangle&)>& take)>;
 /// The source must outlive it.
-Triangles triangles_of(Source& source, std::vector<std::string>& notes);
+Triangles triangles_of(Source& source, std::vector<Phrase>& notes);
 
 }  // namespace tactics

@@ -8,6 +8,7 @@
 
 #include "tactics/model.h"
 #include "tactics/readers/read.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -19,6 +20,6 @@ std::string_view vrml_format(std::string_view head);
 /// it shows. Scripts, lights, looks and movements do not matter; `notes` tell what was left out of what would: lines and texts,
 /// other files (never opened), nodes that nobody knows, broken faces. Throws Error(failed) at FILE:LINE: not as the format has
 /// it, cut short, past a limit (vrml/world.h, vrml/model_maker.cpp), nothing in it that has faces.
-Model read_vrml(Source& source, std::vector<std::string>& notes);
+Model read_vrml(Source& source, std::vector<Phrase>& notes);
 
 }  // namespace tactics
