@@ -12,6 +12,7 @@
 #include "cli/report/progress.h"
 #include "cli/report/report.h"
 #include "cli/report/say.h"
+#include "cli/report/user_language.h"
 #include "tactics/error.h"
 #include "tactics/job/binding.h"
 #include "tactics/job/make_many.h"
@@ -45,21 +46,21 @@ public:
     // One file of all pictures, which is written when they are done.
     void take(const BoundFile& file) {
         const std::lock_guard lock(mutex_);
-        const std::string name = file.path == "-" ? "standard output" : file.path;
+        const Phrase name = file.path == "-" ? phrase("standard output") : Phrase(file.path);
         if (!file.error.empty()) {
-            bound_error_ = file.error;
-            progress_.say_line("tactics: " + file.error);
+            failed_ = true;
+            progress_.say_line(phrase("tactics: {0}", file.error));
             return;
         }
         files_ += file.pages > 0 ? 1 : 0;
         std::string missing;
         for (const std::string& input : file.missing) missing += (missing.empty() ? "" : ", ") + input;
         if (file.pages == 0)
-            progress_.say_line("tactics: " + name + " is not written, as there is no page for it");
+            progress_.say_line(phrase("tactics: {0} is not written, as there is no page for it", name));
         else if (!missing.empty())
-            progress_.say_line("tactics: " + name + " has no page of " + missing);
+            progress_.say_line(phrase("tactics: {0} has no page of {1}", name, missing));
         if (file.pages > 0 && request_.loudness != Loudness::errors && request_.loudness != Loudness::warnings)
-            progress_.say_line(name + ": " + std::to_string(file.pages) + (file.pages == 1 ? " page" : " pages"));
+            progress_.say_line(phrase("{0}: {1}", name, phrases(file.pages, "{0} page", "{0} pages")));
     }
 
     // The last words, when all workers are done. Gives the exit code.
@@ -69,7 +70,7 @@ public:
         int code = failures_.empty() ? 0 : static_cast<int>(request_.items.size() == 1 ? fault_ : Fault::failed);
         if (code == 0 && breaks_rules_) code = kRuleBroken;
         if (request_.items.size() > 1) sum_up();
-        return output_error_.empty() && bound_error_.empty() ? code : static_cast<int>(Fault::failed);
+        return failed_ ? static_cast<int>(Fault::failed) : code;
     }
 
     // Ctrl-C: waits for the current writes, then allows no more. Standard output may be a pipe without a reader.
@@ -81,17 +82,22 @@ public:
         progress_.clear();
         const std::size_t all = request_.items.size();
         const bool writes = !request_.items.front().outputs.front().path.empty();
-        say("tactics: stopped" +
-            (all > 1 ? "; " + std::to_string(done_) + " of " + std::to_string(all) + " pictures done" : std::string()) +
-            (whole ? "; no file is half written" : "") + (all > 1 && writes ? on_from_here() : ""));
+        std::vector<Phrase> parts{phrase("tactics: stopped")};
+        if (all > 1) parts.push_back(phrase("{0} of {1} pictures done", std::to_string(done_), std::to_string(all)));
+        if (whole) parts.push_back(phrase("no file is half written"));
+        if (all > 1 && writes) parts.push_back(on_from_here());
+        Phrase line = parts.front();
+        for (std::size_t i = 1; i < parts.size(); ++i) line = phrase("{0}; {1}", std::move(line), parts[i]);
+        say(line);
     }
 
 private:
     // What one file has of all pictures is lost.
-    std::string on_from_here() const {
+    Phrase on_from_here() const {
         const std::vector<Output>& outputs = request_.items.front().outputs;
         const auto bound = std::find_if(outputs.begin(), outputs.end(), [](const Output& output) { return output.bound; });
-        return bound == outputs.end() ? "; add --update to go on from here" : "; " + bound->path + " is as it was before";
+        return bound == outputs.end() ? phrase("add --update to go on from here")
+                                      : phrase("{0} is as it was before", bound->path);
     }
 
     void count(const Outcome& outcome, std::size_t index) {
@@ -104,7 +110,7 @@ private:
         if (!outcome.error.empty()) {
             failures_.push_back({index, outcome.error});
             fault_ = outcome.fault;
-            progress_.say_line("tactics: " + outcome.error);
+            progress_.say_line(phrase("tactics: {0}", outcome.error));
         } else {
             breaks_rules_ = breaks_rules_ || breaks_a_rule(outcome);
             if (needs_a_look(outcome)) doubts_.push_back({index, outcome.input});
@@ -119,29 +125,31 @@ private:
         const bool usual = request_.loudness == Loudness::usual && request_.answer == nullptr && !progress_.updates();
         const bool whole = all || (usual && request_.items.size() == 1);
         if (whole)
-            for (const std::string& line : choice_lines(outcome)) progress_.say_line(line);
+            for (const Phrase& line : choice_lines(outcome)) progress_.say_line(line);
         if (all || usual) progress_.say_line(result_line(outcome));
         for (const Note& line : further_lines(outcome))
-            if (whole || line.asks()) progress_.say_line(line.text);
+            if (whole || line.asks()) progress_.say_line(line.words);
     }
 
     void sum_up() {
         if (request_.loudness == Loudness::warnings) return;
         if (request_.loudness != Loudness::errors) {
-            say(std::to_string(done_ - failures_.size()) + " of " + std::to_string(done_) + " pictures done, " +
-                std::to_string(files_) + (files_ == 1 ? " file written" : " files written") +
-                (up_to_date_ == 0 ? "" : ", " + std::to_string(up_to_date_) + " were up to date") + ", " +
-                std::to_string(std::lround(progress_.seconds())) + " s");
+            std::vector<Phrase> parts{
+                phrase("{0} of {1} pictures done", std::to_string(done_ - failures_.size()), std::to_string(done_)),
+                phrases(files_, "{0} file written", "{0} files written")};
+            if (up_to_date_ > 0) parts.push_back(phrase("{0} were up to date", std::to_string(up_to_date_)));
+            parts.push_back(phrase("{0} s", std::to_string(std::lround(progress_.seconds()))));
+            say(row_of(parts));
             if (!doubts_.empty())
-                say(std::to_string(doubts_.size()) + (doubts_.size() == 1 ? " page needs" : " pages need") +
-                    " a look before being handed out, as told above:");
+                say(phrases(doubts_.size(), "{0} page needs a look before being handed out, as told above:",
+                            "{0} pages need a look before being handed out, as told above:"));
             std::sort(doubts_.begin(), doubts_.end());
             for (const auto& [index, input] : doubts_) say("  " + input);
         }
         if (failures_.empty()) return;
-        say(std::to_string(failures_.size()) + " of " + std::to_string(done_) + " failed:");
-        std::sort(failures_.begin(), failures_.end());
-        for (const auto& [index, message] : failures_) say("  " + message);
+        say(phrase("{0} of {1} failed:", std::to_string(failures_.size()), std::to_string(done_)));
+        std::sort(failures_.begin(), failures_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (const auto& [index, message] : failures_) say("  " + message.in(user_language()));
     }
 
     // In the order of the inputs, regardless of the order in which they finish. It may block for ever, so mutex_ is unlocked
@@ -154,10 +162,10 @@ private:
         try {
             print_out(text);
         } catch (const Error& error) {
-            if (!output_error_.empty()) return;
-            output_error_ = error.what();
+            if (std::exchange(output_failed_, true)) return;
             const std::lock_guard talk(mutex_);
-            progress_.say_line("tactics: " + output_error_);
+            failed_ = true;
+            progress_.say_line(phrase("tactics: {0}", error.told()));
         }
     }
 
@@ -169,13 +177,13 @@ private:
     std::size_t files_ = 0;
     std::size_t up_to_date_ = 0;
     bool breaks_rules_ = false;
-    std::vector<std::pair<std::size_t, std::string>> failures_;
+    std::vector<std::pair<std::size_t, Phrase>> failures_;
     Fault fault_ = Fault::failed;  // of the one picture
+    bool failed_ = false;          // what is not of one picture: a bound file, standard output
     std::vector<std::pair<std::size_t, std::string>> doubts_;
 
     std::timed_mutex output_;  // standard output and the rest; locked before mutex_, never after it
-    std::string output_error_;
-    std::string bound_error_;
+    bool output_failed_ = false;
     std::vector<std::optional<std::string>> ready_;
     std::size_t printed_ = 0;
 };

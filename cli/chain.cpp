@@ -17,7 +17,7 @@ namespace {
     const std::string near = did_you_mean(name, names);
     if (near.empty()) find_recipe(name, "--recipe");
     throw Error(Fault::usage, "--recipe",
-                "there is no recipe \"" + name + "\"" + near + "; see tactics list recipes, or name a recipe file");
+                phrase("there is no recipe \"{0}\"{1}; see tactics list recipes, or name a recipe file", name, near));
 }
 
 Recipe read_recipe(const std::string& name, RecipeWish& chain, const Disk& disk, bool with_kept) {
@@ -33,7 +33,7 @@ Recipe read_recipe(const std::string& name, RecipeWish& chain, const Disk& disk,
     }
     if (disk.is_folder(file))
         throw Error(Fault::usage, "--recipe",
-                    name + " is a folder; name a recipe file in it, or a recipe of tactics list recipes");
+                    phrase("{0} is a folder; name a recipe file in it, or a recipe of tactics list recipes", name));
     chain.file = file;
     Recipe recipe = parse_recipe(disk.read_text(file), file, filters());
     recipe.name = name;
@@ -47,7 +47,7 @@ RecipeWish read_chain(const Given& given, const Disk& disk) {
     std::vector<Step> steps;
     const auto& filter_words = given.all("--filter");
     for (std::size_t i = 0; i < filter_words.size(); ++i) {
-        if (i == kMaxRecipeSteps) throw Error(Fault::usage, "--filter", "a recipe has at most 100 filters");
+        if (i == kMaxRecipeSteps) throw Error(Fault::usage, "--filter", phrase("a recipe has at most 100 filters"));
         steps.push_back(parse_step(filter_words[i], "--filter " + std::to_string(i + 1), filters()));
     }
     const auto& sets = given.all("--set");
@@ -59,10 +59,10 @@ RecipeWish read_chain(const Given& given, const Disk& disk) {
     chain.as_drawn = chain.detail == "contours";
     if (!chain.detail.empty() && chain.detail != "touch" && chain.detail != "contours" && chain.detail != "best" &&
         !parse_number(chain.detail))
-        throw Error(Fault::usage, "--detail",
-                    "it cannot be \"" + chain.detail.substr(0, 80) + "\"" +
-                        did_you_mean(chain.detail, {"touch", "best", "contours"}) +
-                        "; it is touch, best, contours, or a number: so many times the line that touch allows");
+        throw Error(
+            Fault::usage, "--detail",
+            phrase("it cannot be \"{0}\"{1}; it is touch, best, contours, or a number: so many times the line that touch allows",
+                   chain.detail.substr(0, 80), did_you_mean(chain.detail, {"touch", "best", "contours"})));
 
     if (!given.has("--recipe") && !steps.empty()) {
         chain.base = Recipe{"made of --filter", "", std::move(steps)};

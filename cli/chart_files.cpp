@@ -31,7 +31,8 @@ std::vector<ChartFile> plan_chart_files(const Given& given, std::string_view fla
         const Request request = plan_charts(plan_outputs({"-"}, given.all(flag), {}, disk), given);
         for (const Output& output : request.items.front().outputs) {
             if (!output.folder.empty())
-                throw Error(Fault::usage, shown + " " + output.folder, "this is a folder; name a file, for example chart.pdf");
+                throw Error(Fault::usage, shown + " " + output.folder,
+                            phrase("this is a folder; name a file, for example chart.pdf"));
             charts.push_back({output.format, output.path, sheet_for(request, *output.format, request.items.front()),
                               request.settings_of(*output.format), shown + " " + output.path});
         }

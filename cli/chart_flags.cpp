@@ -28,8 +28,8 @@ int levels_value(const Given& given) {
     const auto number = parse_number(text);
     if (!number || *number != std::round(*number) || *number < kFewest || *number > kMost)
         throw Error(Fault::usage, "--levels",
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is auto, or a whole number from " + to_text(kFewest) +
-                        " to " + to_text(kMost));
+                    phrase("it cannot be \"{0}\"; it is auto, or a whole number from {1} to {2}", text.substr(0, 80),
+                           to_text(kFewest), to_text(kMost)));
     return static_cast<int>(*number);
 }
 
@@ -45,14 +45,14 @@ SectionWish section_value(const Given& given) {
         rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
         if (one.size() > 2 && one[1] == '=' && (one[0] == 'x' || one[0] == 'y')) {
             if (axis != 0 && axis != one[0])
-                throw Error(Fault::usage, "--section", "sections at x and at y do not share axes; take one of them");
+                throw Error(Fault::usage, "--section", phrase("sections at x and at y do not share axes; take one of them"));
             axis = one[0];
             one.remove_prefix(2);
         }
         const auto number = parse_number(one);
         if (axis == 0 || !number)
             throw Error(Fault::usage, "--section",
-                        "it cannot be \"" + text.substr(0, 80) + "\"; it is an axis with values, such as y=2,5,8 or x=0.5");
+                        phrase("it cannot be \"{0}\"; it is an axis with values, such as y=2,5,8 or x=0.5", text.substr(0, 80)));
         wish.at.push_back(*number);
     }
     wish.at_x = axis == 'x';
@@ -62,10 +62,10 @@ SectionWish section_value(const Given& given) {
 ChartWish chart_wish(const Given& given) {
     ChartWish wish{given.has("--grid"), view_of(given), levels_value(given), section_value(given)};
     if (given.has("--section") && given.has("--view") && wish.view != SurfaceView::sections)
-        throw Error(Fault::usage, "--section", "only --view sections has them; leave one out");
+        throw Error(Fault::usage, "--section", phrase("only --view sections has them; leave one out"));
     if (given.has("--section")) wish.view = SurfaceView::sections;
     if (given.has("--levels") && wish.view != SurfaceView::contours)
-        throw Error(Fault::usage, "--levels", "only --view contours has them; leave one out");
+        throw Error(Fault::usage, "--levels", phrase("only --view contours has them; leave one out"));
     return wish;
 }
 

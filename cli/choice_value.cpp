@@ -14,9 +14,9 @@ std::optional<std::size_t> choice_value(const Given& given, std::string_view nam
     const std::string text = given.value(name);
     const auto found = std::find(words.begin(), words.end(), text);
     if (found == words.end())
-        throw Error(
-            Fault::usage, name,
-            "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, words) + "; it is " + joined(words, ", ", " or "));
+        throw Error(Fault::usage, name,
+                    phrase("it cannot be \"{0}\"{1}; it is {2}", text.substr(0, 80), did_you_mean(text, words),
+                           either_of({words.begin(), words.end()})));
     return static_cast<std::size_t>(found - words.begin());
 }
 

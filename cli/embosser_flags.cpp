@@ -38,8 +38,7 @@ Settings embosser_settings(const Format& format, const Given& given) {
     for (const std::string& text : given.all("--set")) {
         const Change change = parse_change(text, "--set");
         if (change.name != format.name)
-            throw Error(Fault::usage, "--set",
-                        "it is " + std::string(format.name) + ".OPTION=VALUE; see tactics help " + std::string(format.name));
+            throw Error(Fault::usage, "--set", phrase("it is {0}.OPTION=VALUE; see tactics help {0}", format.name));
         settings.set(change.option, change.value, change.place, change.name);
     }
     return settings;

@@ -20,9 +20,9 @@ std::string bytes_of_list(const std::string& path) {
     for (std::size_t size = 0; (size = std::fread(part, 1, sizeof part, source.file.get())) > 0;) {
         text.append(part, size);
         if (text.size() > kMostBytes)
-            throw Error(Fault::failed, source.name, "this list of files has over 64 MB; cut it into parts");
+            throw Error(Fault::failed, source.name, phrase("this list of files has over 64 MB; cut it into parts"));
     }
-    if (std::ferror(source.file.get()) != 0) throw Error(Fault::failed, source.name, "it cannot be read");
+    if (std::ferror(source.file.get()) != 0) throw Error(Fault::failed, source.name, phrase("it cannot be read"));
     return text;
 }
 
@@ -44,17 +44,17 @@ std::vector<std::string> named_files(const Given& given) {
     std::vector<std::string> names = given.words;
     if (!given.has("--files-from")) {
         if (given.has("--null"))
-            throw Error(Fault::usage, "--null", "it is about the list of --files-from, and none is named; leave it out");
+            throw Error(Fault::usage, "--null", phrase("it is about the list of --files-from, and none is named; leave it out"));
         return names;
     }
     const std::string path = given.value("--files-from");
     const std::string list = bytes_of_list(path);
     if (!given.has("--null") && list.find('\0') != std::string::npos)
-        throw Error(Fault::usage, "--files-from", "there are zero bytes in this list; add --null if they part its names");
+        throw Error(Fault::usage, "--files-from", phrase("there are zero bytes in this list; add --null if they part its names"));
     for (std::string& name : names_in(list, given.has("--null"))) names.push_back(std::move(name));
-    if (names.empty()) throw Error(Fault::usage, "--files-from", "this list names no picture");
+    if (names.empty()) throw Error(Fault::usage, "--files-from", phrase("this list names no picture"));
     if (path == "-" && std::find(names.begin(), names.end(), "-") != names.end())
-        throw Error(Fault::usage, "--files-from", "standard input (-) is the list, so it cannot be a picture, too");
+        throw Error(Fault::usage, "--files-from", phrase("standard input (-) is the list, so it cannot be a picture, too"));
     return names;
 }
 

@@ -23,8 +23,8 @@ double length_value(const Given& given, std::string_view name, double least) {
     const auto length = parse_length(text);
     if (!length || *length < least)
         throw Error(Fault::usage, name,
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a length such as 12mm or 0.5in, at least " +
-                        to_text(least) + " mm");
+                    phrase("it cannot be \"{0}\"; it is a length such as 12mm or 0.5in, at least {1} mm", text.substr(0, 80),
+                           to_text(least)));
     return *length;
 }
 
@@ -33,7 +33,8 @@ double number_value(const Given& given, std::string_view name, double fallback, 
     const auto number = parse_number(given.value(name));
     if (!number || *number < least || *number > most || (whole && *number != std::floor(*number)))
         throw Error(Fault::usage, name,
-                    (whole ? "it is a whole number from " : "it is a number from ") + to_text(least) + " to " + to_text(most));
+                    whole ? phrase("it is a whole number from {0} to {1}", to_text(least), to_text(most))
+                          : phrase("it is a number from {0} to {1}", to_text(least), to_text(most)));
     return *number;
 }
 
@@ -41,7 +42,7 @@ int page_value(const Given& given) {
     if (!given.has("--page")) return 0;
     const auto page = parse_number(given.value("--page"));
     if (!page || *page < 1 || *page > 1e6 || *page != std::floor(*page))
-        throw Error(Fault::usage, "--page", "it is the number of a page, from 1");
+        throw Error(Fault::usage, "--page", phrase("it is the number of a page, from 1"));
     return static_cast<int>(*page);
 }
 
@@ -60,10 +61,10 @@ std::vector<int> pages_value(const Given& given) {
             return page && *page >= 1 && *page <= 1e6 && *page == std::floor(*page);
         };
         if (!whole(first) || !whole(last) || *last < *first)
-            throw Error(Fault::usage, "--page", "it is the number of a page, from 1, or several such as 1-3,7");
+            throw Error(Fault::usage, "--page", phrase("it is the number of a page, from 1, or several such as 1-3,7"));
         for (double page = *first; page <= *last; ++page)
             if (pages.insert(static_cast<int>(page)).second && pages.size() > kMost)
-                throw Error(Fault::usage, "--page", "these are over 10,000 pages; convert them in parts");
+                throw Error(Fault::usage, "--page", phrase("these are over 10,000 pages; convert them in parts"));
     }
     return {pages.begin(), pages.end()};
 }
@@ -73,8 +74,8 @@ std::vector<std::string> allowed_formats(const Given& given) {
     for (const std::string& name : given.all("--allow"))
         if (std::find(names.begin(), names.end(), name) == names.end())
             throw Error(Fault::usage, "--allow",
-                        "it cannot be \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) +
-                            "; it is psd or ico, all other formats are read anyway");
+                        phrase("it cannot be \"{0}\"{1}; it is psd or ico, all other formats are read anyway", name.substr(0, 80),
+                               did_you_mean(name, names)));
     return given.all("--allow");
 }
 
@@ -85,7 +86,7 @@ int workers_value(const Given& given) {
     if (!number || *number < 1 || *number > kMostWorkers || *number != static_cast<int>(*number))
         throw Error(
             Fault::usage, "--jobs",
-            "it cannot be \"" + text.substr(0, 80) + "\"; it is a whole number from 1 to " + std::to_string(kMostWorkers));
+            phrase("it cannot be \"{0}\"; it is a whole number from 1 to {1}", text.substr(0, 80), std::to_string(kMostWorkers)));
     return static_cast<int>(*number);
 }
 
@@ -96,7 +97,7 @@ Loudness loudness_value(const Given& given) {
     Loudness loudness = Loudness::usual;
     for (const auto& [flag, way] : kWays) {
         if (!given.has(flag)) continue;
-        if (!named.empty()) throw Error(Fault::usage, flag, "give this or " + std::string(named) + ", not both");
+        if (!named.empty()) throw Error(Fault::usage, flag, phrase("give this or {0}, not both", named));
         named = flag;
         loudness = way;
     }
@@ -112,7 +113,7 @@ ProgressWay progress_of(const std::string& text, std::string_view place) {
         names.push_back(name);
     }
     throw Error(Fault::usage, place,
-                "it cannot be \"" + text.substr(0, 80) + "\"" + did_you_mean(text, names) + "; it is none, lines or bar");
+                phrase("it cannot be \"{0}\"{1}; it is none, lines or bar", text.substr(0, 80), did_you_mean(text, names)));
 }
 
 ProgressWay progress_value(const Given& given) {

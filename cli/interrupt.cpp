@@ -34,7 +34,7 @@ void tell(int number) {
 Interrupt::Interrupt(std::function<void()> before_end) : before_end_(std::move(before_end)) {
     if (pipe2(pipe_.data(), O_CLOEXEC) != 0)
         throw Error(Fault::failed, "",
-                    "nothing can be begun: " + std::string(std::strerror(errno)) + "; raise the limit of open files (ulimit -n)");
+                    phrase("nothing can be begun: {0}; raise the limit of open files (ulimit -n)", std::strerror(errno)));
     fcntl(pipe_[1], F_SETFL, O_NONBLOCK);
     to_thread = pipe_[1];
     thread_ = std::thread([this] { wait(); });

@@ -24,7 +24,7 @@ constexpr std::string_view kFile = "/defaults";
 // A name is looked up where it is used, as that takes reading the table; a path must mean the same file from any folder.
 void check_braille_name(const std::string& value, const std::string& place) {
     if (value.find('/') != std::string::npos && !value.starts_with('/'))
-        throw Error(Fault::usage, place, "a braille table of your own is kept by its whole path, which begins with /");
+        throw Error(Fault::usage, place, phrase("a braille table of your own is kept by its whole path, which begins with /"));
 }
 
 constexpr KeptWord kWords[] = {
@@ -84,13 +84,14 @@ const KeptWord& find_kept_word(std::string_view name, std::string_view place) {
         if (word.name == name) return word;
         names.push_back(word.name);
     }
-    throw Error(Fault::usage, place,
-                "\"" + std::string(name.substr(0, 80)) + "\" cannot be kept" + did_you_mean(name, names) +
-                    "; tactics defaults shows what can");
+    throw Error(
+        Fault::usage, place,
+        phrase("\"{0}\" cannot be kept{1}; tactics defaults shows what can", name.substr(0, 80), did_you_mean(name, names)));
 }
 
 std::vector<KeptChoice> parse_kept(std::string_view text, const std::string& file) {
-    if (text.size() > kMaxRecipeBytes) throw Error(Fault::usage, file, "it is over 64 KB long; it is to hold a few lines");
+    if (text.size() > kMaxRecipeBytes)
+        throw Error(Fault::usage, file, phrase("it is over 64 KB long; it is to hold a few lines"));
     std::vector<KeptChoice> choices;
     each_line(text, [&](std::string_view line, std::size_t number) {
         const auto [name, value] = read_line(trimmed(line));
@@ -98,14 +99,13 @@ std::vector<KeptChoice> parse_kept(std::string_view text, const std::string& fil
         const std::string place = file + ":" + std::to_string(number);
         const KeptWord& word = find_kept_word(name, place);
         if (value.empty())
-            throw Error(Fault::usage, place,
-                        "the value is missing; write for example " + std::string(name) + " " + std::string(word.value));
+            throw Error(Fault::usage, place, phrase("the value is missing; write for example {0} {1}", name, word.value));
         const auto other =
             std::find_if(choices.begin(), choices.end(), [&](const KeptChoice& choice) { return choice.word == &word; });
         if (other != choices.end())
             throw Error(Fault::usage, place,
-                        std::string(name) + " stands in line " + other->place.substr(other->place.rfind(':') + 1) +
-                            ", too; keep one of the two");
+                        phrase("{0} stands in line {1}, too; keep one of the two", name,
+                               other->place.substr(other->place.rfind(':') + 1)));
         word.check(std::string(value), place);
         choices.push_back({&word, std::string(value), place});
     });
@@ -134,7 +134,8 @@ std::string own_kept_file() {
     if (folder.empty())
         throw Error(
             Fault::failed, "defaults",
-            "neither XDG_CONFIG_HOME nor HOME names a folder to keep them in; set one of them to a path that begins with /");
+            phrase(
+                "neither XDG_CONFIG_HOME nor HOME names a folder to keep them in; set one of them to a path that begins with /"));
     return folder + std::string(kFile);
 }
 

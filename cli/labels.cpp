@@ -22,14 +22,15 @@ std::vector<PlacedWords> said_labels(const Given& given) {
     std::vector<PlacedWords> labels;
     const auto& words = given.all("--label");
     if (words.size() > kMostLabels)
-        throw Error(Fault::usage, "--label", "these are over 1000 labels, more than a page has room for");
+        throw Error(Fault::usage, "--label", phrase("these are over 1000 labels, more than a page has room for"));
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string origin = "--label " + std::to_string(i + 1);
         const std::string_view word = words[i];
         const auto equals = word.find('=');
         if (equals == std::string_view::npos)
-            throw Error(Fault::usage, origin,
-                        "\"" + words[i].substr(0, 80) + "\" is no label; write X,Y=WORDS, for example \"30%,40%=City Park\"");
+            throw Error(
+                Fault::usage, origin,
+                phrase("\"{0}\" is no label; write X,Y=WORDS, for example \"30%,40%=City Park\"", words[i].substr(0, 80)));
         labels.push_back(label_of(word.substr(0, equals), trimmed(word.substr(equals + 1)), origin));
     }
     return labels;
@@ -43,9 +44,10 @@ void plan_labels(std::vector<Item>& items, const Given& given, const Disk& disk)
     if (given.has("--labels") && !disk.is_folder(from) && items.size() > 1)
         throw Error(
             Fault::usage, "--labels",
-            from + " would label every picture alike; name a folder with a file for each, such as map.labels for map.png");
+            phrase("{0} would label every picture alike; name a folder with a file for each, such as map.labels for map.png",
+                   from));
     if (given.has("--bare") && (given.has("--label") || given.has("--labels")))
-        throw Error(Fault::usage, "--bare", "the drawing alone has no labels; leave out --bare or the labels");
+        throw Error(Fault::usage, "--bare", phrase("the drawing alone has no labels; leave out --bare or the labels"));
     const SubjectWish wish = subject_value(given);
     for (Item& item : items) {
         item.labels = said;

@@ -20,22 +20,24 @@ bool is_table_of(const std::string& table, const std::string& language, const st
 std::string base_of(const std::string& tag) { return tag.substr(0, tag.find('-')); }
 
 void take_table_of(const std::string& language, std::vector<BrailleTable> all, bool tell, Sheet& sheet,
-                   std::vector<std::string>& notes) {
+                   std::vector<Phrase>& notes) {
     const std::string table = table_for_tag(language, std::move(all));
     if (table.empty()) {
-        notes.push_back("no braille table is installed for the language " + language + ", so " + sheet.braille_table +
-                        " is used; name another with --braille, or none");
+        notes.push_back(
+            phrase("no braille table is installed for the language {0}, so {1} is used; name another with --braille, or none",
+                   language, sheet.braille_table));
         return;
     }
     sheet.braille_table = table;
     if (table != kEnglishTable && tell)
-        notes.push_back("braille by " + table + ", as the language is " + language +
-                        "; --braille names another, and tactics list braille shows all");
+        notes.push_back(
+            phrase("braille by {0}, as the language is {1}; --braille names another, and tactics list braille shows all", table,
+                   language));
 }
 
 }  // namespace
 
-void plan_language(Sheet& sheet, const Given& given, std::vector<std::string>& notes) {
+void plan_language(Sheet& sheet, const Given& given, std::vector<Phrase>& notes) {
     const bool typed = given.has("--language");
     if (typed)
         sheet.language = language_of(given.value("--language"), "--language");

@@ -7,11 +7,12 @@
 
 #include "cli/command.h"
 #include "tactics/layout/sheet.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 /// --language and --braille override the kept choices. A language brings its table if none is named; a kept table applies only
 /// with its own language. `notes` gets the choice. Throws Error(usage).
-void plan_language(Sheet& sheet, const Given& given, std::vector<std::string>& notes);
+void plan_language(Sheet& sheet, const Given& given, std::vector<Phrase>& notes);
 
 }  // namespace tactics

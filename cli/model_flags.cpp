@@ -24,7 +24,7 @@ void set_one(Settings& settings, std::string_view word, const std::string& place
     const auto equals = word.find('=');
     if (equals == std::string_view::npos)
         throw Error(Fault::usage, place,
-                    "\"" + std::string(word.substr(0, 80)) + "\" is no setting; write SETTING=VALUE, as in tactics help model");
+                    phrase("\"{0}\" is no setting; write SETTING=VALUE, as in tactics help model", word.substr(0, 80)));
     settings.set(word.substr(0, equals), word.substr(equals + 1), place, "fold-out");
 }
 
@@ -69,14 +69,14 @@ ModelDrawingWish model_wish(const Given& given) {
         if (!given.has(of_objects)) continue;
         if (wish.view == ModelView::heights)
             throw Error(Fault::usage, of_objects,
-                        "does nothing with --model heights, which has no objects; leave one of them out");
+                        phrase("does nothing with --model heights, which has no objects; leave one of them out"));
         if (wish.view == ModelView::automatic) wish.view = ModelView::fold_out;
     }
     if (given.has("--reader")) take_reader(wish.fold, given.value("--reader"));
     int number = 0;
     for (const std::string& text : given.all("--fold")) take_words(wish.fold, text, "--fold " + std::to_string(++number));
     if (wish.fold.section > 0 && wish.view != ModelView::views)
-        throw Error(Fault::usage, "--fold", "section is a setting of --model views; add that, or leave it out");
+        throw Error(Fault::usage, "--fold", phrase("section is a setting of --model views; add that, or leave it out"));
     return wish;
 }
 

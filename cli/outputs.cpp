@@ -24,18 +24,18 @@ std::vector<std::string_view> format_names() {
 }
 
 // A format, or a machine by its model, with a note on its driver.
-const Format* format_called(std::string_view name, std::vector<std::string>& told) {
+const Format* format_called(std::string_view name, std::vector<Phrase>& told) {
     if (const Format* format = find_format(name)) return format;
     const Format* format = find_model(name);
     if (format != nullptr) told.push_back(driven_as(name, *format));
     return format;
 }
 
-const Format& named_format(std::string_view name, std::string_view place, std::vector<std::string>& told) {
+const Format& named_format(std::string_view name, std::string_view place, std::vector<Phrase>& told) {
     if (const Format* format = format_called(name, told)) return *format;
     throw Error(Fault::usage, place,
-                "there is no format \"" + std::string(name.substr(0, 80)) + "\"" + did_you_mean(name, format_names()) +
-                    "; see tactics list formats");
+                phrase("there is no format \"{0}\"{1}; see tactics list formats", name.substr(0, 80),
+                       did_you_mean(name, format_names())));
 }
 
 // One -o, taken apart.
@@ -45,21 +45,21 @@ struct Wish {
     bool folder = false;
 };
 
-Wish read_wish(const std::string& out, const Disk& disk, std::vector<std::string>& told) {
+Wish read_wish(const std::string& out, const Disk& disk, std::vector<Phrase>& told) {
     Wish wish{nullptr, out, false};
     const auto colon = out.find(':');
     if (colon != std::string::npos) {
         wish.format = format_called(out.substr(0, colon), told);
         if (wish.format != nullptr) wish.path = out.substr(colon + 1);
     }
-    if (wish.path.empty()) throw Error(Fault::usage, "-o " + out, "the name of a file or folder is missing");
+    if (wish.path.empty()) throw Error(Fault::usage, "-o " + out, phrase("the name of a file or folder is missing"));
     if (const auto end = wish.path.find_last_not_of('/'); wish.path.back() == '/' && end != std::string::npos) {
         const std::string name = wish.path.substr(0, end + 1);
         if (disk.exists(name) && !disk.is_folder(name))
             throw Error(Fault::usage, "-o " + out,
-                        name +
-                            " is a file, so it cannot be a folder; choose another name for the folder, or leave out the / "
-                            "to replace the file");
+                        phrase("{0} is a file, so it cannot be a folder; choose another name for the folder, or leave out the / "
+                               "to replace the file",
+                               name));
     }
     wish.folder = wish.path != "-" && (wish.path.back() == '/' || disk.is_folder(wish.path));
     if (wish.folder || wish.format != nullptr) return wish;
@@ -67,19 +67,22 @@ Wish read_wish(const std::string& out, const Disk& disk, std::vector<std::string
     wish.format = format_of_path(wish.path);
     if (wish.format != nullptr) return wish;
     const std::string place = "-o " + out;
-    if (out == "-") throw Error(Fault::usage, place, "name the format for standard output, for example -o pdf:-");
+    if (out == "-") throw Error(Fault::usage, place, phrase("name the format for standard output, for example -o pdf:-"));
     if (colon != std::string::npos && out.find('/') > colon) named_format(out.substr(0, colon), place, told);
     if (out.ends_with(".prn"))
         throw Error(Fault::usage, place,
-                    "an embosser's file is for one machine; name it, as in index-v4:" + out +
-                        ", or keep one: tactics defaults set machine index-v4");
+                    phrase("an embosser's file is for one machine; name it, as in index-v4:{0}, or keep one: tactics defaults "
+                           "set machine index-v4",
+                           out));
     const auto dot = out.rfind('.');
     const bool ending = dot != std::string::npos && out.find('/', dot) == std::string::npos;
     throw Error(Fault::usage, place,
-                (ending ? "the ending " + out.substr(dot).substr(0, 40) + " names no format" +
-                              did_you_mean(out.substr(dot + 1), format_names())
-                        : std::string("this is no folder and its name has no ending")) +
-                    "; end it in .pdf or another of tactics list formats, write pdf:" + out + ", or end a folder in /");
+                ending ? phrase("the ending {0} names no format{1}; end it in .pdf or another of tactics list formats, write "
+                                "pdf:{2}, or end a folder in /",
+                                out.substr(dot).substr(0, 40), did_you_mean(out.substr(dot + 1), format_names()), out)
+                       : phrase("this is no folder and its name has no ending; end it in .pdf or another of tactics list "
+                                "formats, write pdf:{0}, or end a folder in /",
+                                out));
 }
 
 std::string extension_of(const Format& format) {
@@ -107,36 +110,39 @@ void refuse_losses(const std::vector<Item>& items, const Disk& disk) {
             const auto picture = pictures.find(identity);
             if (picture != pictures.end())
                 throw Error(Fault::usage, output.path,
-                            "this would replace the picture " + picture->second + "; choose another name or folder");
+                            phrase("this would replace the picture {0}; choose another name or folder", picture->second));
             const auto [other, fresh] = made_from.emplace(identity, &item);
             if (fresh || (output.bound && other->second != &item && binds(*other->second, identity, disk))) continue;
             const std::string name = shown(output.path, "standard output");
-            if (other->second == &item) throw Error(Fault::usage, "-o", name + " is named twice; name it once");
+            if (other->second == &item) throw Error(Fault::usage, "-o", phrase("{0} is named twice; name it once", name));
             if (other->second->input == item.input)
-                throw Error(Fault::usage, item.input, "this picture is named twice; name it once");
+                throw Error(Fault::usage, item.input, phrase("this picture is named twice; name it once"));
             throw Error(Fault::usage, "-o",
-                        other->second->input + " and " + item.input + " would both be written to " + name +
-                            "; convert them into different folders or rename one");
+                        phrase("{0} and {1} would both be written to {2}; convert them into different folders or rename one",
+                               other->second->input, item.input, name));
         }
     }
+}
+
+void check_named(const std::vector<std::string>& inputs, const std::vector<std::string>& outs) {
+    if (inputs.empty())
+        throw Error(Fault::usage, "convert", phrase("no picture is named; for example: tactics convert photo.jpg -o photo.pdf"));
+    if (outs.empty()) {
+        const std::string name = inputs.size() == 1 ? stem_of(inputs[0]) + ".pdf" : std::string("pages/");
+        throw Error(Fault::usage, "convert", phrase("where to write is missing; add for example -o {0}", name));
+    }
+    if (std::count(inputs.begin(), inputs.end(), "-") > 1)
+        throw Error(Fault::usage, "convert", phrase("standard input (-) is named twice; it can be read once"));
 }
 
 }  // namespace
 
 std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outs,
                                const std::vector<std::string>& to, const Disk& disk, const std::vector<int>& pages,
-                               std::vector<std::string>* notes) {
-    std::vector<std::string> unheard;
-    std::vector<std::string>& told = notes != nullptr ? *notes : unheard;
-    if (inputs.empty())
-        throw Error(Fault::usage, "convert", "no picture is named; for example: tactics convert photo.jpg -o photo.pdf");
-    if (outs.empty()) {
-        const std::string name = inputs.size() == 1 ? stem_of(inputs[0]) + ".pdf" : std::string("pages/");
-        throw Error(Fault::usage, "convert", "where to write is missing; add for example -o " + name);
-    }
-    if (std::count(inputs.begin(), inputs.end(), "-") > 1)
-        throw Error(Fault::usage, "convert", "standard input (-) is named twice; it can be read once");
-
+                               std::vector<Phrase>* notes) {
+    std::vector<Phrase> unheard;
+    std::vector<Phrase>& told = notes != nullptr ? *notes : unheard;
+    check_named(inputs, outs);
     std::vector<const Format*> folder_formats;
     for (const auto& name : to) {
         const Format* format = &named_format(name, "--to", told);
@@ -154,12 +160,16 @@ std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std
         to_is_used = to_is_used || (wish.folder && wish.format == nullptr);
         if (!wish.folder && several && wish.format->encode_pages == nullptr)
             throw Error(Fault::usage, "-o " + out,
-                        std::string(wish.format->name) + " holds one page, and there are several " +
-                            (inputs.size() > 1 ? "pictures" : "pages of a PDF") +
-                            "; name a folder, which ends in /, for example -o pages/, or a pdf, which holds all");
+                        inputs.size() > 1 ? phrase("{0} holds one page, and there are several pictures; name a folder, which "
+                                                   "ends in /, for example -o pages/, or a pdf, which holds all",
+                                                   wish.format->name)
+                                          : phrase("{0} holds one page, and there are several pages of a PDF; name a folder, "
+                                                   "which ends in /, for example -o pages/, or a pdf, which holds all",
+                                                   wish.format->name));
     }
     if (!to_is_used)
-        throw Error(Fault::usage, "--to", "it names the formats for a folder, and no -o is a folder; end a folder's name in /");
+        throw Error(Fault::usage, "--to",
+                    phrase("it names the formats for a folder, and no -o is a folder; end a folder's name in /"));
 
     std::vector<Item> items;
     for (std::size_t i = 0; i < inputs.size() * pages.size(); ++i) {

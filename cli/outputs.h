@@ -7,6 +7,7 @@
 
 #include "tactics/job/disk.h"
 #include "tactics/job/item.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -16,6 +17,6 @@ namespace tactics {
 /// or an output that would overwrite an input.
 std::vector<Item> plan_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outs,
                                const std::vector<std::string>& to, const Disk& disk, const std::vector<int>& pages = {0},
-                               std::vector<std::string>* notes = nullptr);
+                               std::vector<Phrase>* notes = nullptr);
 
 }  // namespace tactics

@@ -22,8 +22,8 @@ const Flag* find_flag(std::span<const Flag> flags, std::string_view name) {
     for (const Flag& flag : flags) names.push_back(flag.name);
     const std::string name = word.substr(0, word.find('=')).substr(0, 80);
     throw Error(Fault::usage, "",
-                "there is no option " + name + did_you_mean(name, names) + "; see tactics help " + std::string(command.name) +
-                    ", and write ./" + name + " for a file of that name");
+                phrase("there is no option {0}{1}; see tactics help {2}, and write ./{0} for a file of that name", name,
+                       did_you_mean(name, names), command.name));
 }
 
 // Parses the words in order, by the rules of POSIX and GNU (Utility Conventions, guidelines 3 to 11; getopt_long).
@@ -49,14 +49,14 @@ public:
 
     Given given() && {
         if (waiting_ != nullptr)
-            throw Error(Fault::usage, last_, "its value is missing; write " + last_ + " " + std::string(waiting_->value));
+            throw Error(Fault::usage, last_, phrase("its value is missing; write {0} {1}", last_, waiting_->value));
         if (unknown_) refuse_unknown(command_, flags_, *unknown_);
         Given given(command_.flags);
         given.words = std::move(words_);
         for (std::size_t i = 0; i < flags_.size(); ++i) {
             const bool is_switch = flags_[i].value.empty();
             if (values_[i].size() > 1 && !flags_[i].repeatable) {
-                if (!is_switch) throw Error(Fault::usage, flags_[i].name, "this option is given twice; give it once");
+                if (!is_switch) throw Error(Fault::usage, flags_[i].name, phrase("this option is given twice; give it once"));
                 values_[i].resize(1);
             }
             for (auto& value : values_[i]) given.add(flags_[i].name, std::move(value));
@@ -84,7 +84,7 @@ private:
             meet(*flag, std::nullopt);
         } else {
             if (flag->value.empty())
-                throw Error(Fault::usage, flag->name, "this option takes no value; leave out " + word.substr(equals));
+                throw Error(Fault::usage, flag->name, phrase("this option takes no value; leave out {0}", word.substr(equals)));
             meet(*flag, word.substr(equals + 1));
         }
     }

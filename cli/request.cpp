@@ -39,11 +39,11 @@ void plan_scale(Sheet& sheet, const Given& given) {
     if (given.has("--real-width")) {
         sheet.real_width = length_value(given, "--real-width", 1e-3);
         if (*sheet.real_width > kMost)
-            throw Error(Fault::usage, "--real-width", "over 100,000 km there is no page to scale; give less");
+            throw Error(Fault::usage, "--real-width", phrase("over 100,000 km there is no page to scale; give less"));
     }
     if (!given.has("--scale")) return;
     if (given.has("--width"))
-        throw Error(Fault::usage, "--scale", "the scale says how wide the drawing is; leave out --width or --scale");
+        throw Error(Fault::usage, "--scale", phrase("the scale says how wide the drawing is; leave out --width or --scale"));
     sheet.scale = scale_value(given);
 }
 
@@ -54,9 +54,9 @@ void plan_words(Request& request, const Given& given) {
     request.words = words != nullptr ? find_words_wish(words->value, words->place)
                                      : find_words_wish(given.value("--words", "auto"), "--words");
     if (given.has("--describe") && request.items.size() > 1)
-        throw Error(Fault::usage, "--describe", "one text cannot describe several pictures; convert them one by one");
+        throw Error(Fault::usage, "--describe", phrase("one text cannot describe several pictures; convert them one by one"));
     if (request.sheet.description.size() > kLongest)
-        throw Error(Fault::usage, "--describe", "the description is over 10000 bytes long; shorten it");
+        throw Error(Fault::usage, "--describe", phrase("the description is over 10000 bytes long; shorten it"));
 }
 
 // What any page has, a chart's too.
@@ -84,19 +84,20 @@ void plan_page(Request& request, const Given& given) {
     request.sheet.bare = given.has("--bare");
     request.title_from_name = given.has("--title-from-name");
     if (request.title_from_name && !request.sheet.title.empty())
-        throw Error(Fault::usage, "--title-from-name", "give this or --title, not both");
+        throw Error(Fault::usage, "--title-from-name", phrase("give this or --title, not both"));
     if (request.sheet.bare && request.sheet.tiles.several())
-        throw Error(Fault::usage, "--bare", "the drawing alone is not cut into sheets; leave out --bare or --tiles");
+        throw Error(Fault::usage, "--bare", phrase("the drawing alone is not cut into sheets; leave out --bare or --tiles"));
     if (request.sheet.bare && request.sheet.duplex)
-        throw Error(Fault::usage, "--bare", "the drawing alone has no back; leave out --bare or --duplex");
+        throw Error(Fault::usage, "--bare", phrase("the drawing alone has no back; leave out --bare or --duplex"));
     if (request.sheet.bare && request.sheet.binding)
-        throw Error(Fault::usage, "--bare", "the drawing alone is not bound; leave out --bare or --binding");
+        throw Error(Fault::usage, "--bare", phrase("the drawing alone is not bound; leave out --bare or --binding"));
     if (request.sheet.bare && (request.sheet.real_width || request.sheet.scale))
-        throw Error(Fault::usage, "--bare", "the drawing alone has no scale bar; leave out --real-width and --scale, or --bare");
+        throw Error(Fault::usage, "--bare",
+                    phrase("the drawing alone has no scale bar; leave out --real-width and --scale, or --bare"));
     if (request.sheet.bare && !request.sheet.caption.empty())
-        throw Error(Fault::usage, "--bare", "the drawing alone has no caption; leave out --caption or --bare");
+        throw Error(Fault::usage, "--bare", phrase("the drawing alone has no caption; leave out --caption or --bare"));
     if (request.sheet.bare && (request.title_from_name || !request.sheet.title.empty()))
-        throw Error(Fault::usage, "--bare", "the drawing alone has no title; leave out --title or --bare");
+        throw Error(Fault::usage, "--bare", phrase("the drawing alone has no title; leave out --title or --bare"));
 }
 
 bool has_option(const Format& format, std::string_view name) {
@@ -125,7 +126,7 @@ void plan_dpi(Request& request, const Given& given) {
     }
     if (!request.fixed_dpi)
         throw Error(Fault::usage, "--dpi",
-                    "no output is made of pixels, so this would do nothing; write a png or tiff, or leave it out");
+                    phrase("no output is made of pixels, so this would do nothing; write a png or tiff, or leave it out"));
 }
 
 void plan_sets(Request& request, const Given& given) {
@@ -138,7 +139,8 @@ void plan_sets(Request& request, const Given& given) {
             settings->set(change.option, change.value, change.place, change.name);
             if (change.option == "dpi" || change.option == "width") request.fixed_dpi = true;
         } else if (!filter) {
-            throw Error(Fault::usage, change.place, "no output is " + change.name + ", so this would do nothing; leave it out");
+            throw Error(Fault::usage, change.place,
+                        phrase("no output is {0}, so this would do nothing; leave it out", change.name));
         }
     }
 }
@@ -158,9 +160,9 @@ MadeWith plan_models(Request& request, const std::vector<std::string>& outs, con
         const std::string own(find_format(name) != nullptr ? "" : settings_of_model(name));
         for (const auto& [other, others] : set)
             if (other == format && others != own)
-                throw Error(Fault::usage, place,
-                            "another output is driven as " + std::string(format->name) +
-                                " for another model; convert for one machine at a time");
+                throw Error(
+                    Fault::usage, place,
+                    phrase("another output is driven as {0} for another model; convert for one machine at a time", format->name));
         set.emplace_back(format, own);
         if (!own.empty()) set_model(*settings, name, place);
     }
@@ -194,14 +196,14 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     for (const Item& item : request.items)
         for (const Output& output : item.outputs)
             if (given.has("--cell") && output.format->dots != nullptr)
-                throw Error(Fault::usage, "--cell",
-                            std::string(output.format->name) + " has braille of its own size; leave it out");
+                throw Error(Fault::usage, "--cell", phrase("{0} has braille of its own size; leave it out", output.format->name));
     request.table = table_wish(given);
     request.model = model_wish(given);
     request.as_text = given.has("--text");
     if (request.as_text)
         for (const std::string_view flag : kOfDrawings)
-            if (given.has(flag)) throw Error(Fault::usage, flag, "it is about drawings, and --text makes none; leave it out");
+            if (given.has(flag))
+                throw Error(Fault::usage, flag, phrase("it is about drawings, and --text makes none; leave it out"));
     request.allowed = allowed_formats(given);
     plan_settings(request);
     plan_machine(request, given);
@@ -214,7 +216,8 @@ void plan_drawing(Request& request, const Given& given, const Disk& disk) {
     const bool labelled =
         std::any_of(request.items.begin(), request.items.end(), [](const Item& item) { return !item.labels.empty(); });
     if (labelled && request.sheet.tiles.several() && request.sheet.braille_table.empty())
-        throw Error(Fault::usage, "--tiles", "labels in print would be cut; leave out --braille none, the labels or --tiles");
+        throw Error(Fault::usage, "--tiles",
+                    phrase("labels in print would be cut; leave out --braille none, the labels or --tiles"));
 }
 
 // Reports a margin that leaves nothing once, not for each picture. Ignores everything that depends on the picture's shape.
@@ -236,26 +239,27 @@ void plan_standard_output(const Request& request) {
             if (output.path == "-" && (!output.bound || &item == &request.items.front())) ++users;
     if (users > 1)
         throw Error(Fault::usage, "standard output",
-                    "only one can be written to it: a page, --json or --save-recipe; write the others to files");
+                    phrase("only one can be written to it: a page, --json or --save-recipe; write the others to files"));
 }
 
 void plan_saving(Request& request, const Given& given, const Disk& disk) {
     request.save_recipe = given.value("--save-recipe");
     if (!given.has("--save-recipe")) return;
-    if (request.save_recipe.empty()) throw Error(Fault::usage, "--save-recipe", "the name of the file is missing");
+    if (request.save_recipe.empty()) throw Error(Fault::usage, "--save-recipe", phrase("the name of the file is missing"));
     if (!request.chain.base && request.items.size() > 1)
         throw Error(Fault::usage, "--save-recipe",
-                    "auto may choose another recipe for each picture; name one with --recipe, or convert one picture");
+                    phrase("auto may choose another recipe for each picture; name one with --recipe, or convert one picture"));
     if (request.save_recipe == "-") return;
     const std::string identity = disk.identity(request.save_recipe);
     if (!request.chain.file.empty() && disk.identity(request.chain.file) == identity)
         throw Error(Fault::usage, "--save-recipe",
-                    request.save_recipe + " is the recipe that is read, with its comments; choose another name");
+                    phrase("{0} is the recipe that is read, with its comments; choose another name", request.save_recipe));
     for (const Item& item : request.items) {
         bool taken = item.input != "-" && disk.identity(item.input) == identity;
         for (const Output& output : item.outputs) taken = taken || (output.path != "-" && disk.identity(output.path) == identity);
         if (taken)
-            throw Error(Fault::usage, "--save-recipe", request.save_recipe + " is a picture or an output; choose another name");
+            throw Error(Fault::usage, "--save-recipe",
+                        phrase("{0} is a picture or an output; choose another name", request.save_recipe));
     }
 }
 
@@ -275,8 +279,8 @@ void turn_alike(Request& request) {
     for (const Output& output : request.items.front().outputs) {
         if (!output.bound || holds_several_sizes(*output.format)) continue;
         request.sheet.orientation = Orientation::portrait;
-        request.notes.push_back(output.path +
-                                " holds pages of one size, so all pages stand upright; --orientation landscape turns them");
+        request.notes.push_back(
+            phrase("{0} holds pages of one size, so all pages stand upright; --orientation landscape turns them", output.path));
         return;
     }
 }
@@ -286,7 +290,7 @@ Request plan(const Given& given, const Disk& disk) {
     const std::vector<int> pages = pages_value(given);
     const std::vector<std::string> files = named_files(given);
     if (pages.size() > 1 && std::find(files.begin(), files.end(), "-") != files.end())
-        throw Error(Fault::usage, "--page", "standard input (-) can be read once; name one page, or the file");
+        throw Error(Fault::usage, "--page", phrase("standard input (-) can be read once; name one page, or the file"));
     const std::vector<std::string> outs = named_outputs(given);
     request.items = plan_outputs(files, outs, given.all("--to"), disk, pages, &request.notes);
     plan_drawing(request, given, disk);

@@ -12,6 +12,7 @@
 #include "tactics/job/disk.h"
 #include "tactics/job/made_record.h"
 #include "tactics/job/wishes.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -23,8 +24,8 @@ inline constexpr int kRuleBroken = 3;
 /// A command's request, complete and checked before the first picture is opened.
 struct Request : Wishes {
     std::vector<Item> items;
-    std::vector<std::string> notes = {};  ///< on the plan, for the user: the driver of a machine that was named by its model
-    int workers = 0;                      ///< 0: the number of cores
+    std::vector<Phrase> notes = {};  ///< on the plan, for the user: the driver of a machine that was named by its model
+    int workers = 0;                 ///< 0: the number of cores
     bool update = false;
     /// The given and kept choices that can change pages; nothing: no records are kept.
     std::optional<MadeWith> made_with = {};

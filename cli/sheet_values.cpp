@@ -27,7 +27,7 @@ bool is_language(std::string_view tag) {
 std::string language_of(const std::string& text, std::string_view place) {
     if (!is_language(text))
         throw Error(Fault::usage, place,
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a language tag such as en, en-GB or de");
+                    phrase("it cannot be \"{0}\"; it is a language tag such as en, en-GB or de", text.substr(0, 80)));
     return text;
 }
 
@@ -35,7 +35,7 @@ double margin_of(const std::string& text, std::string_view place) {
     const auto length = parse_length(text);
     if (!length || *length < 0)
         throw Error(Fault::usage, place,
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a length such as 12mm or 0.5in, at least 0 mm");
+                    phrase("it cannot be \"{0}\"; it is a length such as 12mm or 0.5in, at least 0 mm", text.substr(0, 80)));
     return *length;
 }
 
@@ -44,8 +44,9 @@ Binding binding_of(const std::string& text, std::string_view place) {
     const std::string edge = text.substr(0, equals);
     const auto room = parse_length(equals == std::string::npos ? "" : text.substr(equals + 1));
     if ((edge != "left" && edge != "top" && edge != "right") || !room || *room < 0)
-        throw Error(Fault::usage, place,
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is left, top or right with a length, such as left=15mm");
+        throw Error(
+            Fault::usage, place,
+            phrase("it cannot be \"{0}\"; it is left, top or right with a length, such as left=15mm", text.substr(0, 80)));
     return Binding{edge == "left" ? Binding::Edge::left : edge == "top" ? Binding::Edge::top : Binding::Edge::right, *room};
 }
 
@@ -54,7 +55,7 @@ Tiles tiles_value(const Given& given) {
     const auto is_count = [](char c) { return c >= '1' && c <= '9'; };
     if (text.size() != 3 || !is_count(text[0]) || text[1] != 'x' || !is_count(text[2]))
         throw Error(Fault::usage, "--tiles",
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is columns x rows of sheets, such as 2x2, at most 9x9");
+                    phrase("it cannot be \"{0}\"; it is columns x rows of sheets, such as 2x2, at most 9x9", text.substr(0, 80)));
     return {text[0] - '0', text[2] - '0'};
 }
 
@@ -73,10 +74,11 @@ double scale_value(const Given& given) {
     constexpr double kMost = 1e12;  // the earth fits on a page
     const double scale = page && world ? *page / *world : 0;
     if (!page || !world || !(*page > 0) || !(*world > 0) || !(scale > 1 / kMost && scale < kMost))
-        throw Error(Fault::usage, "--scale",
-                    "it cannot be \"" + text.substr(0, 80) +
-                        "\"; it is a ratio such as 1:100, or a length on the page and one in the "
-                        "world, such as 1cm=1m");
+        throw Error(
+            Fault::usage, "--scale",
+            phrase(
+                "it cannot be \"{0}\"; it is a ratio such as 1:100, or a length on the page and one in the world, such as 1cm=1m",
+                text.substr(0, 80)));
     return scale;
 }
 

@@ -21,8 +21,8 @@ std::optional<int> bins_of(const Given& given) {
     const auto bins = parse_number(text);
     if (!bins || *bins < 1 || *bins > kMostHistogramBins || *bins != std::floor(*bins))
         throw Error(Fault::usage, "--histogram",
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is auto, or a number of bars from 1 to " +
-                        std::to_string(kMostHistogramBins));
+                    phrase("it cannot be \"{0}\"; it is auto, or a number of bars from 1 to {1}", text.substr(0, 80),
+                           std::to_string(kMostHistogramBins)));
     return static_cast<int>(*bins);
 }
 

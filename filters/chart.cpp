@@ -319,7 +319,8 @@ Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, 
         flat = sections_of(plot, plot.surfaces.front(), wish.sections);
     if (plot.surfaces.size() > 1)
         told.push_back("there are " + std::to_string(plot.surfaces.size()) + " surfaces, of which the first is drawn");
-    if (flatten_marks(flat)) told.push_back("points of several kinds are seen from above, and how high they are is not shown");
+    if (flatten_marks(flat, sheet.language))
+        told.push_back("points of several kinds are seen from above, and how high they are is not shown");
     return Chart(flat, sheet, wish, place_on(sheet, 1), told).draw(places);
 }
 

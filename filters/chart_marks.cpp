@@ -30,7 +30,7 @@ MarkGroups groups_of(const std::vector<PlotMark>& marks) {
     return groups;
 }
 
-bool flatten_marks(Plot& plot) {
+bool flatten_marks(Plot& plot, std::string_view language) {
     if (!plot.spatial || plot.marks.empty()) return false;
     const MarkGroups groups = groups_of(plot.marks);
     std::set<PlotSymbol> kinds;
@@ -57,9 +57,10 @@ bool flatten_marks(Plot& plot) {
         const std::size_t i = third(mark);
         mark.symbol = kByHeight[i];
         const std::string from = told_value(plot.z, thirds[i].low);
-        mark.name = told[i]                          ? ""
-                    : thirds[i].low < thirds[i].high ? from + " to " + told_value({"", false}, thirds[i].high)
-                                                     : from;
+        mark.name = told[i] ? ""
+                    : thirds[i].low < thirds[i].high
+                        ? phrase("{0} to {1}", from, told_value({"", false}, thirds[i].high)).in(language)
+                        : from;
         told[i] = true;
     }
     return false;

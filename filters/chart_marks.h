@@ -22,7 +22,7 @@ MarkGroups groups_of(const std::vector<PlotMark>& marks);
 
 /// Marks of a spatial plot, seen from above: the name of a mark is followed by its z; unnamed marks get a symbol by their z, low,
 /// middle or high, unless they already have several kinds of symbols. True: they have, so the z of unnamed marks is not visible.
-bool flatten_marks(Plot& plot);
+bool flatten_marks(Plot& plot, std::string_view language);
 
 /// A drawn mark.
 struct ChartMark {

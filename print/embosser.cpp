@@ -70,9 +70,10 @@ const Format& find_among(std::string_view name, std::string_view place, bool dis
         for (const std::string_view model : words_of(format->embosser->called)) names.push_back(model);
     }
     throw Error(Fault::usage, place,
-                "there is no embosser " + std::string(displays ? "and no display of pins " : "") + "\"" +
-                    std::string(name.substr(0, 80)) + "\"" + did_you_mean(name, names) + "; see tactics list embossers" +
-                    (displays ? " and tactics list displays" : ""));
+                displays ? phrase("there is no embosser {0}\"{1}\"{2}; see tactics list embossers and tactics list displays",
+                                  displays ? "and no display of pins " : "", name.substr(0, 80), did_you_mean(name, names))
+                         : phrase("there is no embosser {0}\"{1}\"{2}; see tactics list embossers",
+                                  displays ? "and no display of pins " : "", name.substr(0, 80), did_you_mean(name, names)));
 }
 
 }  // namespace
@@ -111,8 +112,8 @@ const Format& find_embosser(std::string_view name, std::string_view place) {
     const Format& format = find_among(name, place, false);
     if (format.embosser->display != nullptr)
         throw Error(Fault::usage, place,
-                    std::string(name) + " is a display, which no paper goes through; use tactics show FILE " + spelled("on") +
-                        " " + std::string(name) + ":/dev/ttyUSB0");
+                    phrase("{0} is a display, which no paper goes through; use tactics show FILE {1} {0}:/dev/ttyUSB0", name,
+                           spelled("on")));
     return format;
 }
 
@@ -153,10 +154,10 @@ bool takes_sheet(const Embosser& embosser, const Settings& settings, double widt
 void check_sheet(const Embosser& embosser, const Settings& settings, std::string_view name, double width, double height) {
     const auto refuse = [&](std::string_view what, double is, double most) {
         throw Error(Fault::usage, name,
-                    "the sheet is " + to_text(std::round(is * 10) / 10) + " mm " + std::string(what) +
-                        ", and this machine takes " + to_text(most) + " mm; choose a smaller " + spelled("paper") +
-                        " or another " + spelled("orientation") + "; " + spelled("tiles") +
-                        " makes a large page of several sheets");
+                    phrase("the sheet is {0} mm {1}, and this machine takes {2} mm; choose a smaller {3} or another {4}; {5} "
+                           "makes a large page of several sheets",
+                           to_text(std::round(is * 10) / 10), what, to_text(most), spelled("paper"), spelled("orientation"),
+                           spelled("tiles")));
     };
     const double widest = widest_of(embosser, settings);
     if (exceeds(width, widest)) refuse("wide", width, widest);

@@ -88,8 +88,8 @@ private:
     void add(const Corner& a, const Corner& b, const Corner& c) {
         if (file_.size() >= kHeaderBytes + kTriangleBytes * kMostTriangles)
             throw Error(Fault::usage, place_,
-                        "this solid would have over " + to_text(static_cast<double>(kMostTriangles) / 1e6) +
-                            " million triangles; take a larger pitch");
+                        phrase("this solid would have over {0} million triangles; take a larger pitch",
+                               to_text(static_cast<double>(kMostTriangles) / 1e6)));
         const double ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2], vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
         const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx,
                      size = std::sqrt(nx * nx + ny * ny + nz * nz);

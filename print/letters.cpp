@@ -68,7 +68,7 @@ void check_configuration() {
     }, empty{};
     if (named == nullptr || stat(named, &facts) != 0 || S_ISREG(facts.st_mode) || S_ISDIR(facts.st_mode)) return;
     if (stat("/dev/null", &empty) == 0 && facts.st_rdev == empty.st_rdev) return;
-    throw Error(Fault::failed, "FONTCONFIG_FILE", "is a device, not a file of fontconfig; unset it");
+    throw Error(Fault::failed, "FONTCONFIG_FILE", phrase("is a device, not a file of fontconfig; unset it"));
 }
 
 // The font nearest to kFamily that has `letters`, or nothing if there is no font at all.

@@ -28,8 +28,9 @@ public:
         for (const Page& page : pages) points_ += points_of(page);
         if (points_ > kMostBookPoints)
             throw Error(Fault::failed, "",
-                        "the pages before it fill all the memory that one " + std::string(format_.name) +
-                            " may take; make several files of fewer pictures each, or a pdf, which takes less");
+                        phrase("the pages before it fill all the memory that one {0} may take; make several files of fewer "
+                               "pictures each, or a pdf, which takes less",
+                               format_.name));
         pages_.insert(pages_.end(), pages.begin(), pages.end());
     }
 

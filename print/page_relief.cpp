@@ -199,8 +199,8 @@ PageRelief::PageRelief(const Page& page, const Settings& settings, std::string_v
                  rows = std::max(1.0, std::round(page.height / shape.pitch));
     if (!(columns * rows <= kMostSamples))
         throw Error(Fault::usage, format,
-                    to_text(columns) + " x " + to_text(rows) +
-                        " samples are over the limit of 400 million; take a larger pitch or smaller paper");
+                    phrase("{0} x {1} samples are over the limit of 400 million; take a larger pitch or smaller paper",
+                           to_text(columns), to_text(rows)));
     sheet_ = {static_cast<int>(columns), static_cast<int>(rows), shape.pitch, 0, shape.height, settings.choice("profile")};
     surface_ = std::make_unique<Surface>(page, shape);
 }

@@ -22,10 +22,10 @@ PixelSize checked(const Page& page, double width, double height, std::string_vie
         const double shrink = std::min(kMaxSide / side, std::sqrt(static_cast<double>(kMaxPixels) / (width * height)));
         // A hundredth less, so that the rounding to whole pixels stays inside too.
         const double dpi = std::floor(width * shrink * 0.99 / page.width * kMmPerInch);
-        throw Error(Fault::usage, format,
-                    "the page would be " + to_text(std::round(width)) + " x " + to_text(std::round(height)) +
-                        " pixels; ask for at most " + to_text(dpi) + " dpi (" + to_text(std::floor(width * shrink * 0.99)) +
-                        " pixels across)");
+        throw Error(
+            Fault::usage, format,
+            phrase("the page would be {0} x {1} pixels; ask for at most {2} dpi ({3} pixels across)", to_text(std::round(width)),
+                   to_text(std::round(height)), to_text(dpi), to_text(std::floor(width * shrink * 0.99))));
     }
     return {std::max(1, static_cast<int>(std::lround(width))), std::max(1, static_cast<int>(std::lround(height)))};
 }

@@ -72,13 +72,14 @@ private:
             while (const auto answer = answer_until(end)) {
                 if (answer->kind == Kind::told) return;
                 if (answer->kind == Kind::too_small)
-                    throw Error(Fault::failed, place_, "the display has cells for text but no pins; show on it by brlapi:");
+                    throw Error(Fault::failed, place_,
+                                phrase("the display has cells for text but no pins; show on it by brlapi:"));
             }
         }
         throw Error(Fault::failed, place_,
-                    "no answer as of " + std::string(format_.name) +
-                        "; switch it on, look whether this is its line (tactics devices), and end other programs that use it, "
-                        "such as BRLTTY");
+                    phrase("no answer as of {0}; switch it on, look whether this is its line (tactics devices), and end other "
+                           "programs that use it, such as BRLTTY",
+                           format_.name));
     }
 
     // Whether its pins stand, as far as it says.
@@ -95,7 +96,7 @@ private:
                 if (answer->kind == Kind::refused)
                     throw Error(
                         Fault::failed, place_,
-                        "the display refused what it was sent; look whether it is a " + std::string(format_.embosser->models));
+                        phrase("the display refused what it was sent; look whether it is a {0}", format_.embosser->models));
                 if (answer->kind == Kind::taken && !taken) {
                     taken = true;
                     end = Clock::now() + kForPins;
@@ -107,7 +108,8 @@ private:
                 return taken;
             }
         }
-        throw Error(Fault::failed, place_, "the display takes no picture now; wait a moment, or switch it off and on again");
+        throw Error(Fault::failed, place_,
+                    phrase("the display takes no picture now; wait a moment, or switch it off and on again"));
     }
 
     void take_keys(Kind kind) {
@@ -139,11 +141,11 @@ private:
         if (const Delivery sent = deliver(*channel_, bytes, wish); sent.ending == Ending::gone)
             gone();
         else if (sent.ending != Ending::done)
-            throw Error(Fault::failed, place_, "the display takes nothing; switch it off and on again");
+            throw Error(Fault::failed, place_, phrase("the display takes nothing; switch it off and on again"));
     }
 
     [[noreturn]] void gone() const {
-        throw Error(Fault::failed, place_, "the display is gone; plug it in, switch it on and show the picture again");
+        throw Error(Fault::failed, place_, phrase("the display is gone; plug it in, switch it on and show the picture again"));
     }
 
     const Format& format_;
@@ -165,9 +167,10 @@ public:
             settings_.set("lines", std::to_string(size.lines), "", format_.name);
             settings_.set("dots", std::to_string(size.dots), "", format_.name);
         } catch (const Error&) {
-            throw Error(Fault::failed, place,
-                        "the display tells of " + std::to_string(size.columns) + " x " + std::to_string(size.lines) +
-                            " cells, on which nothing can be shown; look whether it is switched on");
+            throw Error(
+                Fault::failed, place,
+                phrase("the display tells of {0} x {1} cells, on which nothing can be shown; look whether it is switched on",
+                       std::to_string(size.columns), std::to_string(size.lines)));
         }
     }
 

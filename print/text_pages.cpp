@@ -61,8 +61,8 @@ public:
                 cells_.push_back(*cell);
             else
                 throw Error(Fault::failed, where(name_, pages_.size(), line_ + 1),
-                            "byte " + std::to_string(byte) +
-                                " is no letter of braille (BRF); if it is written for the machine, name it .prn");
+                            phrase("byte {0} is no letter of braille (BRF); if it is written for the machine, name it .prn",
+                                   std::to_string(byte)));
         }
         end_line();
         if (pages_.back().braille.empty() && pages_.size() > 1) pages_.pop_back();  // after the last form feed
@@ -74,8 +74,8 @@ private:
     void check_count() const {
         if (pages_.size() > kMostPages)
             throw Error(Fault::failed, where(name_, pages_.size(), 1),
-                        "there are more than " + std::to_string(kMostPages) +
-                            " pages; split the file and emboss one part behind the other");
+                        phrase("there are more than {0} pages; split the file and emboss one part behind the other",
+                               std::to_string(kMostPages)));
     }
     void begin_page() {
         check_count();
@@ -90,16 +90,19 @@ private:
         while (!cells_.empty() && cells_.back() == 0) cells_.pop_back();
         if (breaks_itself_ && line_ == down_) begin_page();
         if (!cells_.empty()) {
-            const auto room = [&](std::size_t is, std::size_t most, const char* what) {
-                if (is > most)
-                    throw Error(Fault::usage, where(name_, pages_.size(), line_ + 1),
-                                std::to_string(is) + what + std::to_string(most) + "; take larger " + spelled("paper") +
-                                    ", or set the text for that size; if it is a drawing, "
-                                    "convert it for the machine: -o " +
-                                    std::string(machine_) + ":page.prn");
+            const auto refuse = [&](Phrase why) {
+                throw Error(Fault::usage, where(name_, pages_.size(), line_ + 1), std::move(why));
             };
-            room(cells_.size(), across_, " cells are in the line, and the sheet has room for ");
-            room(line_ + 1, down_, " lines are on the page, and the sheet has room for ");
+            if (cells_.size() > across_)
+                refuse(
+                    phrase("{0} cells are in the line, and the sheet has room for {1}; take larger {2}, or set the text for that "
+                           "size; if it is a drawing, convert it for the machine: -o {3}:page.prn",
+                           std::to_string(cells_.size()), std::to_string(across_), spelled("paper"), machine_));
+            if (line_ + 1 > down_)
+                refuse(
+                    phrase("{0} lines are on the page, and the sheet has room for {1}; take larger {2}, or set the text for that "
+                           "size; if it is a drawing, convert it for the machine: -o {3}:page.prn",
+                           std::to_string(line_ + 1), std::to_string(down_), spelled("paper"), machine_));
             const Point first = sheet_.bed->first;
             pages_.back().braille.push_back({{first.x, first.y + static_cast<double>(line_) * sheet_.cell.line_pitch}, cells_});
         }
@@ -121,7 +124,7 @@ std::string text_for(std::string_view brf, const Format& format, const Settings&
                      std::string_view name) {
     const TextMode* text = format.embosser->text;
     if (text == nullptr && (format.dots == nullptr || format.dots(settings).bed.raster > 0))
-        throw Error(Fault::usage, name, std::string(format.name) + " takes pictures only; send text by its own driver");
+        throw Error(Fault::usage, name, phrase("{0} takes pictures only; send text by its own driver", format.name));
     const DotSetting set = text != nullptr ? text->dots(settings) : format.dots(settings);
     Page sheet;
     sheet.width = paper.width;

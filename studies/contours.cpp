@@ -44,7 +44,7 @@ public:
                 rows.people = score_people(truths_);
                 rows.simplest = score_person(truths_, simplest_of(truths_));
             });
-            if (!failure.text.empty()) rows.problems.push_back(failure.text);
+            if (!failure.text.empty()) rows.problems.push_back(failure.text.english());
         }
         const std::string unscored = rows.problems.empty() ? "" : rows.problems.front();
         for (const Candidate& candidate : request_.candidates) {
@@ -53,7 +53,7 @@ public:
                 Trial trial;
                 trial.error = unscored;
                 if (unscored.empty()) {
-                    trial.error = failure_of(subject_.picture, [&] { run(candidate, setting, trial); }).text;
+                    trial.error = failure_of(subject_.picture, [&] { run(candidate, setting, trial); }).text.english();
                     if (!trial.scored()) rows.problems.push_back("recipe " + label(candidate, setting) + ": " + trial.error);
                 }
                 trials.push_back(std::move(trial));
@@ -74,12 +74,12 @@ private:
         add(failure_of(subject_.picture, [&] {
                 info_ = size_of(request_, subject_);
                 read_through(request_, subject_);
-            }).text);
+            }).text.english());
         if (!rows.problems.empty()) return;
         if (subject_.truths.empty())
             add(subject_.picture + ": it has no contour map; add " + subject_.name + "_gt1.png, or take the picture away");
         for (const auto& path : subject_.truths)
-            add(failure_of(path, [&] { truths_.push_back(read_truth(path, info_.width, info_.height)); }).text);
+            add(failure_of(path, [&] { truths_.push_back(read_truth(path, info_.width, info_.height)); }).text.english());
     }
 
     void run(const Candidate& candidate, std::size_t setting, Trial& trial) const {

@@ -120,7 +120,7 @@ Sheets make_sheets(const StudyRequest& request, const Subject& subject) {
             maker.make(candidate, sheets);
         }
     });
-    if (!failure.text.empty()) sheets.problems.push_back(at + failure.text);
+    if (!failure.text.empty()) sheets.problems.push_back(at + failure.text.english());
     return sheets;
 }
 

@@ -163,10 +163,10 @@ PictureRows try_picture(const StudyRequest& request, const Subject& subject, con
             const Candidate& candidate = request.candidates[c];
             const Failure problem =
                 failure_of(subject.picture, [&] { rows.curves[c] = trials.curves(candidate, dials, rows.chosen[c]); });
-            if (!problem.text.empty()) rows.problems.push_back("recipe " + candidate.name + ": " + problem.text);
+            if (!problem.text.empty()) rows.problems.push_back("recipe " + candidate.name + ": " + problem.text.english());
         }
     });
-    if (!failure.text.empty()) rows.problems.push_back(failure.text);
+    if (!failure.text.empty()) rows.problems.push_back(failure.text.english());
     return rows;
 }
 

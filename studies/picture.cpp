@@ -97,7 +97,7 @@ std::vector<std::string> try_all(const StudyRequest& request, const StudyWatch& 
     work_through(request, watch, request.subjects.size(), [&](std::size_t i) {
         const Subject& subject = request.subjects[i];
         const auto note = [&](const std::string& who, const Failure& failure) {
-            if (!failure.text.empty()) problems[i].push_back(who + failure.text);
+            if (!failure.text.empty()) problems[i].push_back(who + failure.text.english());
         };
         TryRecipe attempt;
         note("", failure_of(subject.picture, [&] { attempt = open(i, read_mapped(request, subject, needs_maps)); }));

@@ -150,13 +150,13 @@ Result look_at(const StudyRequest& request, const Subject& subject) {
         const MappedPicture mapped = read_mapped(request, subject, false);
         if (!mapped.truths.empty() && mapped.info.width == image.width) people.emplace(mapped.truths);
     });
-    if (!failure.text.empty()) result.problems.push_back(failure.text);
+    if (!failure.text.empty()) result.problems.push_back(failure.text.english());
     for (std::size_t c = 0; c < request.candidates.size() && failure.text.empty(); ++c) {
         const Candidate& candidate = request.candidates[c];
         const Failure wrong = failure_of(subject.picture, [&] {
             result.held[c] = hold({request, candidate}, image, changes, people);
         });
-        if (!wrong.text.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong.text);
+        if (!wrong.text.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong.text.english());
     }
     return result;
 }
@@ -172,7 +172,7 @@ Result look_at(const StudyRequest& request, const KnownPicture& known) {
                                                     draughtsman.pixel_of(known.image), width, height);
             figure = known.contour.pixels.empty() ? ink_of(lines) : agreement(known.contour, lines);
         });
-        if (!wrong.text.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong.text);
+        if (!wrong.text.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong.text.english());
         result.known.push_back(figure);
     }
     return result;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tactics/image.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -81,9 +82,9 @@ struct Name {
 
 /// A thing that a drawing shows, for touch tablets and screen readers. It cannot be felt or seen.
 struct Region {
-    std::string name;         ///< UTF-8, one line; never empty
-    std::string path;         ///< its path, by which a user selects it: "Table/Top"; may be empty
-    std::string description;  ///< UTF-8, one line: how it is drawn, or why it is not; may be empty
+    Phrase name;         ///< UTF-8, one line; never empty
+    std::string path;    ///< its path, by which a user selects it: "Table/Top"; may be empty
+    Phrase description;  ///< UTF-8, one line: how it is drawn, or why it is not; may be empty
     /// What was done with it, for programs: "folded", 3.
     std::vector<std::pair<std::string, int>> counts;
     /// Its area by the non-zero rule, so that its shapes may overlap: outer rings run one way, holes the other. Rings do not
@@ -114,8 +115,8 @@ struct Drawing {
     /// In reading order, except that regions on top of others come after them. They may reach half a line width out of the
     /// drawing.
     std::vector<Region> regions = {};
-    std::vector<std::string> remarks = {};  ///< on the whole drawing, for its description: one English sentence each
-    std::optional<Trust> trust = {};        ///< nothing: no estimate
+    std::vector<Phrase> remarks = {};  ///< on the whole drawing, for its description: one English sentence each
+    std::optional<Trust> trust = {};   ///< nothing: no estimate
 };
 
 /// Scales the drawing to that width, the height in proportion: positions change, line widths do not.

@@ -7,9 +7,18 @@
 
 namespace tactics {
 
-Error::Error(Fault fault, std::string_view place, std::string_view message)
-    : std::runtime_error(place.empty() ? std::string(message) : std::string(place) + ": " + std::string(message)),
-      fault_(fault) {}
+namespace {
+
+Phrase at_place(const Phrase& place, Phrase message) {
+    return place.empty() ? std::move(message) : phrase("{0}: {1}", place, std::move(message));
+}
+
+}  // namespace
+
+Error::Error(Fault fault, const Phrase& place, Phrase message)
+    : std::runtime_error(at_place(place, message).english()),
+      fault_(fault),
+      told_(std::make_shared<const Phrase>(at_place(place, std::move(message)))) {}
 
 namespace {
 

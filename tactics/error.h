@@ -2,10 +2,13 @@
 // One error type for every fault that a user can correct: what is wrong, where, and how to correct it.
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -19,11 +22,14 @@ enum class Fault {
 /// PLACE is where the user can find it: `lines.recipe:3`, `photo.jpg`, `--filter 2`; empty if there is none.
 class Error : public std::runtime_error {
 public:
-    Error(Fault fault, std::string_view place, std::string_view message);
+    Error(Fault fault, const Phrase& place, Phrase message);
     Fault fault() const noexcept { return fault_; }
+    /// The same as what(), in the language of whoever is to mend it.
+    const Phrase& told() const noexcept { return *told_; }
 
 private:
     Fault fault_;
+    std::shared_ptr<const Phrase> told_;  // an exception is copied without a throw
 };
 
 /// The spelling of a wish in messages, for wishes such as "margin" and "real-width". Each program spells it as its users write

@@ -70,11 +70,11 @@ Paper find_paper(std::string_view text, std::string_view place) {
     Paper own{"custom", "a size given in numbers", 0, 0};
     if (!parse_size(lower, own.width, own.height))
         throw Error(Fault::usage, place,
-                    "there is no paper \"" + std::string(text) + "\"" + did_you_mean(lower, names) +
-                        "; see tactics list papers, or give a size such as 200x150mm or 8.5x11in");
+                    phrase("there is no paper \"{0}\"{1}; see tactics list papers, or give a size such as 200x150mm or 8.5x11in",
+                           text, did_you_mean(lower, names)));
     if (own.width < kShortestSide || own.height > kLongestSide + 1e-6)
         throw Error(Fault::usage, place,
-                    "paper " + std::string(text) + " is out of range; each side is 10 to " + to_text(kLongestSide) + " mm");
+                    phrase("paper {0} is out of range; each side is 10 to {1} mm", text, to_text(kLongestSide)));
     return own;
 }
 
@@ -85,7 +85,7 @@ const NamedCell& find_cell(std::string_view name, std::string_view place) {
         names.push_back(cell.name);
     }
     throw Error(Fault::usage, place,
-                "there is no cell \"" + std::string(name) + "\"" + did_you_mean(name, names) + "; see tactics list cells");
+                phrase("there is no cell \"{0}\"{1}; see tactics list cells", name, did_you_mean(name, names)));
 }
 
 const Medium& find_medium(std::string_view name, std::string_view place) {
@@ -95,7 +95,7 @@ const Medium& find_medium(std::string_view name, std::string_view place) {
         names.push_back(medium.name);
     }
     throw Error(Fault::usage, place,
-                "there is no medium \"" + std::string(name) + "\"" + did_you_mean(name, names) + "; see tactics list media");
+                phrase("there is no medium \"{0}\"{1}; see tactics list media", name, did_you_mean(name, names)));
 }
 
 }  // namespace tactics

@@ -44,7 +44,7 @@ double parse_choice(const Option& option, std::string_view text, std::string_vie
     std::string all;
     for (const auto name : names) all += (all.empty() ? "" : ", ") + std::string(name);
     throw Error(Fault::usage, place,
-                what + " cannot be \"" + std::string(text) + "\"; it is one of " + all + did_you_mean(text, names));
+                phrase("{0} cannot be \"{1}\"; it is one of {2}{3}", what, text, all, did_you_mean(text, names)));
 }
 
 double parse_value(const Option& option, std::string_view text, std::string_view place, std::string_view owner) {
@@ -53,16 +53,16 @@ double parse_value(const Option& option, std::string_view text, std::string_view
     auto value = option.type == Option::Type::length ? parse_length(text) : parse_number(text);
     const bool whole = option.type == Option::Type::whole;
     if (!value || (whole && *value != std::floor(*value)))
-        throw Error(Fault::usage, place,
-                    what + " cannot be \"" + std::string(text) + "\"; it is " +
-                        (option.type == Option::Type::length ? "a length such as 1.5mm or 0.1in"
-                         : whole                             ? "a whole number"
-                                                             : "a number") +
-                        ", " + describe_range(option));
+        throw Error(
+            Fault::usage, place,
+            option.type == Option::Type::length
+                ? phrase("{0} cannot be \"{1}\"; it is a length such as 1.5mm or 0.1in, {2}", what, text, describe_range(option))
+                : phrase("{0} cannot be \"{1}\"; it is {2}, {3}", what, text, whole ? "a whole number" : "a number",
+                         describe_range(option)));
     // To the six decimals that to_text writes, so that a saved setting is the same number when it is read back.
     value = std::round(*value * 1e6) / 1e6;
     if (*value < option.min || *value > option.max)
-        throw Error(Fault::usage, place, what + "=" + std::string(text) + " is out of range; it is " + describe_range(option));
+        throw Error(Fault::usage, place, phrase("{0}={1} is out of range; it is {2}", what, text, describe_range(option)));
     return *value;
 }
 
@@ -127,7 +127,7 @@ void Settings::set(std::string_view name, std::string_view text, std::string_vie
                 !std::all_of(spots_[i].begin(), spots_[i].end(), [](const Spot& s) { return s.is_box(); }))
                 throw Error(
                     Fault::usage, place,
-                    what + " has a point in \"" + std::string(text.substr(0, 80)) + "\"; it takes boxes such as 20%,30%-70%,90%");
+                    phrase("{0} has a point in \"{1}\"; it takes boxes such as 20%,30%-70%,90%", what, text.substr(0, 80)));
             return;
         }
         if (options_[i].name == name && is_words(options_[i])) {
@@ -143,8 +143,9 @@ void Settings::set(std::string_view name, std::string_view text, std::string_vie
     std::string known;
     for (const auto n : names) known += (known.empty() ? "" : ", ") + std::string(n);
     throw Error(Fault::usage, place,
-                std::string(owner) + " has no setting \"" + std::string(name) + "\"" + did_you_mean(name, names) +
-                    (known.empty() ? "; it has none" : "; it has " + known));
+                known.empty()
+                    ? phrase("{0} has no setting \"{1}\"{2}; it has none", owner, name, did_you_mean(name, names))
+                    : phrase("{0} has no setting \"{1}\"{2}; it has {3}", owner, name, did_you_mean(name, names), known));
 }
 
 std::size_t Settings::index_of(std::string_view name) const {

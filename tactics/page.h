@@ -136,9 +136,9 @@ struct Page {
     /// The areas that have patterns, for descriptions and rules; the patterns themselves are among the strokes. Each has a
     /// texture of 1 or more.
     std::vector<Area> textured = {};
-    std::vector<Region> regions = {};       ///< as in the drawing
-    std::vector<std::string> remarks = {};  ///< as in the drawing
-    bool is_key = false;                    ///< a page without a drawing: its names explain the letters on the drawing
+    std::vector<Region> regions = {};  ///< as in the drawing
+    std::vector<Phrase> remarks = {};  ///< as in the drawing
+    bool is_key = false;               ///< a page without a drawing: its names explain the letters on the drawing
     std::optional<PageScale> scale = {};
     std::vector<PageWords> words = {};
     std::string medium = {};  ///< its name; empty: nobody told

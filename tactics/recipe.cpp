@@ -37,27 +37,26 @@ std::string mend(const Filter& filter, Kind kind) {
 
 Step parse_step(std::string_view line, std::string_view place, FilterList filters) {
     const auto words = words_of(line);
-    if (words.empty()) throw Error(Fault::usage, place, "a filter's name is missing; see tactics list filters");
+    if (words.empty()) throw Error(Fault::usage, place, phrase("a filter's name is missing; see tactics list filters"));
     const Filter* filter = find_filter(filters, words[0]);
     if (filter == nullptr) {
         std::vector<std::string_view> names;
         for (const Filter* f : filters) names.push_back(f->name);
         throw Error(Fault::usage, place,
-                    "there is no filter \"" + std::string(words[0].substr(0, 80)) + "\"" + did_you_mean(words[0], names) +
-                        "; see tactics list filters");
+                    phrase("there is no filter \"{0}\"{1}; see tactics list filters", words[0].substr(0, 80),
+                           did_you_mean(words[0], names)));
     }
     Step step{filter, Settings(filter->options), std::string(place)};
     for (std::size_t i = 1; i < words.size(); ++i) {
         const auto equals = words[i].find('=');
         if (equals == std::string_view::npos || equals == 0)
-            throw Error(
-                Fault::usage, place,
-                "\"" + std::string(words[i].substr(0, 80)) + "\" is not a setting; write NAME=VALUE without spaces around =");
+            throw Error(Fault::usage, place,
+                        phrase("\"{0}\" is not a setting; write NAME=VALUE without spaces around =", words[i].substr(0, 80)));
         const auto name = words[i].substr(0, equals);
         const auto same = [&](std::string_view word) { return word.substr(0, word.find('=')) == name; };
         step.settings.set(name, words[i].substr(equals + 1), place, filter->name);
         if (std::any_of(words.begin() + 1, words.begin() + static_cast<std::ptrdiff_t>(i), same))
-            throw Error(Fault::usage, place, std::string(filter->name) + " " + std::string(name) + " is set twice; set it once");
+            throw Error(Fault::usage, place, phrase("{0} {1} is set twice; set it once", filter->name, name));
     }
     return step;
 }
@@ -66,9 +65,9 @@ Recipe parse_recipe(std::string_view text, std::string_view origin, FilterList f
     Recipe recipe;
     recipe.name = std::string(origin);
     if (text.size() > kMaxRecipeBytes)
-        throw Error(Fault::usage, origin, "this is too long for a recipe (over 64 KiB); is it another kind of file?");
+        throw Error(Fault::usage, origin, phrase("this is too long for a recipe (over 64 KiB); is it another kind of file?"));
     if (text.find('\0') != std::string_view::npos)
-        throw Error(Fault::usage, origin, "this is not a text file; a recipe is plain text, one filter a line");
+        throw Error(Fault::usage, origin, phrase("this is not a text file; a recipe is plain text, one filter a line"));
     for (std::size_t at = 0, number = 1; at < text.size(); ++number) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
         std::string_view line = text.substr(at, end - at);
@@ -83,10 +82,10 @@ Recipe parse_recipe(std::string_view text, std::string_view origin, FilterList f
         if (line.find_first_not_of(kBlanks) == std::string_view::npos) continue;
         const std::string place = std::string(origin) + ":" + std::to_string(number);
         if (recipe.steps.size() == kMaxRecipeSteps)
-            throw Error(Fault::usage, place, "a recipe has at most 100 filters; split the work in two");
+            throw Error(Fault::usage, place, phrase("a recipe has at most 100 filters; split the work in two"));
         recipe.steps.push_back(parse_step(line, place, filters));
     }
-    if (recipe.steps.empty()) throw Error(Fault::usage, origin, "there is no filter in this recipe");
+    if (recipe.steps.empty()) throw Error(Fault::usage, origin, phrase("there is no filter in this recipe"));
     return recipe;
 }
 
@@ -107,8 +106,8 @@ Kind check(const Recipe& recipe) {
     for (const auto& step : recipe.steps) {
         if (!accepts(*step.filter, kind))
             throw Error(Fault::usage, step.place,
-                        std::string(step.filter->name) + " does not work on a " + std::string(name_of(kind)) +
-                            ", which is what it gets here; " + mend(*step.filter, kind));
+                        phrase("{0} does not work on a {1}, which is what it gets here; {2}", step.filter->name, name_of(kind),
+                               mend(*step.filter, kind)));
         kind = after(*step.filter, seen_as(*step.filter, kind));
     }
     return kind;

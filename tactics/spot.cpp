@@ -36,21 +36,19 @@ Spot spot_of(std::string_view text, std::string_view place, std::string_view wha
     const std::string shown = "\"" + std::string(text.substr(0, 80)) + "\"";
     if (!first || !second)
         throw Error(Fault::usage, place,
-                    std::string(what) + " cannot be " + shown +
-                        "; a box is two corners such as 20%,30%-70%,90%, a point 40%,50%, "
-                        "from the left and from the top of the picture");
+                    phrase("{0} cannot be {1}; a box is two corners such as 20%,30%-70%,90%, a point 40%,50%, from the left and "
+                           "from the top of the picture",
+                           what, shown));
     for (const double value : {first->x, first->y, second->x, second->y})
         if (value < 0 || value > 100)
-            throw Error(
-                Fault::usage, place,
-                std::string(what) + " cannot be " + shown + "; the picture is from 0% to 100%, and this is outside of it");
+            throw Error(Fault::usage, place,
+                        phrase("{0} cannot be {1}; the picture is from 0% to 100%, and this is outside of it", what, shown));
     const auto [left, right] = std::minmax(first->x, second->x);
     const auto [top, bottom] = std::minmax(first->y, second->y);
     const Spot spot{left / 100, top / 100, right / 100, bottom / 100};
     if (middle != std::string_view::npos && !spot.is_box())
-        throw Error(
-            Fault::usage, place,
-            std::string(what) + " cannot be " + shown + "; it is a box without size: give two opposite corners, or a point");
+        throw Error(Fault::usage, place,
+                    phrase("{0} cannot be {1}; it is a box without size: give two opposite corners, or a point", what, shown));
     return spot;
 }
 
@@ -63,8 +61,7 @@ std::vector<Spot> parse_spots(std::string_view text, std::string_view place, std
     while (!text.empty()) {
         const auto end = std::min(text.find(';'), text.size());
         if (spots.size() == kMostSpots)
-            throw Error(Fault::usage, place,
-                        std::string(what) + " has over " + std::to_string(kMostSpots) + " places; name fewer");
+            throw Error(Fault::usage, place, phrase("{0} has over {1} places; name fewer", what, std::to_string(kMostSpots)));
         spots.push_back(spot_of(text.substr(0, end), place, what));
         text.remove_prefix(std::min(end + 1, text.size()));
     }

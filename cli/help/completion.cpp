@@ -10,7 +10,7 @@ namespace tactics {
 namespace {
 
 int run(const Given& given) {
-    if (given.words.size() != 1) throw Error(Fault::usage, "completion", "name one shell: bash, zsh or fish");
+    if (given.words.size() != 1) throw Error(Fault::usage, "completion", phrase("name one shell: bash, zsh or fish"));
     const std::string& shell = given.words[0];
     if (shell == "bash")
         print_out(bash_completion());
@@ -19,7 +19,7 @@ int run(const Given& given) {
     else if (shell == "fish")
         print_out(fish_completion());
     else
-        throw Error(Fault::usage, "completion", "there is none for \"" + shell.substr(0, 80) + "\"; name bash, zsh or fish");
+        throw Error(Fault::usage, "completion", phrase("there is none for \"{0}\"; name bash, zsh or fish", shell.substr(0, 80)));
     return 0;
 }
 

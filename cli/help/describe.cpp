@@ -44,9 +44,8 @@ std::string describe_topic(std::string_view name) {
     if (const Format* format = text.empty() ? find_model(name) : nullptr)
         return driven_as(name, *format) + ".\n\n" + describe_topic(format->name);
     if (text.empty())
-        throw Error(
-            Fault::usage, "",
-            "there is no help on \"" + std::string(name.substr(0, 80)) + "\"" + did_you_mean(name, names) + "; see tactics list");
+        throw Error(Fault::usage, "",
+                    phrase("there is no help on \"{0}\"{1}; see tactics list", name.substr(0, 80), did_you_mean(name, names)));
     return text;
 }
 

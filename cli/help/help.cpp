@@ -22,14 +22,15 @@ std::string man_page(const std::vector<std::string>& words) {
     if (words.empty()) return manual();
     const Command* command = words.size() == 1 ? find_command(words[0]) : nullptr;
     if (command == nullptr)
-        throw Error(Fault::usage, "--man", "only commands have man pages of their own; name one command, or none for tactics(1)");
+        throw Error(Fault::usage, "--man",
+                    phrase("only commands have man pages of their own; name one command, or none for tactics(1)"));
     return manual_of(*command);
 }
 
 void write_man_pages(const Given& given) {
     const std::string folder = given.value("--man-pages");
     if (given.has("--man") || !given.words.empty())
-        throw Error(Fault::usage, "--man-pages", "it writes all pages; leave out --man and any names");
+        throw Error(Fault::usage, "--man-pages", phrase("it writes all pages; leave out --man and any names"));
     write_file(folder + "/tactics.1", manual());
     for (const Command* command : commands())
         write_file(folder + "/tactics-" + std::string(command->name) + ".1", manual_of(*command));

@@ -59,7 +59,7 @@ int run(const Given& given) {
         wanted.push_back(find_group(word));
         if (wanted.back() == nullptr)
             throw Error(Fault::usage, "list",
-                        "there is no list \"" + word.substr(0, 80) + "\"" + did_you_mean(word, names) + "; see tactics list");
+                        phrase("there is no list \"{0}\"{1}; see tactics list", word.substr(0, 80), did_you_mean(word, names)));
     }
     if (given.words.empty())
         for (const Group& group : groups()) wanted.push_back(&group);

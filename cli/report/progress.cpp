@@ -9,6 +9,7 @@
 
 #include "cli/report/report.h"
 #include "cli/report/say.h"
+#include "cli/report/user_language.h"
 
 namespace tactics {
 
@@ -35,8 +36,9 @@ void Progress::show(std::size_t done) {
     if (!shows_ || done == all_) return;
     if (updates_ ? now - shown_at_ < kUpdateEvery : now - shown_at_ < kProgressEvery) return;
     shown_at_ = now;
-    const std::string line = progress_line(done, all_, seconds());
-    if (!updates_) return say(line);
+    const Phrase told = progress_line(done, all_, seconds());
+    if (!updates_) return say(told);
+    const std::string line = told.in(user_language());
     const std::string blanks(shown_ > line.size() ? shown_ - line.size() : 0, ' ');
     std::fputs(("\r" + line + blanks).c_str(), stderr);
     shown_ = line.size();
@@ -48,7 +50,7 @@ void Progress::clear() {
     shown_ = 0;
 }
 
-void Progress::say_line(const std::string& line) {
+void Progress::say_line(const Phrase& line) {
     clear();
     say(line);
 }

@@ -4,7 +4,8 @@
 
 #include <chrono>
 #include <cstddef>
-#include <string>
+
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -22,7 +23,7 @@ public:
     /// Removes the updating line.
     void clear();
     /// Prints a line in place of the updating one.
-    void say_line(const std::string& line);
+    void say_line(const Phrase& line);
 
     bool updates() const { return updates_; }  ///< whether it uses an updating line
     double seconds() const;                    ///< since the start

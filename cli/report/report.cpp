@@ -2,6 +2,7 @@
 #include "cli/report/report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tactics/job/mending_json.h"
 #include "tactics/text/json.h"
@@ -12,29 +13,26 @@ namespace tactics {
 
 namespace {
 
-std::string counted(std::size_t count, std::string_view thing) {
-    return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");
-}
-
-std::string content(const Layout& layout) {
-    std::string text;
-    const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-    if (layout.pages > 1) add(counted(layout.pages, "page"));
-    if (layout.strokes > 0) add(counted(layout.strokes, "line") + " of " + rounded(layout.stroke_length, 1) + " mm together");
-    if (layout.text_lines > 0) add(counted(layout.text_lines, "line") + " of braille");
-    if (layout.areas > 0) add(counted(layout.areas, "area"));
-    if (layout.textured > 0) add(counted(layout.textured, "textured area"));
-    if (layout.has_picture) add("a picture of dots");
-    return layout.empty ? "nothing to feel" : text;
+Phrase content(const Layout& layout) {
+    if (layout.empty) return phrase("nothing to feel");
+    std::vector<Phrase> parts;
+    if (layout.pages > 1) parts.push_back(phrases(layout.pages, "{0} page", "{0} pages"));
+    if (layout.strokes > 0)
+        parts.push_back(phrases(layout.strokes, "{0} line of {1} mm together", "{0} lines of {1} mm together",
+                                rounded(layout.stroke_length, 1)));
+    if (layout.text_lines > 0) parts.push_back(phrases(layout.text_lines, "{0} line of braille", "{0} lines of braille"));
+    if (layout.areas > 0) parts.push_back(phrases(layout.areas, "{0} area", "{0} areas"));
+    if (layout.textured > 0) parts.push_back(phrases(layout.textured, "{0} textured area", "{0} textured areas"));
+    if (layout.has_picture) parts.push_back(phrase("a picture of dots"));
+    return row_of(parts);
 }
 
 // The outputs of those layouts.
 template <typename Which>
-std::string paths_of(const Outcome& outcome, const Which& which) {
-    std::string paths;
+std::vector<Phrase> paths_of(const Outcome& outcome, const Which& which) {
+    std::vector<Phrase> paths;
     for (const Made& made : outcome.made)
-        if (which(made.layout))
-            paths += (paths.empty() ? "" : ", ") + (made.output.path == "-" ? "standard output" : made.output.path);
+        if (which(made.layout)) paths.push_back(made.output.path == "-" ? phrase("standard output") : Phrase(made.output.path));
     return paths;
 }
 
@@ -108,20 +106,24 @@ std::string words_json(const ToldWords& words) {
 }
 
 // The note on an empty page; empty if every page has something to feel.
-std::string nothing_words(const Outcome& outcome) {
-    const std::string paths = paths_of(outcome, [&](std::size_t layout) { return outcome.layouts[layout].empty; });
-    if (paths.empty()) return "";
+Phrase nothing_words(const Outcome& outcome) {
+    const auto paths = paths_of(outcome, [&](std::size_t layout) { return outcome.layouts[layout].empty; });
+    if (paths.empty()) return {};
     if (outcome.recipe.empty())  // of lines that were there already
-        return "nothing was drawn: it has no lines that could be felt on " + paths + "; look whether they are white or hidden";
-    return "nothing was drawn: recipe " + outcome.recipe + " leaves nothing to feel on " + paths + "; try " +
-           (outcome.keeps_some ? "--detail contours or " : "") + "another --recipe";
+        return phrase("nothing was drawn: it has no lines that could be felt on {0}; look whether they are white or hidden",
+                      row_of(paths));
+    return outcome.keeps_some
+               ? phrase("nothing was drawn: recipe {0} leaves nothing to feel on {1}; try --detail contours or another --recipe",
+                        outcome.recipe, row_of(paths))
+               : phrase("nothing was drawn: recipe {0} leaves nothing to feel on {1}; try another --recipe", outcome.recipe,
+                        row_of(paths));
 }
 
 void add_mending(Notes& lines, const Outcome& outcome) {
     for (const Layout& layout : outcome.layouts) {
-        std::string notes;
-        for (const std::string& note : layout.mended.notes) notes += " " + note;
-        if (!notes.empty()) lines.push_back("changed to be felt:" + notes + " --as-drawn leaves it as it was");
+        Phrase notes;
+        for (const Phrase& note : layout.mended.notes) notes = notes.empty() ? note : phrase("{0} {1}", std::move(notes), note);
+        if (!notes.empty()) lines.push_back(phrase("changed to be felt: {0} --as-drawn leaves it as it was", std::move(notes)));
         if (!layout.mended.advice.empty()) lines.push_back(to_act_on(layout.mended.advice));
     }
     // Once: of another size the numbers differ a little, and the picture is the same.
@@ -132,28 +134,27 @@ void add_mending(Notes& lines, const Outcome& outcome) {
 
 void add_broken(Notes& lines, const Outcome& outcome) {
     for (std::size_t i = 0; i < outcome.layouts.size(); ++i) {
-        std::string rules;
+        std::vector<Phrase> rules;
         for (const BrokenRule& rule : outcome.layouts[i].broken)
-            rules += (rules.empty() ? "" : ", ") + std::string(rule.name) + " at " + counted(rule.places, "place");
+            rules.push_back(phrases(rule.places, "{1} at {0} place", "{1} at {0} places", rule.name));
         if (!rules.empty())
-            lines.push_back(to_act_on("hard rules are broken on " +
-                                      paths_of(outcome, [i](std::size_t layout) { return layout == i; }) + ": " + rules +
-                                      "; tactics check shows where on the page as SVG or PDF"));
+            lines.push_back(
+                to_act_on(phrase("hard rules are broken on {0}: {1}; tactics check shows where on the page as SVG or PDF",
+                                 row_of(paths_of(outcome, [i](std::size_t layout) { return layout == i; })), row_of(rules))));
     }
 }
 
-std::string left_over_words(const Outcome& outcome) {
-    std::string names;
-    for (const std::string& name : outcome.left_over) names += (names.empty() ? "" : ", ") + name;
-    return names + (outcome.left_over.size() == 1 ? " is no page of it" : " are no pages of it") +
-           " but named like one; if it is left of an earlier run, delete it";
+Phrase left_over_words(const Outcome& outcome) {
+    const std::vector<Phrase> names(outcome.left_over.begin(), outcome.left_over.end());
+    return phrases(names.size(), "{1} is no page of it but named like one; if it is left of an earlier run, delete it",
+                   "{1} are no pages of it but named like one; if it is left of an earlier run, delete it", row_of(names));
 }
 
 // Without the name of the picture.
 Notes further_words(const Outcome& outcome) {
     Notes lines;
     add_mending(lines, outcome);
-    if (std::string nothing = nothing_words(outcome); !nothing.empty()) lines.push_back(to_act_on(std::move(nothing)));
+    if (Phrase nothing = nothing_words(outcome); !nothing.empty()) lines.push_back(to_act_on(std::move(nothing)));
     add_broken(lines, outcome);
     lines.insert(lines.end(), outcome.notes.begin(), outcome.notes.end());
     if (!outcome.left_over.empty()) lines.push_back(to_act_on(left_over_words(outcome)));
@@ -162,39 +163,42 @@ Notes further_words(const Outcome& outcome) {
 
 }  // namespace
 
-std::string result_line(const Outcome& outcome) {
-    std::string line = name_of_input(outcome) + ": ";
-    if (outcome.up_to_date) return line + "up to date";
+Phrase result_line(const Outcome& outcome) {
+    const Phrase name = name_of_input(outcome);
+    if (outcome.up_to_date) return phrase("{0}: up to date", name);
+    Phrase made;
     for (std::size_t i = 0; i < outcome.layouts.size(); ++i) {
-        if (i > 0) line += "; ";
-        line += paths_of(outcome, [i](std::size_t layout) { return layout == i; }) + ": " + content(outcome.layouts[i]);
+        Phrase one = phrase("{0}: {1}", row_of(paths_of(outcome, [i](std::size_t layout) { return layout == i; })),
+                            content(outcome.layouts[i]));
+        made = i == 0 ? std::move(one) : phrase("{0}; {1}", std::move(made), std::move(one));
     }
-    line += "; " + rounded(std::max(outcome.seconds, 0.01), 0.01) + " s";
-    for (std::size_t i = 0; i < outcome.made_anew.size(); ++i) line += (i == 0 ? "; made anew: " : ", ") + outcome.made_anew[i];
-    return line;
+    Phrase line =
+        phrase("{0}: {1}; {2} s", name, std::move(made), numeral(std::round(std::max(outcome.seconds, 0.01) * 100) / 100));
+    if (outcome.made_anew.empty()) return line;
+    return phrase("{0}; made anew: {1}", std::move(line), row_of(outcome.made_anew));
 }
 
-std::vector<std::string> choice_lines(const Outcome& outcome) {
-    std::vector<std::string> lines;
-    const std::string start = name_of_input(outcome) + ": ";
+std::vector<Phrase> choice_lines(const Outcome& outcome) {
+    std::vector<Phrase> lines;
+    const Phrase start = name_of_input(outcome);
     if (!outcome.reason.empty())
-        lines.push_back(start + "recipe " + outcome.recipe + " (" + outcome.reason + "); change with --recipe");
+        lines.push_back(phrase("{0}: recipe {1} ({2}); change with --recipe", start, outcome.recipe, outcome.reason));
     for (const std::string& choice : outcome.chosen) {
         // "outlines subject: found, ..." reports a result and is no setting.
         if (choice.find(':') < choice.find('=')) {
-            lines.push_back(start + choice.substr(choice.find(' ') + 1));
+            lines.push_back(phrase("{0}: {1}", start, choice.substr(choice.find(' ') + 1)));
             continue;
         }
         std::string setting = choice.substr(0, choice.find('='));
         std::replace(setting.begin(), setting.end(), ' ', '.');
-        lines.push_back(start + choice + "; change with --set " + setting + "=NUMBER");
+        lines.push_back(phrase("{0}: {1}; change with --set {2}=NUMBER", start, choice, setting));
     }
     return lines;
 }
 
 Notes further_lines(const Outcome& outcome) {
     Notes lines = further_words(outcome);
-    for (Note& line : lines) line.text = name_of_input(outcome) + ": " + line.text;
+    for (Note& line : lines) line.words = phrase("{0}: {1}", name_of_input(outcome), std::move(line.words));
     return lines;
 }
 
@@ -213,7 +217,7 @@ std::string result_json(const Outcome& outcome) {
     json.add("input", outcome.input);
     if (outcome.pdf_page > 0) json.add("pdf_page", outcome.pdf_page);
     if (!outcome.error.empty()) {
-        json.add("error", outcome.error);
+        json.add("error", outcome.error.english());
         json.add("seconds", outcome.seconds);
         return json.text();
     }
@@ -253,12 +257,12 @@ std::string result_json(const Outcome& outcome) {
     return json.text();
 }
 
-std::string progress_line(std::size_t done, std::size_t all, double seconds) {
-    std::string line = std::to_string(done) + " of " + std::to_string(all) + " done";
+Phrase progress_line(std::size_t done, std::size_t all, double seconds) {
+    Phrase line = phrase("{0} of {1} done", std::to_string(done), std::to_string(all));
     if (done == 0 || done >= all) return line;
     const double left = seconds / static_cast<double>(done) * static_cast<double>(all - done);
-    if (left < 90) return line + ", about " + rounded(std::max(left, 1.0), left < 10 ? 1 : 5) + " s left";
-    return line + ", about " + rounded(left / 60, 1) + " minutes left";
+    if (left < 90) return phrase("{0}, about {1} s left", std::move(line), rounded(std::max(left, 1.0), left < 10 ? 1 : 5));
+    return phrase("{0}, about {1} minutes left", std::move(line), rounded(left / 60, 1));
 }
 
 }  // namespace tactics

@@ -11,11 +11,11 @@
 namespace tactics {
 
 /// "photo.jpg: photo.pdf, photo.svg: 12 lines of 830 mm together; 0.12 s"
-std::string result_line(const Outcome& outcome);
+Phrase result_line(const Outcome& outcome);
 /// The choices made from the picture, the reasons, and how to change them: "photo.jpg: recipe photo (continuous tones: 31 % flat,
 /// 47 % soft, ...); change with --recipe", "photo.jpg: kmeans k=3: 3 colours explain 94 % of its variance; change with --set
 /// kmeans.k=NUMBER".
-std::vector<std::string> choice_lines(const Outcome& outcome);
+std::vector<Phrase> choice_lines(const Outcome& outcome);
 /// Further notes, and everything that a person must act on: changes to the drawing for the rules, pages that are empty or not fit
 /// to be felt, words left out, broken rules, files left from an earlier run.
 Notes further_lines(const Outcome& outcome);
@@ -27,6 +27,6 @@ bool breaks_a_rule(const Outcome& outcome);
 std::string result_json(const Outcome& outcome);
 
 /// "37 of 200 done, about 40 s left"
-std::string progress_line(std::size_t done, std::size_t all, double seconds);
+Phrase progress_line(std::size_t done, std::size_t all, double seconds);
 
 }  // namespace tactics

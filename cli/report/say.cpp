@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "cli/report/user_language.h"
 #include "tactics/text/utf8.h"
 #include "tactics/transport/file.h"
 
@@ -27,8 +28,8 @@ std::string one_line(std::string_view text) {
     return line;
 }
 
-void say(std::string_view line) {
-    const std::string text = one_line(line) + "\n";
+void say(const Phrase& line) {
+    const std::string text = one_line(line.in(user_language())) + "\n";
     std::fwrite(text.data(), 1, text.size(), stderr);
 }
 

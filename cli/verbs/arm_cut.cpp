@@ -58,7 +58,7 @@ CutWish cut_wish(const Given& given) {
     return wish;
 }
 
-Plot cut_of(const Plot& plot, const CutWish& wish, Point field, const std::string& name, std::vector<std::string>& told) {
+Plot cut_of(const Plot& plot, const CutWish& wish, Point field, const std::string& name, std::vector<Phrase>& told) {
     const char* flag = wish.levels ? "--levels" : "--section";
     if (plot.surfaces.empty())
         throw Error(Fault::usage, flag,

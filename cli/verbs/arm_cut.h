@@ -10,6 +10,7 @@
 #include "filters/surface_sections.h"
 #include "tactics/drawing.h"
 #include "tactics/plot.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -24,6 +25,6 @@ CutWish cut_wish(const Given& given);
 /// A plot of curves: the contours in the plane of x and y, or the sections upright over one of the axes. `field`: largest size of
 /// x and y, mm, which decides the number of levels. `told` receives a list of them. Throws Error(usage) if there is no surface,
 /// or nothing of it at that height or place.
-Plot cut_of(const Plot& plot, const CutWish& wish, Point field, const std::string& name, std::vector<std::string>& told);
+Plot cut_of(const Plot& plot, const CutWish& wish, Point field, const std::string& name, std::vector<Phrase>& told);
 
 }  // namespace tactics

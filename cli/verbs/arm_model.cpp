@@ -96,7 +96,7 @@ PlotCurve outline_across(const Mesh& mesh, const Sides& sides) {
 }  // namespace
 
 ArmScene model_on_arm(const Mesh& mesh, const std::string& name, const Given& given, const ArmFile& file,
-                      std::vector<std::string>& told) {
+                      std::vector<Phrase>& told) {
     const Sides sides = sides_of(mesh);
     const Point3 size = sides.high - sides.low;
     const FittedBox box = fit_box(plane_of(given).value_or(kFlat), file.arm, size, 0.5);
@@ -118,9 +118,11 @@ ArmScene model_on_arm(const Mesh& mesh, const std::string& name, const Given& gi
                    {},
                    true};
     if (!(std::min(size.x, size.y) > 0)) scene.sheet = {{"outline", {{0, 0}, {size.x, size.y}}}, outline_across(mesh, sides)};
+    std::vector<std::string> left_out;
     scene.scene =
         scene_of(placed(mesh, sides, scale),
-                 {.law = scene.law, .radius = radius_of(given).value_or(0), .resolution = scene.resolution}, name, told);
+                 {.law = scene.law, .radius = radius_of(given).value_or(0), .resolution = scene.resolution}, name, left_out);
+    told.insert(told.end(), left_out.begin(), left_out.end());
     return scene;
 }
 

@@ -17,7 +17,7 @@ constexpr double kShare = 0.5;   // of what the arm can be stiff: two parts may 
 
 }  // namespace
 
-ArmScene plot_on_arm(Plot plot, const Given& given, const ArmFile& file, std::vector<std::string>& told) {
+ArmScene plot_on_arm(Plot plot, const Given& given, const ArmFile& file, std::vector<Phrase>& told) {
     const ArmSettings& arm = file.arm;
     const std::vector<const PlotPart*> parts = parts_of(given);
     // A surface lies on a table, as a relief does; curves are on a wall, as in the paper.
@@ -26,7 +26,9 @@ ArmScene plot_on_arm(Plot plot, const Given& given, const ArmFile& file, std::ve
     check_field({field.width, field.width});
     const PlotFrame frame = frame_of(plot, field, room_over(field, arm));
     ArmScene scene{std::move(plot), frame, field.mounting, arm_law_of(given, file, kShare), std::max(arm.resolution, 0.01)};
-    scene.scene = plot_scene({scene.plot, frame, scene.law, fixture_of(given), scene.resolution}, parts, told);
+    std::vector<std::string> left_out;
+    scene.scene = plot_scene({scene.plot, frame, scene.law, fixture_of(given), scene.resolution}, parts, left_out);
+    told.insert(told.end(), left_out.begin(), left_out.end());
     return scene;
 }
 

@@ -91,7 +91,7 @@ void take_arm_as_paper(Wishes& drawing, const Given& given, const ArmFile& file)
     drawing.sheet.orientation = most.x > most.y ? Orientation::landscape : Orientation::portrait;
 }
 
-ArmScene relief_on_arm(FeltHeights felt, double radius, const Given& given, const ArmFile& file, std::vector<std::string>& told) {
+ArmScene relief_on_arm(FeltHeights felt, double radius, const Given& given, const ArmFile& file, std::vector<Phrase>& told) {
     HeightMap& map = felt.file.map;
     const Heights heights = heights_of(map);
     const Point3 size{map.width(), map.height(), heights.highest - heights.lowest};

@@ -10,6 +10,7 @@
 #include "tactics/haptics/simulated/arm.h"
 #include "tactics/job/felt_heights.h"
 #include "tactics/job/wishes.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -19,6 +20,6 @@ void take_arm_as_paper(Wishes& drawing, const Given& given, const ArmFile& file)
 /// Uses --plane, --stiffness and --damping; the lowest place lies on the plane. A map that would not fit is scaled down, with a
 /// note. Without --plane, drawings are upright, like a page on a wall, and height maps flat, or upright if that makes them
 /// larger. `radius`: of the fingertip, mm. Throws Error.
-ArmScene relief_on_arm(FeltHeights felt, double radius, const Given& given, const ArmFile& file, std::vector<std::string>& told);
+ArmScene relief_on_arm(FeltHeights felt, double radius, const Given& given, const ArmFile& file, std::vector<Phrase>& told);
 
 }  // namespace tactics

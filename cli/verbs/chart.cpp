@@ -61,8 +61,8 @@ constexpr Flag kFlags[] = {
 };
 
 int run(const Given& given) {
-    if (given.words.size() != 1) throw Error(Fault::usage, "chart", "name one file of figures, or - for standard input");
-    if (!given.has("--output")) throw Error(Fault::usage, "chart", "say where to write it: -o chart.pdf");
+    if (given.words.size() != 1) throw Error(Fault::usage, "chart", phrase("name one file of figures, or - for standard input"));
+    if (!given.has("--output")) throw Error(Fault::usage, "chart", phrase("say where to write it: -o chart.pdf"));
     Request request = plan_charts(plan_outputs({given.words[0]}, named_outputs(given), {}, real_disk()), given);
     request.table = table_wish(given);
     request.table.label = given.value("--label");
@@ -72,12 +72,12 @@ int run(const Given& given) {
     const Item& item = request.items.front();
     for (const Output& output : item.outputs)
         if (!output.folder.empty())
-            throw Error(Fault::usage, "-o " + output.folder, "this is a folder; name a file, for example chart.pdf");
+            throw Error(Fault::usage, "-o " + output.folder, phrase("this is a folder; name a file, for example chart.pdf"));
         else if (output.path == "-" && given.has("--json"))
-            throw Error(Fault::usage, "--json", "the page goes to standard output already; name a file for it");
+            throw Error(Fault::usage, "--json", phrase("the page goes to standard output already; name a file for it"));
     const Outcome outcome = make_pages(Job{item, request});
     if (!given.has("--quiet") && !given.has("--json"))
-        for (const Note& note : outcome.notes) say(outcome.input + ": " + note.text);
+        for (const Note& note : outcome.notes) say(phrase("{0}: {1}", outcome.input, note.words));
     if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
     if (given.has("--json")) print_out(result_json(outcome) + "\n");
     return 0;

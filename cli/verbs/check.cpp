@@ -78,7 +78,7 @@ const Rule& named_rule(const std::string& name, std::string_view place) {
     if (const Rule* rule = find_rule(name)) return *rule;
     throw Error(
         Fault::usage, place,
-        "there is no rule \"" + name.substr(0, 80) + "\"" + did_you_mean(name, rule_names()) + "; see tactics list rules");
+        phrase("there is no rule \"{0}\"{1}; see tactics list rules", name.substr(0, 80), did_you_mean(name, rule_names())));
 }
 
 // `--set gap.least=3mm`: those of rules are used up, the others are left for the recipe.
@@ -111,8 +111,7 @@ std::vector<Demand> demands_for(const Given& given, const Medium& medium,
     for (const Rule* rule : wanted)
         if (!limit_of(*rule, medium))
             throw Error(Fault::usage, "--rule",
-                        "rule " + std::string(rule->name) + " is not about medium " + std::string(medium.name) +
-                            "; name another rule or medium");
+                        phrase("rule {0} is not about medium {1}; name another rule or medium", rule->name, medium.name));
     for (Demand demand : demands_of(medium)) {
         if (!is_wanted(demand.rule)) continue;
         for (const auto& [rule, limit] : limits)
@@ -122,14 +121,14 @@ std::vector<Demand> demands_for(const Given& given, const Medium& medium,
     for (const auto& [rule, limit] : limits)
         if (std::none_of(demands.begin(), demands.end(), [rule = rule](const Demand& demand) { return demand.rule == rule; }))
             throw Error(Fault::usage, "--set",
-                        "rule " + std::string(rule->name) + " is not checked here, so this would do nothing; leave it out");
+                        phrase("rule {0} is not checked here, so this would do nothing; leave it out", rule->name));
     return demands;
 }
 
 Told told_value(const Given& given) {
     constexpr Told kWays[] = {Told::text, Told::json, Told::sarif, Told::junit};
     if (given.has("--json") && given.value("--format", "json") != "json")
-        throw Error(Fault::usage, "--json", "give this or --format, not both");
+        throw Error(Fault::usage, "--json", phrase("give this or --format, not both"));
     if (given.has("--json")) return Told::json;
     return kWays[choice_value(given, "--format", {"text", "json", "sarif", "junit"}).value_or(0)];
 }
@@ -140,16 +139,16 @@ std::size_t most_value(const Given& given) {
     const auto number = parse_number(text);
     if (!number || *number < 0 || *number > 1e6 || *number != std::floor(*number))
         throw Error(Fault::usage, "--most",
-                    "it cannot be \"" + text.substr(0, 80) + "\"; it is a whole number from 0 to 1000000, or all");
+                    phrase("it cannot be \"{0}\"; it is a whole number from 0 to 1000000, or all", text.substr(0, 80)));
     return static_cast<std::size_t>(*number);
 }
 
 Wanted plan_check(const Given& given) {
     Wanted wanted;
     wanted.files = given.words;
-    if (wanted.files.empty()) throw Error(Fault::usage, "check", "no page is named; for example: tactics check page.svg");
+    if (wanted.files.empty()) throw Error(Fault::usage, "check", phrase("no page is named; for example: tactics check page.svg"));
     if (std::count(wanted.files.begin(), wanted.files.end(), "-") > 1)
-        throw Error(Fault::usage, "check", "standard input (-) is named twice; it can be read once");
+        throw Error(Fault::usage, "check", phrase("standard input (-) is named twice; it can be read once"));
     const KeptSheet kept = kept_sheet(given);
     wanted.page.medium = given.has("--medium") || kept.medium == nullptr
                              ? &find_medium(given.value("--medium", "swell"), "--medium")
@@ -180,11 +179,12 @@ Wanted plan_check(const Given& given) {
     wanted.mark = given.value("--mark");
     wanted.mark_format = format_of_path(wanted.mark);
     if (wanted.mark_format == nullptr)
-        throw Error(Fault::usage, "--mark", "the name must end in .svg, .png or .pdf; write for example --mark marked.svg");
-    if (wanted.files.size() > 1) throw Error(Fault::usage, "--mark", "this is for one page; check them one by one");
+        throw Error(Fault::usage, "--mark",
+                    phrase("the name must end in .svg, .png or .pdf; write for example --mark marked.svg"));
+    if (wanted.files.size() > 1) throw Error(Fault::usage, "--mark", phrase("this is for one page; check them one by one"));
     const Disk disk = real_disk();
     if (wanted.files[0] != "-" && disk.identity(wanted.files[0]) == disk.identity(wanted.mark))
-        throw Error(Fault::usage, "--mark", "this would replace the page itself; choose another name");
+        throw Error(Fault::usage, "--mark", phrase("this would replace the page itself; choose another name"));
     return wanted;
 }
 
@@ -200,9 +200,9 @@ int run(const Given& given) {
             checked.verdicts = check_page(checked.found.page, wanted.demands);
             if (wanted.mark_format != nullptr) write_file(wanted.mark, mark_page(checked, wanted.most, *wanted.mark_format));
         });
-        checked.error = failure.text;
+        checked.error = failure.text.english();
         if (!failure.text.empty()) {
-            say("tactics: " + failure.text);
+            say(phrase("tactics: {0}", failure.text));
             code = std::max(code, static_cast<int>(failure.fault));
         }
         broken = broken || count_of(checked).hard > 0;

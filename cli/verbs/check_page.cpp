@@ -29,10 +29,10 @@ FoundPage page_of_picture(Source source, const PageWish& wish) {
     found.notes.push_back("this is a " + (drawn ? "picture" : outcome.picture.format) + ", checked as convert would draw it (" +
                           (drawn ? "recipe " + outcome.recipe + ", " : "") + "medium " + std::string(wish.medium->name) +
                           "); a page is checked as SVG or PDF");
-    for (const Note& note : outcome.notes) found.notes.push_back(note.text);
+    for (const Note& note : outcome.notes) found.notes.push_back(note.english());
     const MendingTold& told = outcome.layouts.front().mended;
-    for (const std::string& note : {told.advice, told.doubt})
-        if (!note.empty()) found.notes.push_back(note);
+    for (const Phrase& note : {told.advice, told.doubt})
+        if (!note.empty()) found.notes.push_back(note.english());
     if (found.page.picture) found.notes.push_back("a picture of pixels is looked at for its ink and beside braille only");
     return found;
 }

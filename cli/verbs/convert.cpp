@@ -131,7 +131,7 @@ public:
             }
             if (fault)
                 throw Error(Fault::failed, folder.string(),
-                            "this folder cannot be made: " + fault.message() + "; choose another place");
+                            phrase("this folder cannot be made: {0}; choose another place", fault.message()));
         }
     }
 
@@ -154,7 +154,7 @@ int run(const Given& given) {
         if (!output.folder.empty()) folders.make(output.folder);
     if (!request.save_recipe.empty() && request.recipe) write_file(request.save_recipe, to_text(saved_recipe(request)));
     if (request.loudness == Loudness::usual || request.loudness == Loudness::all)
-        for (const std::string& note : request.notes) say(note);
+        for (const Phrase& note : request.notes) say(note);
     return run_batch(request);
 }
 

@@ -101,7 +101,7 @@ std::size_t emboss_part(const Part& part, const Source& source, bool pdf, Job jo
         say("INFO: " + std::string(words_of(step)) + " " + name);
         return true;
     }};
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     job.as_text = part.text;
     job.page = part.text ? part.first : 0;
     job.last_page = part.last;
@@ -109,7 +109,7 @@ std::size_t emboss_part(const Part& part, const Source& source, bool pdf, Job jo
     Source input =
         part.text ? again(source) : page_of_input(again(source), source.name, {pdf ? part.first : 0, part.as_picture}, notes);
     const Outcome outcome = make_pages(std::move(input), job, watch);
-    for (const Note& note : outcome.notes) say("INFO: " + note.text);
+    for (const Note& note : outcome.notes) say("INFO: " + note.english());  // CUPS has a log of its own, in English
     if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
     return outcome.layouts.front().pages;
 }

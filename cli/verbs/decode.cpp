@@ -49,7 +49,7 @@ std::vector<double> part_of(const Given& given, std::size_t count, const std::st
     }
     bool fits = numbers.size() == count && std::count(text.begin(), text.end(), ',') + 1 == static_cast<long>(count);
     for (std::size_t i = 0; fits && i < count / 2; ++i) fits = numbers[i] < numbers[i + count / 2];
-    if (!fits) throw Error(Fault::usage, "--part", "it cannot be \"" + text.substr(0, 80) + "\"; it is " + form);
+    if (!fits) throw Error(Fault::usage, "--part", phrase("it cannot be \"{0}\"; it is {1}", text.substr(0, 80), form));
     return numbers;
 }
 
@@ -61,14 +61,14 @@ struct Told {
 Told told_ticks(const Container& container, const Given& given) {
     const std::string output = given.value("--output");
     if (!output.empty() && !output.ends_with(".csv") && output != "-")
-        throw Error(Fault::usage, "--output", "\"" + output.substr(0, 80) + "\" must end in .csv: it holds a recording");
+        throw Error(Fault::usage, "--output", phrase("\"{0}\" must end in .csv: it holds a recording", output.substr(0, 80)));
     const RecordingFacts facts = recording_facts(container);
     const auto part = part_of(given, 2, "FROM,TO in s, such as 2,5");
     const auto microseconds = [](double seconds) { return std::llround(std::clamp(seconds, -1e7, 1e7) * 1e6); };
     const Recording recording =
         part.empty() ? decode_recording(container) : decode_recording(container, microseconds(part[0]), microseconds(part[1]));
     if (recording.times.empty())
-        throw Error(Fault::usage, "--part", "there is no tick between " + to_text(part[0]) + " and " + to_text(part[1]) + " s");
+        throw Error(Fault::usage, "--part", phrase("there is no tick between {0} and {1} s", to_text(part[0]), to_text(part[1])));
     const double seconds = static_cast<double>(recording.times.back() - recording.times.front()) / 1e6;
     Told told;
     told.object.add("kind", "recording");
@@ -92,7 +92,7 @@ Told told_heights(const Container& container, const Given& given) {
     const Format* format = output.empty() ? nullptr : heights_format_of_path(output);
     if (!output.empty() && format == nullptr)
         throw Error(Fault::usage, "--output",
-                    "\"" + output.substr(0, 80) + "\" must end in .png, .tif, .exr, .felt or .stl: it holds heights");
+                    phrase("\"{0}\" must end in .png, .tif, .exr, .felt or .stl: it holds heights", output.substr(0, 80)));
     const LevelMap facts = map_facts(container);
     LevelWindow window{0, 0, facts.columns, facts.rows};
     if (const auto part = part_of(given, 4, "LEFT,TOP,RIGHT,BOTTOM, such as 10mm,20mm,60mm,50mm"); !part.empty()) {
@@ -105,8 +105,8 @@ Told told_heights(const Container& container, const Given& given) {
         window.rows = place(part[3], facts.rows) - window.top;
         if (window.columns < 1 || window.rows < 1)
             throw Error(Fault::usage, "--part",
-                        "the map has nothing there; it is " + rounded(facts.columns * facts.pitch, 0.001) + " x " +
-                            rounded(facts.rows * facts.pitch, 0.001) + " mm");
+                        phrase("the map has nothing there; it is {0} x {1} mm", rounded(facts.columns * facts.pitch, 0.001),
+                               rounded(facts.rows * facts.pitch, 0.001)));
     }
     const LevelMap map = decode_levels(container, window, kMostHeights);
     Told told;
@@ -133,12 +133,13 @@ Told told_heights(const Container& container, const Given& given) {
 }
 
 int run(const Given& given) {
-    if (given.words.size() != 1) throw Error(Fault::usage, "decode", "name one .felt file, or - for standard input");
+    if (given.words.size() != 1) throw Error(Fault::usage, "decode", phrase("name one .felt file, or - for standard input"));
     const std::string input = given.words[0], output = given.value("--output");
-    if (given.has("--output") && output.empty()) throw Error(Fault::usage, "--output", "name a file, for example ticks.csv");
+    if (given.has("--output") && output.empty())
+        throw Error(Fault::usage, "--output", phrase("name a file, for example ticks.csv"));
     const Disk disk = real_disk();
     if (input != "-" && !output.empty() && disk.identity(input) == disk.identity(output))
-        throw Error(Fault::usage, "--output", output + " is the input; choose another name");
+        throw Error(Fault::usage, "--output", phrase("{0} is the input; choose another name", output));
     Source source = open_source(input);
     const std::string bytes = felt_bytes(source);
     const Container container(bytes, source.name);

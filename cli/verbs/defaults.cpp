@@ -67,14 +67,14 @@ void make_folder_of(const std::string& file) {
     std::error_code fault;
     if (fs::is_directory(folder, fault)) return;
     fs::create_directories(folder, fault);
-    if (fault) throw Error(Fault::failed, folder.string(), "this folder cannot be made: " + fault.message());
+    if (fault) throw Error(Fault::failed, folder.string(), phrase("this folder cannot be made: {0}", fault.message()));
 }
 
 void set(const std::string& name, const std::string& value) {
     const std::string place = "defaults set " + name.substr(0, 80);
     const KeptWord& word = find_kept_word(name, "defaults set");
     if (value.empty() || value.find_first_of("\n\r#") != std::string::npos)
-        throw Error(Fault::usage, place, "the value is one line of text without #; write " + std::string(word.value));
+        throw Error(Fault::usage, place, phrase("the value is one line of text without #; write {0}", word.value));
     word.check(value, place);
     if (word.name == "braille") check_kept_table(value, place);
     const std::string file = own_kept_file();
@@ -88,7 +88,7 @@ void unset(const std::string& name) {
     const std::string before = text_of_kept(file), after = without_choice(before, name);
     if (after == before) {
         find_kept_word(name, "defaults unset");
-        say(name + " is not kept in " + file);
+        say(phrase("{0} is not kept in {1}", name, file));
         return;
     }
     write_file(file, after);
@@ -97,7 +97,7 @@ void unset(const std::string& name) {
 int run(const Given& given) {
     const auto& words = given.words;
     if (!words.empty() && given.has("--json"))
-        throw Error(Fault::usage, "--json", "it is for showing what is kept; leave it out, or leave out " + words[0]);
+        throw Error(Fault::usage, "--json", phrase("it is for showing what is kept; leave it out, or leave out {0}", words[0]));
     if (words.empty())
         show(given.has("--json"));
     else if (words[0] == "set" && words.size() == 3)
@@ -106,11 +106,10 @@ int run(const Given& given) {
         unset(words[1]);
     else
         throw Error(Fault::usage, "defaults",
-                    words[0] == "set" ? "name what is to be kept, and its value: tactics defaults set paper a4"
-                    : words[0] == "unset"
-                        ? "name one thing that is no longer to be kept: tactics defaults unset paper"
-                        : "it cannot be \"" + words[0].substr(0, 80) + "\"" + did_you_mean(words[0], {"set", "unset"}) +
-                              "; it is set, unset, or nothing to show what is kept");
+                    words[0] == "set"     ? phrase("name what is to be kept, and its value: tactics defaults set paper a4")
+                    : words[0] == "unset" ? phrase("name one thing that is no longer to be kept: tactics defaults unset paper")
+                                          : phrase("it cannot be \"{0}\"{1}; it is set, unset, or nothing to show what is kept",
+                                                   words[0].substr(0, 80), did_you_mean(words[0], {"set", "unset"})));
     return 0;
 }
 

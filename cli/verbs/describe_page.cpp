@@ -69,8 +69,9 @@ std::string text_of(const Outcome& outcome) {
     }
     // The differences between the page and the recipe's drawing, as in a transcriber's note.
     const MendingTold& mended = outcome.layouts.front().mended;
-    if (!mended.notes.empty()) text += "Changed to be felt:\n";
-    for (const std::string& note : mended.notes) text += note + "\n";
+    const std::string& language = outcome.layouts.front().sheet.language;
+    if (!mended.notes.empty()) text += phrase("Changed to be felt:").in(language) + "\n";
+    for (const Phrase& note : mended.notes) text += note.in(language) + "\n";
     return text;
 }
 
@@ -86,7 +87,7 @@ std::string in_json(const Outcome& outcome) {
     JsonAnswer json;
     json.add("input", outcome.input);
     if (!outcome.error.empty()) {
-        json.add("error", outcome.error);
+        json.add("error", outcome.error.english());
         return json.text() + "\n";
     }
     json.add("recipe", outcome.recipe);
@@ -97,9 +98,9 @@ std::string in_json(const Outcome& outcome) {
 
 std::vector<Item> plan_items(const Given& given) {
     if (given.words.empty())
-        throw Error(Fault::usage, "describe", "no picture is named; for example: tactics describe photo.jpg");
+        throw Error(Fault::usage, "describe", phrase("no picture is named; for example: tactics describe photo.jpg"));
     if (std::count(given.words.begin(), given.words.end(), "-") > 1)
-        throw Error(Fault::usage, "describe", "standard input (-) is named twice; it can be read once");
+        throw Error(Fault::usage, "describe", phrase("standard input (-) is named twice; it can be read once"));
     const Format* text = find_format("text");
     if (!given.has("--output")) {
         std::vector<Item> items;
@@ -107,17 +108,18 @@ std::vector<Item> plan_items(const Given& given) {
         return items;
     }
     if (given.has("--json"))
-        throw Error(Fault::usage, "--json", "it goes to standard output; leave out -o, and write > FILE behind the command");
+        throw Error(Fault::usage, "--json",
+                    phrase("it goes to standard output; leave out -o, and write > FILE behind the command"));
     std::string out = given.value("--output");
     if (out == "-") out = "text:-";
     std::vector<Item> items = plan_outputs(given.words, {out}, {}, real_disk());
     if (items.front().outputs.front().format != text)
-        throw Error(
-            Fault::usage, "-o " + out,
-            "a description is plain text; end the name in .txt, or use tactics convert, which also fills folders: --to text");
+        throw Error(Fault::usage, "-o " + out,
+                    phrase("a description is plain text; end the name in .txt, or use tactics convert, which also fills folders: "
+                           "--to text"));
     if (items.size() > 1)
         throw Error(Fault::usage, "-o " + out,
-                    "it takes the description of one picture; leave out -o, and write > FILE behind the command");
+                    phrase("it takes the description of one picture; leave out -o, and write > FILE behind the command"));
     return items;
 }
 

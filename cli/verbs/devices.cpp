@@ -18,7 +18,7 @@ constexpr Flag kFlags[] = {
 };
 
 int run(const Given& given) {
-    if (!given.words.empty()) throw Error(Fault::usage, "devices", "it takes no words; see tactics devices --help");
+    if (!given.words.empty()) throw Error(Fault::usage, "devices", phrase("it takes no words; see tactics devices --help"));
     std::vector<AttachedDevice> devices = attached_devices("");
     const std::vector<AttachedDevice> queues = print_queues();
     devices.insert(devices.end(), queues.begin(), queues.end());
@@ -45,8 +45,9 @@ int run(const Given& given) {
     }
     print_out(text);
     if (devices.empty() && !given.has("--json"))
-        say("no printer on USB, no serial adapter, no print queue, no braille display, no haptic mouse and no touch overlay is "
-            "there; plug the machine in and switch it on");
+        say(
+            phrase("no printer on USB, no serial adapter, no print queue, no braille display, no haptic mouse and no touch "
+                   "overlay is there; plug the machine in and switch it on"));
     return 0;
 }
 

@@ -60,19 +60,22 @@ void refuse_others(const std::string& name, std::string_view bytes, const Format
     if (bytes.starts_with("\x89PNG")) {
         if (format != nullptr && format->name == "viewplus") return;
         throw Error(Fault::usage, name,
-                    "is a picture: if convert wrote it for a ViewPlus, add --embosser viewplus; else first tactics convert " +
-                        name + " -o index-v4:page.prn, for example");
+                    phrase("is a picture: if convert wrote it for a ViewPlus, add --embosser viewplus; else first tactics "
+                           "convert {0} -o index-v4:page.prn, for example",
+                           name));
     }
     if (bytes.starts_with("<?xml") || bytes.starts_with("<pef"))
         throw Error(Fault::usage, name,
-                    "is XML (SVG, PEF), which no embosser takes as it is; convert the drawing for the machine: -o "
-                    "index-v4:page.prn, for example");
+                    phrase("is XML (SVG, PEF), which no embosser takes as it is; convert the drawing for the machine: -o "
+                           "index-v4:page.prn, for example"));
     for (const std::string_view start : {"%PDF", "\xFF\xD8\xFF", "GIF8", "II*", "MM", "<svg", "RIFF", "BM"})
         if (bytes.starts_with(start) && (start != "MM" || bytes.substr(2, 2) == std::string_view("\0*", 2)) &&
             (start != "BM" || bytes.find('\0') != std::string_view::npos))
-            throw Error(Fault::usage, name,
-                        "is a picture, which no embosser takes as it is; first tactics convert " + name +
-                            " -o index-v4:page.prn, for example");
+            throw Error(
+                Fault::usage, name,
+                phrase(
+                    "is a picture, which no embosser takes as it is; first tactics convert {0} -o index-v4:page.prn, for example",
+                    name));
 }
 
 // The job, and where its pages end.
@@ -93,10 +96,11 @@ EmbossJob job_of(const Given& given) {
         if (format == nullptr && given.has(flag))
             throw Error(
                 Fault::usage, flag,
-                "no machine is named that it would be for, so this would do nothing; add --embosser NAME, or leave it out");
+                phrase(
+                    "no machine is named that it would be for, so this would do nothing; add --embosser NAME, or leave it out"));
     if (given.has("--paper") && std::none_of(given.words.begin(), given.words.end(), is_text))
         throw Error(Fault::usage, "--paper",
-                    "no file is text (.brf) that would be set on it, so this would do nothing; leave it out");
+                    phrase("no file is text (.brf) that would be set on it, so this would do nothing; leave it out"));
     const Settings settings = format == nullptr ? Settings({}) : embosser_settings(*format, given);
     const Paper paper = sheet_in(given, format, settings);
     EmbossJob job;
@@ -114,14 +118,14 @@ EmbossJob job_of(const Given& given) {
     }
     const auto from = static_cast<std::size_t>(number_value(given, "--from-page", 1, 1, 1e6, true));
     if (format == nullptr) {
-        if (from > 1) throw Error(Fault::usage, "--from-page", "where pages begin is known with --embosser NAME only");
+        if (from > 1) throw Error(Fault::usage, "--from-page", phrase("where pages begin is known with --embosser NAME only"));
         return job;
     }
     const Punched punched = format->embosser->punch(job.bytes, settings);
     for (const PunchedSheet& sheet : punched.sheets) job.pages.push_back(sheet.end);
     job.end = job.bytes.substr(punched.job_end_begin, punched.job_end_end - punched.job_end_begin);
     if (from > job.pages.size())
-        throw Error(Fault::usage, "--from-page", "there are " + std::to_string(job.pages.size()) + " pages");
+        throw Error(Fault::usage, "--from-page", phrase("there are {0} pages", std::to_string(job.pages.size())));
     if (from > 1) {
         // What last set the machine up, then that page.
         const PunchedSheet& first = punched.sheets[from - 1];
@@ -142,11 +146,13 @@ void ask_lp(const std::string& queue, std::vector<std::string> words, std::strin
     words.insert(words.begin(), {"lp", "-d", queue, "-t", "tactics"});
     const ChildAnswer answer = run_child(words, input, {std::chrono::minutes{10}, 1u << 20});
     if (answer.end == ChildAnswer::End::missing)
-        throw Error(Fault::failed, "lp", "is not installed; install cups-client, or send to the device itself");
+        throw Error(Fault::failed, "lp", phrase("is not installed; install cups-client, or send to the device itself"));
     if (answer.end != ChildAnswer::End::done)
         throw Error(Fault::failed, "queue:" + queue,
-                    "lp did not take the job" + (answer.err.empty() ? "" : ": " + to_line(answer.err)) + "; look at lpstat -p " +
-                        queue + ", or see tactics devices for the names");
+                    answer.err.empty()
+                        ? phrase("lp did not take the job; look at lpstat -p {0}, or see tactics devices for the names", queue)
+                        : phrase("lp did not take the job: {0}; look at lpstat -p {1}, or see tactics devices for the names",
+                                 to_line(answer.err), queue));
 }
 
 // Bytes are sent unchanged, except for a picture from which the queue's own driver makes dots.
@@ -166,7 +172,7 @@ Delivery send_to_queue(const std::string& queue, const EmbossJob& job) {
 void refuse_stranger(const Given& given, const std::string& place, const std::string& id) {
     if (!given.has("--any-device") && !id.empty() && taken_for(id).empty())
         throw Error(Fault::usage, place,
-                    "is no embosser known here but \"" + id.substr(0, 120) + "\"; if it is one, add --any-device");
+                    phrase("is no embosser known here but \"{0}\"; if it is one, add --any-device", id.substr(0, 120)));
 }
 
 std::unique_ptr<Channel> open_channel(const Address& address, const Given& given) {
@@ -249,11 +255,12 @@ Delivery deliver_to(const Address& address, const std::string& place, const Embo
         const std::size_t complete = pages_within(job.pages, accepted);
         if (given.has("--quiet")) return;
         if (trouble)
-            say(place + ": " + words_for(*trouble, "") +
-                (*trouble == Ending::paper_out ? "; put paper in, the job goes on by itself" : ""));
+            say(*trouble == Ending::paper_out
+                    ? phrase("{0}: {1}; put paper in, the job goes on by itself", place, words_for(*trouble, ""))
+                    : phrase("{0}: {1}", place, words_for(*trouble, "")));
         else if (complete > told && complete < job.pages.size())
-            say(place + ": page " + std::to_string(job.first + complete) + " of " + std::to_string(job.first + job.pages.size()) +
-                " accepted");
+            say(phrase("{0}: page {1} of {2} accepted", place, std::to_string(job.first + complete),
+                       std::to_string(job.first + job.pages.size())));
         told = complete;
     };
     Delivery delivery = deliver(*channel, job.bytes, wish);
@@ -262,7 +269,7 @@ Delivery deliver_to(const Address& address, const std::string& place, const Embo
         if (const std::string why = end_job(*channel, job_end(job, delivery.accepted),
                                             [] { return cancel_by_key() == DeliveryWish::Cancel::at_once; });
             !why.empty())
-            say("tactics: " + place + ": " + why);
+            say(phrase("tactics: {0}: {1}", place, why));
     return delivery;
 }
 
@@ -280,7 +287,7 @@ std::string json_of(const Delivery& delivery, const EmbossJob& job, const std::s
 }
 
 int run(const Given& given) {
-    if (given.words.empty()) throw Error(Fault::usage, "emboss", "name the files to send, in their order");
+    if (given.words.empty()) throw Error(Fault::usage, "emboss", phrase("name the files to send, in their order"));
     const std::string to = given.value("--to");
     const std::string place = to == "usb:" ? "usb" : to;  // a colon follows
     const Address address = parse_address(to, "--to");
@@ -290,18 +297,20 @@ int run(const Given& given) {
     if (address.kind == Address::Kind::queue) {
         delivery = send_to_queue(address.name, job);
     } else if (job.by_driver) {
-        throw Error(Fault::usage, "--to", "a ViewPlus raises dots by its own driver: send to its print queue, --to queue:NAME");
+        throw Error(Fault::usage, "--to",
+                    phrase("a ViewPlus raises dots by its own driver: send to its print queue, --to queue:NAME"));
     } else if (address.kind == Address::Kind::file) {
         write_file(address.name, job.bytes);
         delivery.accepted = job.bytes.size();
-        if (!given.has("--quiet") && !given.has("--json")) say(to + ": " + std::to_string(job.bytes.size()) + " bytes written");
+        if (!given.has("--quiet") && !given.has("--json"))
+            say(phrase("{0}: {1} bytes written", to, std::to_string(job.bytes.size())));
     } else {
         delivery = deliver_to(address, place, job, patience, given);
     }
     if (given.has("--json")) print_out(json_of(delivery, job, to));
     if (delivery.ending != Ending::done)
-        say("tactics: " + place + ": " + words_for(delivery.ending, delivery.why) + ". " + accepted_line(job, delivery.accepted) +
-            ". What the machine punched of them only a look at its paper tells");
+        say(phrase("tactics: {0}: {1}. {2}. What the machine punched of them only a look at its paper tells", place,
+                   words_for(delivery.ending, delivery.why), accepted_line(job, delivery.accepted)));
     else if (!given.has("--quiet") && address.kind != Address::Kind::file)
         say(place + ": " + accepted_line(job, delivery.accepted));
     return exit_code_of(delivery.ending);

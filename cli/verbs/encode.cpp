@@ -63,25 +63,25 @@ double share_of(const Given& given) {
     if (!(share > 0 && share <= kMostShare))
         throw Error(
             Fault::usage, "--deadband",
-            "it cannot be \"" + given.value("--deadband").substr(0, 80) + "\"; it is over 0 and at most 50%, such as 10%");
+            phrase("it cannot be \"{0}\"; it is over 0 and at most 50%, such as 10%", given.value("--deadband").substr(0, 80)));
     return share;
 }
 
 Plan plan_encode(const Given& given) {
     if (given.words.size() != 1)
-        throw Error(
-            Fault::usage, "encode",
-            "name one recording (play writes it with --csv) or one file of heights; for example: tactics encode ticks.csv "
-            "-o ticks.felt");
-    if (!given.has("--output")) throw Error(Fault::usage, "encode", "say where to write it: -o ticks.felt");
+        throw Error(Fault::usage, "encode",
+                    phrase("name one recording (play writes it with --csv) or one file of heights; for example: tactics encode "
+                           "ticks.csv -o ticks.felt"));
+    if (!given.has("--output")) throw Error(Fault::usage, "encode", phrase("say where to write it: -o ticks.felt"));
     Plan plan{given.words[0], given.value("--output"), {}, {}, {}};
     const Disk disk = real_disk();
     if (plan.input != "-" && disk.identity(plan.input) == disk.identity(plan.output))
-        throw Error(Fault::usage, "--output", plan.output + " is the input; choose another name");
+        throw Error(Fault::usage, "--output", phrase("{0} is the input; choose another name", plan.output));
     if (given.has("--deadband")) plan.band = {share_of(given), kFloor, kAllowance, ForceGuess::hold};
     if (const auto guess = choice_value(given, "--predict", {"hold", "linear"})) {
         if (!given.has("--deadband"))
-            throw Error(Fault::usage, "--predict", "without --deadband every force is kept; leave it out, or add --deadband 10%");
+            throw Error(Fault::usage, "--predict",
+                        phrase("without --deadband every force is kept; leave it out, or add --deadband 10%"));
         plan.band.guess = *guess == 0 ? ForceGuess::hold : ForceGuess::linear;
     }
     std::vector<std::string_view> names;
@@ -93,8 +93,8 @@ Plan plan_encode(const Given& given) {
     return plan;
 }
 
-void finish(const Plan& plan, const Given& given, const std::string& bytes, const std::vector<std::string>& notes,
-            JsonAnswer object, const std::string& line) {
+void finish(const Plan& plan, const Given& given, const std::string& bytes, const std::vector<Phrase>& notes, JsonAnswer object,
+            const std::string& line) {
     write_file(plan.output, bytes);
     const std::string name = plan.input == "-" ? "standard input" : plan.input;
     if (given.has("--json")) {
@@ -104,8 +104,8 @@ void finish(const Plan& plan, const Given& given, const std::string& bytes, cons
         object.add("output", plan.output);
         print_out(object.text() + "\n");
     } else if (!given.has("--quiet")) {
-        for (const std::string& note : notes) say(name + ": " + note);
-        say(name + ": " + line + "; " + std::to_string(bytes.size()) + " bytes");
+        for (const Phrase& note : notes) say(phrase("{0}: {1}", name, note));
+        say(phrase("{0}: {1}; {2} bytes", name, line, std::to_string(bytes.size())));
     }
 }
 
@@ -142,13 +142,13 @@ int encode_ticks(const Plan& plan, const Given& given, TickTable ticks) {
                 " N mm more work than recorded, of " + to_text(plan.band.allowance) + " allowed";
     else
         line += ", all forces as they are";
-    finish(plan, given, encoded.bytes, ticks.notes, std::move(object), line);
+    finish(plan, given, encoded.bytes, {ticks.notes.begin(), ticks.notes.end()}, std::move(object), line);
     return 0;
 }
 
 int encode_heights(const Plan& plan, const Given& given, Source& source) {
     if (plan.band.share > 0)
-        throw Error(Fault::usage, "--deadband", "it is about forces, and " + source.name + " holds none; leave it out");
+        throw Error(Fault::usage, "--deadband", phrase("it is about forces, and {0} holds none; leave it out", source.name));
     const HeightFile file = read_heights(source, {});
     LevelMap map = level_map_of(sheet_of(file.map, file.low, file.high), rows_of(file.map));
     if (plan.device) map = for_device(std::move(map), *plan.device);

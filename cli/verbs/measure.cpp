@@ -81,10 +81,10 @@ int measure_stream(const Given& given, const std::string& name, const TickTable&
                    const std::vector<MediumChannel>& channels) {
     for (const std::string_view flag : {"--best", "--levels-of-detail", "--pitch", "--width", "--low", "--high"})
         if (given.has(flag)) throw Error(Fault::usage, flag, "it is about heights and drawings, and " + name + " is a recording");
-    StreamReport report{name, measured(ticks.recording, name), {}, ticks.notes};
+    StreamReport report{name, measured(ticks.recording, name), {}, {ticks.notes.begin(), ticks.notes.end()}};
     report.media = media_of(ticks.recording, report.stream, channels);
     if (!given.has("--quiet") && !given.has("--json"))
-        for (const std::string& note : report.notes) say(name + ": " + note);
+        for (const Phrase& note : report.notes) say(phrase("{0}: {1}", name, note));
     print_out(given.has("--json") ? json_of(report) : text_of(report));
     return 0;
 }
@@ -126,7 +126,7 @@ int run(const Given& given) {
     }
     if (given.has("--levels-of-detail")) report.levels = levels_of_detail(scene);
     if (!given.has("--quiet") && !given.has("--json"))
-        for (const std::string& note : report.found.notes) say(name + ": " + note);
+        for (const Phrase& note : report.found.notes) say(phrase("{0}: {1}", name, note));
     print_out(given.has("--json") ? json_of(report) : text_of(report));
     return 0;
 }

@@ -53,12 +53,12 @@ constexpr std::string_view kMapFlags[] = {"--pitch", "--low",    "--high", "--re
 // of 41 degrees. Ours.
 constexpr double kFingertip = 2;  // mm
 
-void refuse(const Given& given, std::span<const std::string_view> flags, const std::string& why) {
+void refuse(const Given& given, std::span<const std::string_view> flags, const Phrase& why) {
     for (const std::string_view flag : flags)
         if (given.has(flag)) throw Error(Fault::usage, flag, why);
 }
 
-ArmScene scene_in(const std::string& path, const Given& given, const ArmFile& arm, std::vector<std::string>& told) {
+ArmScene scene_in(const std::string& path, const Given& given, const ArmFile& arm, std::vector<Phrase>& told) {
     Source source = open_source(path);
     source.allowed = allowed_formats(given);
     const Holds holds = look_at(source);
@@ -139,10 +139,10 @@ int play_on_arm(const Given& given) {
     const auto called = std::chrono::steady_clock::now();
     const ArmPlan plan = plan_arm(given);
     const ArmSettings& arm = plan.arm.arm;
-    std::vector<std::string> told;
+    std::vector<Phrase> told;
     const ArmScene scene = scene_in(plan.path, given, plan.arm, told);
     if (!plan.quiet)
-        for (const std::string& line : told) say(plan.path + ": " + line);
+        for (const Phrase& line : told) say(phrase("{0}: {1}", plan.path, line));
     const PlotFrame& frame = scene.frame;
     if (scene.solid && plan.hand->of_plots)
         throw Error(Fault::usage, "--hand", "a relief and a model have no curves and no points; take to-and-fro or sections");

@@ -57,10 +57,10 @@ FeltHeights felt_map(Source source, const std::string& path, const MapWish& wish
         fit_heights(felt.file, *wish.best_for, path);
     }
     if (quiet) return felt;
-    for (const std::string& note : felt.file.notes) say(path + ": " + note);
+    for (const Phrase& note : felt.file.notes) say(phrase("{0}: {1}", path, note));
     if (felt.drawn) {
-        for (const std::string& line : choice_lines(*felt.drawn)) say(line);
-        for (const Note& note : felt.drawn->notes) say(name_of_input(*felt.drawn) + ": " + note.text);
+        for (const Phrase& line : choice_lines(*felt.drawn)) say(line);
+        for (const Note& note : felt.drawn->notes) say(phrase("{0}: {1}", name_of_input(*felt.drawn), note.words));
     }
     return felt;
 }

@@ -44,7 +44,7 @@ constexpr Flag kFlags[] = {
 };
 
 int run(const Given& given) {
-    if (given.words.size() != 1) throw Error(Fault::usage, "ppd", "name one embosser; see tactics list embossers");
+    if (given.words.size() != 1) throw Error(Fault::usage, "ppd", phrase("name one embosser; see tactics list embossers"));
     print_out(ppd_of(find_embosser(given.words[0], "ppd"), given.value("--filter", kCupsFilterName)));
     return 0;
 }

@@ -94,28 +94,29 @@ struct Preview {
 
 Preview plan_preview(const Given& given) {
     if (given.words.size() != 1)
-        throw Error(Fault::usage, "preview", "name one file of bytes for an embosser, or - for standard input");
+        throw Error(Fault::usage, "preview", phrase("name one file of bytes for an embosser, or - for standard input"));
     const Format* named = machine_of(given, MachineKinds::with_displays);
     if (named == nullptr)
         throw Error(Fault::usage, "--embosser",
-                    "name the machine that the bytes are for; see tactics list embossers and tactics list displays");
+                    phrase("name the machine that the bytes are for; see tactics list embossers and tactics list displays"));
     const Format& format = *named;
     if (format.embosser->display != nullptr)
         for (const std::string_view flag : {"--paper", "--orientation"})
             if (given.has(flag))
                 throw Error(
                     Fault::usage, flag,
-                    std::string(format.name) + " is a display, all of which is shown, so this would do nothing; leave it out");
+                    phrase("{0} is a display, all of which is shown, so this would do nothing; leave it out", format.name));
     Preview preview{&format, embosser_settings(format, given), {}, given.value("--orientation", "auto"), {}};
     preview.sheet.paper = sheet_in(given, &format, preview.settings);
     fit_to_machine(preview.sheet, format, preview.settings);
     if (preview.way != "auto" && preview.way != "portrait" && preview.way != "landscape")
-        throw Error(Fault::usage, "--orientation", "it is auto, portrait or landscape");
+        throw Error(Fault::usage, "--orientation", phrase("it is auto, portrait or landscape"));
     if (given.has("--output")) preview.items = plan_outputs(given.words, given.all("--output"), {}, real_disk());
     for (const Item& item : preview.items)
         for (const Output& output : item.outputs)
             if (output.format->embosser != nullptr)
-                throw Error(Fault::usage, "-o", "a picture of the sheets is a png, svg, pdf or another of tactics list formats");
+                throw Error(Fault::usage, "-o",
+                            phrase("a picture of the sheets is a png, svg, pdf or another of tactics list formats"));
     return preview;
 }
 

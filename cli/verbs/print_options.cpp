@@ -30,15 +30,15 @@ void check_offered(const PpdWords& ppd, const std::string& name, const std::stri
     const auto offered = ppd.choices.find(name);
     if (offered != ppd.choices.end() && offered->second.contains(value)) return;
     throw Error(Fault::usage, name,
-                "this queue offers no such choice; lpoptions -p QUEUE -l lists them, and a queue of an older PPD file is set up "
-                "again with one of tactics ppd");
+                phrase("this queue offers no such choice; lpoptions -p QUEUE -l lists them, and a queue of an older PPD file is "
+                       "set up again with one of tactics ppd"));
 }
 
 std::string table_of(const std::string& value) {
     const auto tables = braille_tables();
     if (std::find(tables.begin(), tables.end(), value) == tables.end())
         throw Error(Fault::usage, "TacticsBraille",
-                    "liblouis has no such table; set the queue up again with a PPD file of tactics ppd");
+                    phrase("liblouis has no such table; set the queue up again with a PPD file of tactics ppd"));
     return value;
 }
 
@@ -53,9 +53,10 @@ void take_labels(Queue& queue, std::string_view text) {
         const std::string origin = "TacticsLabels " + std::to_string(number);
         const auto equals = one.find('=');
         if (equals == std::string_view::npos || number > kMostLabels)
-            throw Error(Fault::usage, origin,
-                        "it is a place with words, such as 30%,40%=City Park, a semicolon between one and the next, at most " +
-                            std::to_string(kMostLabels));
+            throw Error(
+                Fault::usage, origin,
+                phrase("it is a place with words, such as 30%,40%=City Park, a semicolon between one and the next, at most {0}",
+                       std::to_string(kMostLabels)));
         queue.labels.push_back(label_of(one.substr(0, equals), one.substr(equals + 1), origin));
     }
 }
@@ -139,7 +140,7 @@ Queue queue_of(const PpdWords& ppd, const std::string& place, std::string_view o
     Queue queue;
     queue.embosser = find_format(ppd.embosser);
     if (queue.embosser == nullptr || queue.embosser->embosser == nullptr)
-        throw Error(Fault::failed, place, "names no embosser; set the queue up again with a PPD file of tactics ppd");
+        throw Error(Fault::failed, place, phrase("names no embosser; set the queue up again with a PPD file of tactics ppd"));
     queue.wishes.settings.push_back({queue.embosser, Settings(queue.embosser->options)});
     // A language in the job brings its braille table, unless the job names one; the queue's table applies only to the queue's
     // language.

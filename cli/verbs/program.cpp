@@ -22,14 +22,14 @@ namespace {
     for (const Command* command : commands()) names.push_back(command->name);
     const bool file = word.find_first_of("./") != std::string::npos;
     throw Error(Fault::usage, "",
-                "there is no command " + word.substr(0, 80) + did_you_mean(word, names) +
-                    (file ? "; to make a page from a picture: tactics convert " + word.substr(0, 80) + " -o page.pdf"
-                          : "; see tactics --help"));
+                file ? phrase("there is no command {0}{1}; to make a page from a picture: tactics convert {0} -o page.pdf",
+                              word.substr(0, 80), did_you_mean(word, names))
+                     : phrase("there is no command {0}{1}; see tactics --help", word.substr(0, 80), did_you_mean(word, names)));
 }
 
 int dispatch(const std::vector<std::string>& words) {
     if (words.empty()) {
-        say("tactics: no command; for example: tactics convert photo.jpg -o photo.pdf; see tactics --help");
+        say(phrase("tactics: no command; for example: tactics convert photo.jpg -o photo.pdf; see tactics --help"));
         return static_cast<int>(Fault::usage);
     }
     if (words[0] == "--version" || words[0] == "-V") {
@@ -56,7 +56,7 @@ int dispatch(const std::vector<std::string>& words) {
 int run_program(int count, char** words) {
     spell_wishes_with("--");
     Fault fault = Fault::failed;
-    std::string message;
+    Phrase message;
     try {
         const std::vector<std::string> given(words + (count > 0 ? 1 : 0), words + count);
         if (is_started_as(kCupsFilterName)) return run_cups_filter(given);
@@ -64,13 +64,13 @@ int run_program(int count, char** words) {
         return dispatch(given);
     } catch (const Error& error) {
         fault = error.fault();
-        message = error.what();
+        message = error.told();
     } catch (const std::bad_alloc&) {
-        message = "there is not enough memory";
+        message = phrase("there is not enough memory");
     } catch (const std::exception& error) {
-        message = std::string("this should not happen, please report it: ") + error.what();
+        message = phrase("this should not happen, please report it: {0}", error.what());
     }
-    say("tactics: " + message);
+    say(phrase("tactics: {0}", message));
     return static_cast<int>(fault);
 }
 

@@ -63,9 +63,9 @@ std::optional<double> length_of(const Given& given, std::string_view name, bool 
     const std::string text = given.value(name);
     const auto length = parse_length(text);
     if (!length || (positive && !(*length > 0)))
-        throw Error(
-            Fault::usage, name,
-            "it cannot be \"" + text.substr(0, 80) + "\"; it is a length such as 12mm or 0.5in" + (positive ? ", over 0" : ""));
+        throw Error(Fault::usage, name,
+                    positive ? phrase("it cannot be \"{0}\"; it is a length such as 12mm or 0.5in, over 0", text.substr(0, 80))
+                             : phrase("it cannot be \"{0}\"; it is a length such as 12mm or 0.5in", text.substr(0, 80)));
     return length;
 }
 
@@ -88,7 +88,7 @@ HeightOutput output_of(const std::string& path) {
     if (format == nullptr)
         throw Error(
             Fault::usage, "--output",
-            "\"" + path.substr(0, 80) + "\" must end in .png, .tif, .exr, .felt or .stl; write for example -o relief.png");
+            phrase("\"{0}\" must end in .png, .tif, .exr, .felt or .stl; write for example -o relief.png", path.substr(0, 80)));
     return {path, format, Settings(format->options)};
 }
 
@@ -101,8 +101,8 @@ struct Plan {
 
 Plan plan_relief(const Given& given) {
     if (given.words.size() != 1)
-        throw Error(Fault::usage, "relief", "name one picture, height map or model, or - for standard input");
-    if (!given.has("--output")) throw Error(Fault::usage, "relief", "say where to write it: -o relief.png");
+        throw Error(Fault::usage, "relief", phrase("name one picture, height map or model, or - for standard input"));
+    if (!given.has("--output")) throw Error(Fault::usage, "relief", phrase("say where to write it: -o relief.png"));
     Plan plan{given.words[0],
               {},
               {length_of(given, "--pitch", true), length_of(given, "--width", true), length_of(given, "--low", false),
@@ -113,9 +113,10 @@ Plan plan_relief(const Given& given) {
         plan.outputs.push_back(output_of(path));
         const auto same = [&](const std::string& other) { return disk.identity(path) == disk.identity(other); };
         if (plan.input != "-" && same(plan.input))
-            throw Error(Fault::usage, "--output", path + " is the input; choose another name");
+            throw Error(Fault::usage, "--output", phrase("{0} is the input; choose another name", path));
         for (std::size_t i = 0; i + 1 < plan.outputs.size(); ++i)
-            if (same(plan.outputs[i].path)) throw Error(Fault::usage, "--output", path + " is named twice; leave one out");
+            if (same(plan.outputs[i].path))
+                throw Error(Fault::usage, "--output", phrase("{0} is named twice; leave one out", path));
     }
     for (const auto& [flag, alone] : kSettings) {
         if (!given.has(flag)) continue;
@@ -136,16 +137,16 @@ HeightFile heights_in(Source& source, const Given& given, const HeightWish& wish
     if (look_at(source) != Holds::table) {
         for (const std::string_view flag : kTableFlags)
             if (given.has(flag))
-                throw Error(Fault::usage, flag, "it is about a table, and " + source.name + " is none; leave it out");
+                throw Error(Fault::usage, flag, phrase("it is about a table, and {0} is none; leave it out", source.name));
         return read_heights(source, wish);
     }
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const auto surface = surface_in(source, table_wish(given), notes);
     if (!surface)
         throw Error(Fault::failed, source.name,
-                    "it has no heights over a grid of x and y; name the column of heights with --z, or take --matrix for rows of "
-                    "heights; lines of a chart are raised by chart or convert, for example tactics convert data.csv -o "
-                    "data.height.png");
+                    phrase("it has no heights over a grid of x and y; name the column of heights with --z, or take --matrix for "
+                           "rows of heights; lines of a chart are raised by chart or convert, for example tactics convert "
+                           "data.csv -o data.height.png"));
     HeightFile file = surface_heights(*surface, wish);
     file.notes.insert(file.notes.begin(), notes.begin(), notes.end());
     return file;
@@ -160,8 +161,8 @@ int run(const Given& given) {
     if (plan.medium) fit_heights(file, *plan.medium, name);
     const HeightMap& map = file.map;
     const bool told = !given.has("--quiet") && !given.has("--json");
-    for (const std::string& note : file.notes)
-        if (told) say(name + ": " + note);
+    for (const Phrase& note : file.notes)
+        if (told) say(phrase("{0}: {1}", name, note));
     std::vector<std::string> written, paths;
     for (const HeightOutput& output : plan.outputs) {
         written.push_back(output.format->encode_heights(sheet_of(map, file.low, file.high), rows_of(map), output.settings));
@@ -189,10 +190,11 @@ int run(const Given& given) {
         print_out(object.text() + "\n");
     }
     if (told)
-        say(name + ": " + file.format + " of " + std::to_string(map.columns) + " x " + std::to_string(map.rows) + " samples " +
-            to_text(map.pitch) + " mm apart, " + rounded(map.width(), 0.001) + " x " + rounded(map.height(), 0.001) +
-            " mm; heights " + rounded(static_cast<double>(*least), 0.001) + " to " + rounded(static_cast<double>(*most), 0.001) +
-            " mm, black is " + rounded(file.low, 0.001) + " and white " + rounded(file.high, 0.001) + " mm");
+        say(phrase(
+            "{0}: {1} of {2} x {3} samples {4} mm apart, {5} x {6} mm; heights {7} to {8} mm, black is {9} and white {10} mm",
+            name, file.format, std::to_string(map.columns), std::to_string(map.rows), to_text(map.pitch),
+            rounded(map.width(), 0.001), rounded(map.height(), 0.001), rounded(static_cast<double>(*least), 0.001),
+            rounded(static_cast<double>(*most), 0.001), rounded(file.low, 0.001), rounded(file.high, 0.001)));
     return 0;
 }
 

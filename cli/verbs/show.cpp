@@ -88,7 +88,7 @@ Settings settings_of(const Format& format, const Given& given, bool tells_all) {
         if (change.name != format.name) continue;
         if (tells_all)
             throw Error(Fault::usage, "--set",
-                        "the display itself tells its " + change.option + ", so this would do nothing; leave it out");
+                        phrase("the display itself tells its {0}, so this would do nothing; leave it out", change.option));
         settings.set(change.option, change.value, change.place, change.name);
     }
     return settings;
@@ -110,21 +110,21 @@ std::unique_ptr<Screen> open_screen(const std::string& address, const Given& giv
         for (const std::string_view model : words_of(format->embosser->called)) names.push_back(model);
         if (name != format->name && find_model(name) != format) continue;
         if (rest.empty())
-            throw Error(Fault::usage, "--on", "say which line it is on: " + name + ":/dev/ttyUSB0; see tactics devices");
+            throw Error(Fault::usage, "--on", phrase("say which line it is on: {0}:/dev/ttyUSB0; see tactics devices", name));
         const Settings settings = settings_of(*format, given, format->name == "dot-pad");
         return pin_screen(*format, settings, open_serial(rest, format->embosser->display->baud, Flow::none), rest);
     }
     throw Error(Fault::usage, "--on",
-                "there is no display \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) +
-                    "; it is dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0, hid: or brlapi:, for example; see tactics devices and "
-                    "tactics list displays");
+                phrase("there is no display \"{0}\"{1}; it is dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0, hid: or brlapi:, for "
+                       "example; see tactics devices and tactics list displays",
+                       name.substr(0, 80), did_you_mean(name, names)));
 }
 
 std::optional<Clock::time_point> end_of(const Given& given) {
     if (!given.has("--for")) return std::nullopt;
     const auto seconds = parse_number(given.value("--for"));
     if (!seconds || *seconds < 0 || *seconds > 1e6)
-        throw Error(Fault::usage, "--for", "it is a number of seconds, up to a million");
+        throw Error(Fault::usage, "--for", phrase("it is a number of seconds, up to a million"));
     return Clock::now() + milliseconds(std::lround(1000 * *seconds));
 }
 
@@ -136,11 +136,11 @@ std::vector<Page> pages_for(const Screen& screen, const Given& given, int zoom) 
     Outcome outcome = make_pages(Job{request.items.front(), request});
     if (!outcome.error.empty()) throw Error(outcome.fault, "", outcome.error);
     if (!given.has("--quiet"))
-        for (const Note& note : outcome.notes) say(outcome.input + ": " + note.text);
+        for (const Note& note : outcome.notes) say(phrase("{0}: {1}", outcome.input, note.words));
     // A finger cannot tell an empty display from one that was not set.
     if (outcome.layouts.front().empty)
-        say(outcome.input + ": nothing can be felt of it on " + given.value("--on") +
-            "; try --zoom 3, --recipe line-art or --detail 2");
+        say(phrase("{0}: nothing can be felt of it on {1}; try --zoom 3, --recipe line-art or --detail 2", outcome.input,
+                   given.value("--on")));
     return std::move(outcome.layouts.front().shown);
 }
 
@@ -178,10 +178,11 @@ std::string in_json(const Given& given, const DotSetting& size, std::size_t part
 
 int run(const Given& given) {
     if (given.words.size() != 1)
-        throw Error(Fault::usage, "show", "name one picture; for example: tactics show photo.jpg --on dot-pad:/dev/ttyUSB0");
+        throw Error(Fault::usage, "show",
+                    phrase("name one picture; for example: tactics show photo.jpg --on dot-pad:/dev/ttyUSB0"));
     if (!given.has("--on"))
         throw Error(Fault::usage, "--on",
-                    "name the display: dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0, hid: or brlapi:, for example");
+                    phrase("name the display: dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0, hid: or brlapi:, for example"));
     const int zoom = whole_number(given, "--zoom", 8, "it is a whole number from 1 to 8");
     whole_number(given, "--part", 1'000'000, "it is the number of a part, from 1");
     end_of(given);  // before anything moves
@@ -195,13 +196,13 @@ int run(const Given& given) {
     const bool keyboard = isatty(STDIN_FILENO) != 0;
     const bool stays = end || keyboard || !screen->keeps();
     if (stays && keyboard && !given.has("--quiet"))
-        say("Enter shows the next part, p the one before, q ends; a key of the display is as Enter");
+        say(phrase("Enter shows the next part, p the one before, q ends; a key of the display is as Enter"));
     for (bool first = true;; first = false) {
         const bool confirmed = screen->show(parts[part]);
         if (given.has("--json") && first) print_out(in_json(given, size, parts.size(), part, confirmed));
         if (!confirmed)
-            say(given.value("--on") +
-                ": the display did not say that it shows it; feel whether it does, else switch it off and on again");
+            say(phrase("{0}: the display did not say that it shows it; feel whether it does, else switch it off and on again",
+                       given.value("--on")));
         if (!given.has("--quiet")) say(told(given, parts, part));
         if (!stays) return 0;
         const Next next = wait_for(*screen, keyboard, end);

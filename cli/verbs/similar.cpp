@@ -142,7 +142,7 @@ Comparisons compare_all(const Plan& plan, const Look& figure, bool quiet) {
     Comparisons comparisons{{}, plan.faults};
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (found[i]) comparisons.all.push_back({plan.files[i], *found[i]});
-        if (!failures[i].text.empty()) comparisons.faults.push_back(failures[i].text);
+        if (!failures[i].text.empty()) comparisons.faults.push_back(failures[i].text.english());
     }
     std::stable_sort(comparisons.all.begin(), comparisons.all.end(),
                      [](const Compared& a, const Compared& b) { return a.likeness.share > b.likeness.share; });

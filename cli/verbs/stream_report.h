@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tactics/information/stream.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -18,7 +19,7 @@ struct StreamReport {
     std::string file;
     MeasuredStream stream;
     std::vector<StreamMedium> media;
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
 };
 
 std::string text_of(const StreamReport& report);

@@ -32,9 +32,9 @@ void refuse_wrong_machine(const std::string& name, std::string_view bytes, const
     }
     if (others.empty()) return;
     throw Error(Fault::usage, name,
-                "these bytes are for " + others + ": " + std::string(format.name) + " would not understand " +
-                    punched.notes.front() + "; if that is the machine, add " + spelled("embosser") + " " + first +
-                    ", else convert the picture for " + std::string(format.name));
+                phrase("these bytes are for {0}: {1} would not understand {2}; if that is the machine, add {3} {4}, else convert "
+                       "the picture for {1}",
+                       others, format.name, punched.notes.front(), spelled("embosser"), first));
 }
 
 }  // namespace tactics

@@ -170,8 +170,8 @@ PinAnswer::Kind learn(std::string_view board, Settings& settings) {
             settings.set(name, to_text(value), "", "dot-pad");
         } catch (const Error&) {
             throw Error(Fault::failed, "dot-pad",
-                        "the display tells of " + std::to_string(columns) + " x " + std::to_string(rows) +
-                            " pins, which none has; switch it off and on again");
+                        phrase("the display tells of {0} x {1} pins, which none has; switch it off and on again",
+                               std::to_string(columns), std::to_string(rows)));
         }
     };
     set("columns", columns);

@@ -64,10 +64,10 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     const int half_inches = static_cast<int>(std::ceil(page.height / 12.7 - 0.05));
     const int cells = cells_across(page);
     if (half_inches < least_halves || half_inches > 28 || cells < fewest_cells || cells > 42)
-        throw Error(Fault::usage, "braillo",
-                    "this machine takes sheets of " + std::to_string(least_halves / 2) + " to 14 inches with " +
-                        std::to_string(fewest_cells) + " to 42 cells in a line; choose another " + spelled("paper") + " or " +
-                        spelled("orientation"));
+        throw Error(
+            Fault::usage, "braillo",
+            phrase("this machine takes sheets of {0} to 14 inches with {1} to 42 cells in a line; choose another {2} or {3}",
+                   std::to_string(least_halves / 2), std::to_string(fewest_cells), spelled("paper"), spelled("orientation")));
     TextJob job;
     const auto set = [&](std::string_view command) { job.begin += "\x1b" + std::string(command); };
     const std::string both = on_both(settings) ? "1" : "0";

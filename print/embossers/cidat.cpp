@@ -38,9 +38,9 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     const int cells = cells_across(page), lines = lines_down(page);
     if (inches < 6 || inches > 13 || cells < 12 || cells > 42 || lines < 12 || lines > 43)
         throw Error(Fault::usage, "cidat",
-                    "this machine takes sheets of 6 to 13 inches with 12 to 42 cells in a line and 12 to 43 lines; choose "
-                    "another " +
-                        spelled("paper") + " or " + spelled("orientation"));
+                    phrase("this machine takes sheets of 6 to 13 inches with 12 to 42 cells in a line and 12 to 43 lines; choose "
+                           "another {0} or {1}",
+                           spelled("paper"), spelled("orientation")));
     const auto number = [](int n) { return std::string(1, static_cast<char>(0x30 + n)); };
     TextJob job;
     for (const std::string& command :

@@ -154,10 +154,10 @@ void check_cells(std::span<const Page> pages, const Model& model) {
         for (std::size_t line = 0; line < rows.lines; ++line)
             if (const std::size_t cells = without_end(rows.line(line)).size(); cells > static_cast<std::size_t>(model.cells))
                 throw Error(Fault::usage, "enabling",
-                            "line " + std::to_string(line + 1) + " of the page has " + std::to_string(cells) +
-                                " cells, and the machine " + std::to_string(model.cells) + "; choose a narrower " +
-                                spelled("paper") + " or a wider " + spelled("margin") + ", or " + spelled("set") +
-                                " enabling.model=NAME if yours has more");
+                            phrase("line {0} of the page has {1} cells, and the machine {2}; choose a narrower {3} or a wider "
+                                   "{4}, or {5} enabling.model=NAME if yours has more",
+                                   std::to_string(line + 1), std::to_string(cells), std::to_string(model.cells), spelled("paper"),
+                                   spelled("margin"), spelled("set")));
     }
 }
 
@@ -167,10 +167,11 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     const bool both = on_both(settings), control = settings.choice("commands") == "control";
     if (both && !model.both)
         throw Error(Fault::usage, "enabling",
-                    "this model embosses one side of a sheet; leave " + spelled("duplex") + " out, or choose another model");
+                    phrase("this model embosses one side of a sheet; leave {0} out, or choose another model", spelled("duplex")));
     const int inches = static_cast<int>(std::ceil(page.height / 25.4 - 0.05));
     if (inches < 3)
-        throw Error(Fault::usage, "enabling", "this machine takes sheets of 3 to 14 inches; choose a longer " + spelled("paper"));
+        throw Error(Fault::usage, "enabling",
+                    phrase("this machine takes sheets of 3 to 14 inches; choose a longer {0}", spelled("paper")));
     check_cells(pages, model);
     const SetUp set_up{std::min(cells_across(page), model.cells), std::min(lines_down(page), 59), inches, both};
     const char cell = settings.choice("cell") == "nls" ? 0 : 8;

@@ -59,8 +59,8 @@ void check_lines(std::span<const Page> pages, int most) {
         for (const BrailleLine& line : page.braille)
             if (line.cells.size() > static_cast<std::size_t>(most))
                 throw Error(Fault::usage, "index",
-                            "a line has " + std::to_string(line.cells.size()) + " cells, and the machine " +
-                                std::to_string(most) + "; set the text for that length");
+                            phrase("a line has {0} cells, and the machine {1}; set the text for that length",
+                                   std::to_string(line.cells.size()), std::to_string(most)));
 }
 
 std::string index_text_job(std::span<const Page> pages, const Settings& settings, IndexSeries series) {

@@ -76,8 +76,8 @@ std::string place(double mm) {
     const long steps = std::lround(mm / 0.05);
     if (steps < 0)
         throw Error(Fault::usage, "index-v4-floating",
-                    "a dot would lie left of where the machine counts from, or above; take a larger " + spelled("margin") +
-                        " than left and top");
+                    phrase("a dot would lie left of where the machine counts from, or above; take a larger {0} than left and top",
+                           spelled("margin")));
     const long hundredths = steps * 5;
     std::string text = std::to_string(hundredths / 100) + ".";
     text += static_cast<char>('0' + hundredths / 10 % 10);

@@ -16,8 +16,10 @@
 #include "print/xml.h"
 #include "print/zip_file.h"
 #include "tactics/braille/braille.h"
+#include "tactics/braille/tables.h"
 #include "tactics/description/description.h"
 #include "tactics/error.h"
+#include "tactics/text/catalogue.h"
 #include "tactics/text/utf8.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
@@ -101,10 +103,18 @@ struct Words {
     std::string title;
     std::vector<Section> sections;
     std::string lines_language;
-    Cells note_cells;                      // in English
-    std::vector<std::string_view> tables;  // the one of the title first
+    std::string own_language;  // of what the package says besides
+    Cells note_cells;
+    std::vector<std::string> tables;  // the one of the title first
     bool eight_dots = false;
 };
+
+// The table for words in that language: the page's own if it is for it, and English where there is none.
+std::string table_of(const std::string& language, std::string_view own) {
+    if (own.starts_with(language)) return std::string(own);
+    const std::string table = language == "en" ? "" : table_for_tag(language, described_tables());
+    return table.empty() ? std::string(kEnglish) : table;
+}
 
 Words words_of(std::span<const Page> pages) {
     // The first that is no key speaks for the package.
@@ -114,9 +124,9 @@ Words words_of(std::span<const Page> pages) {
     words.language = page.language;
     // A book of braille is in braille even if the page is not to have any.
     const std::string_view own = page.braille_table.empty() ? kEnglish : std::string_view(page.braille_table);
-    words.title = page.title.empty() ? "Tactile graphic" : page.title;
-    // Our own words are English, regardless of the title's language.
-    const std::string_view english = own.starts_with("en") ? own : kEnglish;
+    words.title = page.title.empty() ? phrase("Tactile graphic").in(page.language) : page.title;
+    words.own_language = spoken_language(page.language);
+    const std::string ours = table_of(words.own_language, own);
     words.lines_language = alternative_language(page);
     for (const Page& each : pages) {
         Section& section = words.sections.emplace_back();
@@ -126,17 +136,17 @@ Words words_of(std::span<const Page> pages) {
             Description description = describe(each);
             description.title.clear();
             section.lines = lines_of(description);
-            for (const std::string& line : section.lines)
-                section.line_cells.push_back(to_braille(line, english, "the description"));
+            for (const std::string& line : section.lines) section.line_cells.push_back(to_braille(line, ours, "the description"));
         } else {
             section.lines.push_back(each.description);
             section.line_cells.push_back(to_braille(each.description, own, spelled("describe")));
         }
     }
-    words.note_cells =
-        to_braille("To print this page at its own size: drawing.pdf in the folder ebraille of this package.", english);
-    words.tables.push_back(own);
-    if (english != own) words.tables.push_back(english);
+    words.note_cells = to_braille(
+        phrase("To print this page at its own size: drawing.pdf in the folder ebraille of this package.").in(page.language),
+        ours);
+    words.tables.emplace_back(own);
+    if (ours != own) words.tables.push_back(ours);
     const auto tall = [](const Cells& cells) {
         return std::any_of(cells.begin(), cells.end(), [](std::uint8_t cell) { return cell > 0x3F; });
     };
@@ -193,18 +203,20 @@ std::string package_document(const Words& words, const std::string& plain, const
         "<dc:format>eBraille 1.0</dc:format>\n"
         "<dc:language>" +
         escaped(braille_tag(words.language)) + "</dc:language>\n";
-    if (words.language != "en") text += "<dc:language>en-Brai</dc:language>\n";  // of the note at least
+    if (words.language != words.own_language)  // of the note at least
+        text += "<dc:language>" + escaped(braille_tag(words.own_language)) + "</dc:language>\n";
     text += "<dc:description>" + escaped(plain) + "</dc:description>\n" + told_by_user(told);
     text += meta("a11y:brailleCellType", words.eight_dots ? "8, 6" : "6");
-    for (const std::string_view table : words.tables) text += meta("a11y:brailleSystem", system_of(table));
+    for (const std::string& table : words.tables) text += meta("a11y:brailleSystem", system_of(table));
     text += meta("a11y:completeTranscription", "false") + meta("a11y:tactileGraphics", "SVG, PDF");
     text += meta("schema:accessMode", "tactile") + meta("schema:accessModeSufficient", "tactile");
     for (const char* feature : {"braille", "tactileGraphic", "alternativeText", "tableOfContents"})
         text += meta("schema:accessibilityFeature", feature);
-    text +=
-        meta("schema:accessibilityHazard", "none") +
-        meta("schema:accessibilitySummary", words.sections.size() > 1 ? "Tactile graphics with their descriptions in braille."
-                                                                      : "One tactile graphic with its description in braille.");
+    text += meta("schema:accessibilityHazard", "none") +
+            meta("schema:accessibilitySummary",
+                 (words.sections.size() > 1 ? phrase("Tactile graphics with their descriptions in braille.")
+                                            : phrase("One tactile graphic with its description in braille."))
+                     .in(words.own_language));
     std::string drawings;
     for (const Section& section : words.sections)
         drawings += "<item id=\"drawing" + section.number + "\" href=\"ebraille/drawing" + section.number +
@@ -252,7 +264,8 @@ std::string content_document(const Words& words) {
         for (const Cells& cells : section.line_cells) text += "<p>" + unicode_braille(cells) + "</p>\n";
         text += "</div>\n";
     }
-    return text + "<p lang=\"en-Brai\" xml:lang=\"en-Brai\">" + unicode_braille(words.note_cells) +
+    const std::string own_tag = escaped(braille_tag(words.own_language));
+    return text + "<p lang=\"" + own_tag + "\" xml:lang=\"" + own_tag + "\">" + unicode_braille(words.note_cells) +
            "</p>\n</section>\n</body>\n</html>\n";
 }
 

@@ -16,6 +16,7 @@
 #include "tactics/layout/named_lines.h"
 #include "tactics/layout/own_layers.h"
 #include "tactics/layout/own_marks.h"
+#include "tactics/text/catalogue.h"
 
 namespace tactics {
 
@@ -35,6 +36,9 @@ std::string picture_group(const Bitmap& picture) {
     return text + " xlink:href=\"data:image/png;base64," + to_base64(png.finish()) + "\"/>\n";
 }
 
+// Of the words that are the program's and not a person's.
+std::string own_language(const Description& description) { return escaped(std::string(spoken_language(description.language))); }
+
 // The main things have a name of their own, so that they can be pointed at, told and found again.
 void append_thing(std::string& text, const Description& description, bool area, std::size_t index, const std::string& path) {
     for (std::size_t i = 0; i < description.things.size(); ++i) {
@@ -42,8 +46,9 @@ void append_thing(std::string& text, const Description& description, bool area, 
         if (thing.area != area || thing.index != index) continue;
         const std::string number = std::to_string(i + 1);
         text += "<g id=\"thing-" + number + "\" role=\"img\" aria-labelledby=\"thing-" + number + "-title\"><title id=\"thing-" +
-                number + "-title\" xml:lang=\"en\">" + number + ". " + escaped(thing.what + ", " + thing.place) + "</title>\n" +
-                path + "</g>\n";
+                number + "-title\" xml:lang=\"" + own_language(description) + "\">" + number + ". " +
+                escaped(as_sentence(phrase("{0}, {1}", thing.what, thing.place).in(description.language))) + "</title>\n" + path +
+                "</g>\n";
         return;
     }
     text += path;
@@ -257,7 +262,7 @@ std::string layer_group(const marks::PageLayer& layer, const Page& page, const D
 
 // Over all that is drawn, so that a pointer or a touch tablet meets them first; of two that lie over each other the later one.
 // Nothing of them is seen or printed. They are told, and reached by the keyboard, in their order.
-std::string regions_group(const Page& page) {
+std::string regions_group(const Page& page, const Description& description) {
     std::string text = "<g id=\"regions\" fill=\"none\" pointer-events=\"all\">\n";
     std::size_t number = 0;
     for (std::size_t i = 0; i < page.regions.size(); ++i) {
@@ -270,9 +275,10 @@ std::string regions_group(const Page& page) {
         if (!region.path.empty()) text += " data-path=\"" + escaped(region.path) + "\"";
         text += region_told(region, i) + " d=\"";
         for (const auto& ring : region.rings) append_path(text, ring, true);
-        text += "\"><title id=\"" + id + "-title\">" + escaped(region.name) + "</title>";
+        text += "\"><title id=\"" + id + "-title\">" + escaped(region.name.in(page.language)) + "</title>";
         if (!region.description.empty())
-            text += "<desc id=\"" + id + "-desc\" xml:lang=\"en\">" + escaped(region.description) + "</desc>";
+            text += "<desc id=\"" + id + "-desc\" xml:lang=\"" + own_language(description) + "\">" +
+                    escaped(region.description.in(page.language)) + "</desc>";
         text += "</path>\n";
     }
     return number > 0 ? text + "</g>\n" : "";
@@ -292,11 +298,12 @@ std::string encode(const Page& page, const Settings&) {
     text += " version=\"1.1\" width=\"" + width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
             "\" xml:lang=\"" + escaped(page.language) + '"' + page_told(page) +
             " role=\"document\" aria-labelledby=\"title\" aria-describedby=\"desc\">\n<title id=\"title\">" +
-            (page.title.empty() ? "Tactile graphic" : escaped(page.title)) + "</title>\n<desc id=\"desc\" xml:lang=\"" +
-            escaped(alternative_language(page)) + "\">" + escaped(alternative_text(page, description)) + "</desc>\n";
+            escaped(page.title.empty() ? phrase("Tactile graphic").in(page.language) : page.title) +
+            "</title>\n<desc id=\"desc\" xml:lang=\"" + escaped(alternative_language(page)) + "\">" +
+            escaped(alternative_text(page, description)) + "</desc>\n";
     for (const marks::PageLayer& layer : marks::kLayers) text += layer_group(layer, page, description);
     text += rest_told(page);
-    text += regions_group(page);
+    text += regions_group(page, description);
     return text + "</svg>\n";
 }
 

@@ -83,19 +83,18 @@ FoundTable find_table(std::string_view name) {
 
 // The child's answer for such a table. A malicious table could control it.
 std::vector<std::uint8_t> cells_of(const ChildAnswer& answer, const std::string& shown) {
-    const auto refuse = [&](const std::string& why) {
-        throw Error(Fault::usage, spelled("braille"), "\"" + to_line(shown.substr(0, 80)) + "\" " + why);
-    };
+    const std::string name = to_line(shown.substr(0, 80));
     using End = ChildAnswer::End;
     if (answer.end == End::missing || !answer.fault.empty())
-        throw Error(
-            Fault::failed, spelled("braille"),
-            "a table of your own needs the programs tactics-louis and tactics-cage, which cannot be started; install them "
-            "beside tactics, or name a table of liblouis");
+        throw Error(Fault::failed, spelled("braille"),
+                    phrase("a table of your own needs the programs tactics-louis and tactics-cage, which cannot be started; "
+                           "install them beside tactics, or name a table of liblouis"));
     if (answer.end == End::too_long || answer.end == End::too_much)
-        refuse("takes liblouis over 10 seconds or far too many cells; mend the table or take another");
+        throw Error(Fault::usage, spelled("braille"),
+                    phrase("\"{0}\" takes liblouis over 10 seconds or far too many cells; mend the table or take another", name));
     if (answer.end != End::done || answer.out.empty())
-        refuse("breaks liblouis, as one does that includes itself; mend the table or take another");
+        throw Error(Fault::usage, spelled("braille"),
+                    phrase("\"{0}\" breaks liblouis, as one does that includes itself; mend the table or take another", name));
     const std::string_view rest = std::string_view(answer.out).substr(1);
     if (answer.out[0] == 'c') return {rest.begin(), rest.end()};
     throw Error(answer.out[0] == 'f' ? Fault::failed : Fault::usage, "", to_line(rest.substr(0, 1000)));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "tactics/error.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -21,21 +22,22 @@ bool is_foreign(char32_t letter) {
 
 }  // namespace
 
-std::string note_of_foreign_letters(std::string_view title, std::string_view table) {
-    if (!table.starts_with("en-") && !table.starts_with("en_")) return "";
+Phrase note_of_foreign_letters(std::string_view title, std::string_view table) {
+    if (!table.starts_with("en-") && !table.starts_with("en_")) return {};
     std::u32string found;
     for (std::string_view rest = title; !rest.empty();)
         if (const char32_t letter = take_letter(rest); is_foreign(letter) && found.find(letter) == std::u32string::npos)
             found += letter;
-    if (found.empty()) return "";
+    if (found.empty()) return {};
     std::string letters;
     for (std::size_t i = 0; i < std::min(found.size(), kMostNamed); ++i) {
         letters += i == 0 ? "" : ", ";
         append_letter(letters, found[i]);
     }
-    return "the title has " + letters + (found.size() > kMostNamed ? " and others" : "") +
-           ", which English does not write, and its braille (" + std::string(table) +
-           ") is English; if the title is in another language, name that";
+    return phrase(
+        "the title has {0}, which English does not write, and its braille ({1}) is English; if the title is in another "
+        "language, name that: {2} de, for example",
+        found.size() > kMostNamed ? phrase("{0} and others", letters) : Phrase(letters), table, spelled("language"));
 }
 
 }  // namespace tactics

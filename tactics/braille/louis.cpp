@@ -43,8 +43,9 @@ void check_search_path() {
     constexpr std::size_t kLongest = 1500;
     const char* folders = std::getenv("LOUIS_TABLEPATH");
     if (folders != nullptr && std::string_view(folders).size() > kLongest)
-        throw Error(Fault::usage, "LOUIS_TABLEPATH",
-                    "is longer than liblouis bears (" + std::to_string(kLongest) + " bytes); name fewer folders, or unset it");
+        throw Error(
+            Fault::usage, "LOUIS_TABLEPATH",
+            phrase("is longer than liblouis bears ({0} bytes); name fewer folders, or unset it", std::to_string(kLongest)));
 }
 
 // The lock, and liblouis speaking to us instead of the terminal.
@@ -113,9 +114,10 @@ std::string faulty_line(std::string_view complaint) {
     // A name that cannot be found, or a file that is there but is no table.
     const bool missing = complaint.empty() || complaint.find("Cannot resolve") != std::string::npos;
     if (missing)
-        throw Error(Fault::usage, spelled("braille"), "there is no braille table \"" + shown + "\"" + table_advice(table.shown));
+        throw Error(Fault::usage, spelled("braille"),
+                    phrase("there is no braille table \"{0}\"{1}", shown, table_advice(table.shown)));
     throw Error(Fault::usage, spelled("braille"),
-                "\"" + shown + "\" is no liblouis table" + faulty_line(complaint) + table_advice(""));
+                phrase("\"{0}\" is no liblouis table{1}{2}", shown, faulty_line(complaint), table_advice("")));
 }
 
 // As cells U+2800 + dots. Needs the session; an empty text is to liblouis a failure.
@@ -136,7 +138,7 @@ std::vector<widechar> translate(const LouisTable& table, const std::vector<widec
         // No table needs a hundred cells for a character.
         if (cells.size() > text.size() * 200 + 10'000)
             throw Error(Fault::failed, spelled("braille"),
-                        "table \"" + printable(table.shown) + "\" cannot set this text; try another table");
+                        phrase("table \"{0}\" cannot set this text; try another table", printable(table.shown)));
         cells.resize(cells.size() * 2);
     }
 }
@@ -163,10 +165,11 @@ bool lacks_letters(const LouisTable& table, const std::vector<widechar>& text, c
         missing = "\"" + sign + "\" (" + number.data() + ")";
         break;
     }
-    throw Error(Fault::usage, text_place,
-                "braille table \"" + printable(table.shown) + "\" has no cells for " + missing +
-                    "; name a table that has them with " + spelled("braille") + ", or leave braille out with " +
-                    spelled("braille") + " none");
+    throw Error(
+        Fault::usage, text_place,
+        phrase(
+            "braille table \"{0}\" has no cells for {1}; name a table that has them with {2}, or leave braille out with {2} none",
+            printable(table.shown), missing, spelled("braille")));
 }
 
 }  // namespace
@@ -186,10 +189,11 @@ std::vector<std::string> louis_tables() {
 
 std::vector<std::uint8_t> cells_by_louis(std::string_view utf8, const LouisTable& table, std::string_view text_place) {
     if (utf8.size() > kLongestText)
-        throw Error(Fault::usage, text_place, "the text is too long to be set in braille (over 10000 bytes); shorten it");
+        throw Error(Fault::usage, text_place, phrase("the text is too long to be set in braille (over 10000 bytes); shorten it"));
     const auto text = decode(utf8);
     if (!text)
-        throw Error(Fault::usage, text_place, "the text for braille is not UTF-8; convert it with iconv, or set a UTF-8 locale");
+        throw Error(Fault::usage, text_place,
+                    phrase("the text for braille is not UTF-8; convert it with iconv, or set a UTF-8 locale"));
 
     const Session session;
     // liblouis 3.24 crashes on an empty name.

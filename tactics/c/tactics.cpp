@@ -41,7 +41,11 @@ struct tactics_job {
 
     std::string message;
     const char* fixed_message = nullptr;  // where there is no memory for another
-    tactics::Notes told;
+    struct Told {
+        std::string text;  // in English
+        bool asks = false;
+    };
+    std::vector<Told> told;
     std::string json;
 
     tactics_job() = default;
@@ -147,7 +151,7 @@ int memory_file(const void* bytes, std::size_t size, const std::string& name) {
 }
 
 // Of a PDF the page that is wanted.
-Source source_of(const tactics_job& job, const Job& wanted, std::vector<std::string>& notes) {
+Source source_of(const tactics_job& job, const Job& wanted, std::vector<Phrase>& notes) {
     Source source{job.input, {nullptr, &std::fclose}};
     const int file = fcntl(job.bytes, F_DUPFD_CLOEXEC, 3);
     if (file >= 0) source.file.reset(fdopen(file, "rb"));
@@ -190,17 +194,16 @@ tactics_code make(tactics_job& job) {
                    job.cancelled.load();
         return !given_up;
     };
-    std::vector<std::string> notes = request.notes;
+    std::vector<Phrase> notes = request.notes;
     const Outcome outcome = job.bytes < 0 ? make_pages(wanted, watch) : make_pages(source_of(job, wanted, notes), wanted, watch);
     job.cancelled = false;
-    if (given_up) return failed_with(job, TACTICS_CANCELLED, outcome.error);
-    if (!outcome.error.empty()) return failed_with(job, static_cast<tactics_code>(outcome.fault), outcome.error);
-    for (const std::string& note : notes) job.told.push_back(one_line(note));
-    for (const std::string& line : choice_lines(outcome)) job.told.push_back(one_line(line));
-    job.told.push_back(one_line(result_line(outcome)));
-    for (Note note : further_lines(outcome)) {
-        note.text = one_line(note.text);
-        job.told.push_back(std::move(note));
+    if (given_up) return failed_with(job, TACTICS_CANCELLED, outcome.error.english());
+    if (!outcome.error.empty()) return failed_with(job, static_cast<tactics_code>(outcome.fault), outcome.error.english());
+    for (const Phrase& note : notes) job.told.push_back({one_line(note.english())});
+    for (const Phrase& line : choice_lines(outcome)) job.told.push_back({one_line(line.english())});
+    job.told.push_back({one_line(result_line(outcome).english())});
+    for (const Note& note : further_lines(outcome)) {
+        job.told.push_back({one_line(note.english()), note.asks()});
     }
     job.json = result_json(outcome);
     if (breaks_a_rule(outcome)) return failed_with(job, TACTICS_RULE_BROKEN, "a page breaks a hard rule; the remarks say which");
@@ -298,7 +301,7 @@ const char* tactics_told(const tactics_job* job, size_t index) {
 }
 
 int tactics_told_asks(const tactics_job* job, size_t index) {
-    return job != nullptr && index < job->told.size() && job->told[index].asks() ? 1 : 0;
+    return job != nullptr && index < job->told.size() && job->told[index].asks ? 1 : 0;
 }
 
 const char* tactics_json(const tactics_job* job) { return job == nullptr ? "" : job->json.c_str(); }

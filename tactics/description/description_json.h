@@ -10,7 +10,8 @@
 namespace tactics {
 
 /// Adds what the first page is called and how large it is, its named things (objects_json) and its main lines and areas, with
-/// places in mm on it; and the words for all pages, line by line.
+/// places in mm on it, all of it in English, for programs; and the words for all pages, line by line, in the language of the
+/// page, and which that is.
 void add_description(JsonObject& json, std::span<const Page> pages);
 
 }  // namespace tactics

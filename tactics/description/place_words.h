@@ -1,38 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where something lies, in words, and the small words of lists.
+// Where something lies, in words.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "tactics/page.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
-
-inline constexpr std::array<const char*, 9> kNinths{"upper left",   "upper middle", "upper right",  "middle left", "middle",
-                                                    "middle right", "lower left",   "lower middle", "lower right"};
 
 /// Which ninth of the page, or of its drawing.
 class Ninths {
 public:
-    Ninths(const Rect& frame, std::string_view name) : frame_(frame), name_(name) {}
+    enum class Frame { page, drawing };
+    Ninths(const Rect& frame, Frame of_what = Frame::page) : frame_(frame), of_what_(of_what) {}
 
     std::size_t of(Point p) const;
     std::size_t of(const Rect& box) const { return of(Point{box.left + box.width / 2, box.top + box.height / 2}); }
 
-    std::string place(const Rect& box) const;  ///< "in the upper left"
+    Phrase place(const Rect& box) const;          ///< "in the upper left"
+    Phrase place(Point p) const;                  ///< the same
+    Phrase place_on_page(const Rect& box) const;  ///< "in the upper left of the page"
+    /// It reaches over so much of a line of ninths that a straight line along it needs no other words.
+    bool spans(const Rect& box) const;
     /// Of a line from end to end, told in reading order: "from the upper left to the middle".
-    std::string course(Point a, Point b) const;
+    Phrase course(Point a, Point b) const;
 
 private:
+    bool wide(const Rect& box) const;
+    bool high(const Rect& box) const;
+
     Rect frame_;
-    std::string name_;
+    Frame of_what_;
 };
 
-std::string counted(std::size_t count, const std::string& thing);  ///< "3 lines"
-std::string listed(const std::vector<std::string>& parts);         ///< "one, two and three"
+/// A ninth by its name: "the upper left".
+Phrase name_of_ninth(std::size_t ninth);
 
 }  // namespace tactics

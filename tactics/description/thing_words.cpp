@@ -2,6 +2,7 @@
 #include "tactics/description/thing_words.h"
 
 #include <cmath>
+#include <utility>
 
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/dashed_line.h"
@@ -11,8 +12,10 @@ namespace tactics {
 
 namespace {
 
-std::string with_article(const std::string& name) {
-    return (std::string_view("aeiou").find(name[0]) == std::string_view::npos ? "A " : "An ") + name;
+// The English name decides; other languages have none, or their own.
+Phrase with_article(Phrase name) {
+    const bool consonant = std::string_view("aeiou").find(name.english()[0]) == std::string_view::npos;
+    return consonant ? phrase("A {0}", std::move(name)) : phrase("An {0}", std::move(name));
 }
 
 // Black areas, then textured ones.
@@ -34,17 +37,17 @@ const std::vector<Point>* longest_ring(const Area& area) {
 }
 
 // Where the place alone does not tell two things apart.
-std::string beside(const std::vector<Thing>& things) {
+Phrase beside(const std::vector<Thing>& things) {
     const Thing& last = things.back();
     for (std::size_t i = things.size() - 1; i-- > 0;) {
         const Rect &a = things[i].box, &b = last.box;
         if (things[i].place != last.place) continue;
-        const std::string number = " number " + std::to_string(i + 1);
-        if (b.top >= a.top + a.height) return "lies below" + number;
-        if (b.left >= a.left + a.width) return "lies to the right of" + number;
-        if (b.left + b.width <= a.left) return "lies to the left of" + number;
+        const std::string number = std::to_string(i + 1);
+        if (b.top >= a.top + a.height) return phrase("lies below number {0}", number);
+        if (b.left >= a.left + a.width) return phrase("lies to the right of number {0}", number);
+        if (b.left + b.width <= a.left) return phrase("lies to the left of number {0}", number);
     }
-    return "";
+    return {};
 }
 
 bool same_place(const Rect& a, const Rect& b) {
@@ -82,9 +85,9 @@ std::vector<Wordless> candidates_of(const Page& page) {
     return all;
 }
 
-std::string relations_of(const std::vector<Thing>& things, const std::vector<Shape>& shapes) {
+Phrase relations_of(const std::vector<Thing>& things, const std::vector<Shape>& shapes) {
     const std::size_t at = things.size() - 1;
-    std::vector<std::string> crosses, meets;
+    std::vector<Phrase> crosses, meets;
     std::size_t around = at;
     // A texture ends where its outline runs; neither lies inside the other.
     const auto fills = [&](std::size_t i) {
@@ -97,19 +100,20 @@ std::string relations_of(const std::vector<Thing>& things, const std::vector<Sha
     for (std::size_t i = 0; i < at; ++i) {
         const std::string number = std::to_string(i + 1);
         if (fills(i))
-            return things[at].texture > 0 ? "It fills number " + number + "." : "It is the outline of number " + number + ".";
+            return things[at].texture > 0 ? phrase("It fills number {0}.", number)
+                                          : phrase("It is the outline of number {0}.", number);
         if (things[i].texture > 0 || things[at].texture > 0) continue;
         if (cross(shapes[at], shapes[i]))
             crosses.push_back(number);
         else if (end_meets(shapes[at], shapes[i]) || end_meets(shapes[i], shapes[at]))
             meets.push_back(number);
     }
-    std::vector<std::string> parts;
-    if (around != at) parts.push_back("lies inside number " + std::to_string(around + 1));
-    if (!crosses.empty()) parts.push_back("crosses number " + listed(crosses));
-    if (!meets.empty()) parts.push_back("meets number " + listed(meets));
-    if (const std::string other = beside(things); parts.empty() && !other.empty()) parts.push_back(other);
-    return parts.empty() ? "" : "It " + listed(parts) + ".";
+    std::vector<Phrase> parts;
+    if (around != at) parts.push_back(phrase("lies inside number {0}", std::to_string(around + 1)));
+    if (!crosses.empty()) parts.push_back(phrases(crosses.size(), "crosses number {1}", "crosses numbers {1}", listed(crosses)));
+    if (!meets.empty()) parts.push_back(phrases(meets.size(), "meets number {1}", "meets numbers {1}", listed(meets)));
+    if (Phrase other = beside(things); parts.empty() && !other.empty()) parts.push_back(std::move(other));
+    return parts.empty() ? Phrase() : phrase("It {0}.", listed(parts));
 }
 
 Shape shape_of(const Page& page, const Wordless& candidate) {
@@ -117,38 +121,35 @@ Shape shape_of(const Page& page, const Wordless& candidate) {
     return shape_of(whole_line(page, candidate.index, candidate.last), page.strokes[candidate.index].closed);
 }
 
+namespace {
+
+Phrase area_words(const Area& area, const Shape& shape) {
+    Phrase name = area.texture == 0 ? phrase("filled {0}", shape.area)
+                                    : phrase("{0} filled with {1}", shape.area, name_of_texture(area.texture));
+    const std::size_t holes = holes_in(area, shape);
+    if (holes > 20) return phrase("{0} with many holes", std::move(name));
+    return holes > 0 ? phrases(holes, "{1} with {0} hole", "{1} with {0} holes", std::move(name)) : name;
+}
+
+}  // namespace
+
 Thing thing_of(const Page& page, const Wordless& candidate, const Shape& shape, const Ninths& ninths, double thinnest) {
-    Thing thing{candidate.area,
-                candidate.index,
-                shape.box,
-                shape.length,
-                "",
-                "",
-                "",
-                candidate.area ? area_of(page, candidate.index).texture : 0};
-    std::string name = shape.name;
+    Thing thing;
+    thing.area = candidate.area;
+    thing.index = candidate.index;
+    thing.box = shape.box;
+    thing.length = shape.length;
+    Phrase name = shape.name;
     if (candidate.area) {
-        constexpr std::string_view kOutline = "closed outline";
-        if (const auto part = name.find(kOutline); part != std::string::npos) name.replace(part, kOutline.size(), "shape");
-        const int texture = area_of(page, candidate.index).texture;
-        if (texture == 0)
-            name = "filled " + name;
-        else
-            name += " filled with " + std::string(name_of_texture(texture));
-        if (const std::size_t holes = holes_in(area_of(page, candidate.index), shape); holes > 20)
-            name += " with many holes";
-        else if (holes > 0)
-            name += " with " + counted(holes, "hole");
+        thing.texture = area_of(page, candidate.index).texture;
+        name = area_words(area_of(page, candidate.index), shape);
     } else {
-        if (candidate.last > candidate.index) name = "dashed " + name;
-        if (page.strokes[candidate.index].width > 1.5 * thinnest) name = "thick " + name;
+        if (candidate.last > candidate.index) name = phrase("dashed {0}", std::move(name));
+        if (page.strokes[candidate.index].width > 1.5 * thinnest) name = phrase("thick {0}", std::move(name));
     }
-    thing.what = with_article(name) + ", " + shape.size;
+    thing.what = phrase("{0}, {1}", with_article(std::move(name)), shape.size);
     thing.place = ninths.place(shape.box);
-    const bool spans = thing.place.starts_with("across") || thing.place.starts_with("down");
-    const bool straight =
-        name.find("straight horizontal") != std::string::npos || name.find("straight vertical") != std::string::npos;
-    if (!shape.closed && !(spans && straight)) {
+    if (!shape.closed && !(ninths.spans(shape.box) && shape.level)) {
         const Point a = shape.corners.front(), b = shape.corners.back();
         if (ninths.of(a) != ninths.of(b)) thing.place = ninths.course(a, b);
     }

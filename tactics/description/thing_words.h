@@ -21,6 +21,6 @@ std::vector<Wordless> candidates_of(const Page& page);
 Shape shape_of(const Page& page, const Wordless& candidate);
 Thing thing_of(const Page& page, const Wordless& candidate, const Shape& shape, const Ninths& ninths, double thinnest);
 /// Of the last thing to those before it, but inside of any.
-std::string relations_of(const std::vector<Thing>& things, const std::vector<Shape>& shapes);
+Phrase relations_of(const std::vector<Thing>& things, const std::vector<Shape>& shapes);
 
 }  // namespace tactics

@@ -10,7 +10,6 @@
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/course.h"
 #include "tactics/geometry/walk.h"
-#include "tactics/units.h"
 
 namespace tactics {
 
@@ -68,23 +67,47 @@ std::vector<Point> evenly(std::vector<Point> points, bool closed, double length)
     return out;
 }
 
-std::string eighth(double angle) {
-    constexpr std::array<const char*, 8> kNames{"right", "lower right", "bottom", "lower left",
-                                                "left",  "upper left",  "top",    "upper right"};
-    return kNames[static_cast<std::size_t>(std::lround(angle / (pi / 4)) + 8) % 8];
+// From the right on, clockwise.
+constexpr std::array<SourceWords, 8> kGapped{"circle with a gap at the right",  "circle with a gap at the lower right",
+                                             "circle with a gap at the bottom", "circle with a gap at the lower left",
+                                             "circle with a gap at the left",   "circle with a gap at the upper left",
+                                             "circle with a gap at the top",    "circle with a gap at the upper right"};
+constexpr std::array<SourceWords, 8> kOpen{
+    "arc open to the right", "arc open to the lower right", "arc open to the bottom", "arc open to the lower left",
+    "arc open to the left",  "arc open to the upper left",  "arc open to the top",    "arc open to the upper right"};
+constexpr std::array<SourceWords, 8> kBulging{
+    "arc bulging to the right", "arc bulging to the lower right", "arc bulging downwards", "arc bulging to the lower left",
+    "arc bulging to the left",  "arc bulging to the upper left",  "arc bulging upwards",   "arc bulging to the upper right"};
+
+Phrase towards(const std::array<SourceWords, 8>& names, double angle) {
+    return phrase(names[static_cast<std::size_t>(std::lround(angle / (pi / 4)) + 8) % 8]);
 }
 
-std::string heading(Point a, Point b) {
+// Horizontal, vertical, rising, falling.
+constexpr std::array<SourceWords, 4> kStraight{"straight horizontal line", "straight vertical line",
+                                               "straight line rising to the right", "straight line falling to the right"};
+constexpr std::array<SourceWords, 4> kNearlyStraight{"nearly straight horizontal line", "nearly straight vertical line",
+                                                     "nearly straight line rising to the right",
+                                                     "nearly straight line falling to the right"};
+constexpr std::array<SourceWords, 4> kSlightlyCurved{"slightly curved horizontal line", "slightly curved vertical line",
+                                                     "slightly curved line rising to the right",
+                                                     "slightly curved line falling to the right"};
+constexpr std::array<SourceWords, 4> kWavy{"wavy horizontal line", "wavy vertical line", "wavy line rising to the right",
+                                           "wavy line falling to the right"};
+
+std::size_t heading(Point a, Point b) {
     constexpr double kLevel = 10 * pi / 180;  // a finger takes less for level
     if (a.x > b.x) std::swap(a, b);
     const double angle = direction(a, b);  // -90 to 90 degrees, y down
-    if (std::abs(angle) <= kLevel) return "horizontal line";
-    if (std::abs(angle) >= pi / 2 - kLevel) return "vertical line";
-    return angle < 0 ? "line rising to the right" : "line falling to the right";
+    if (std::abs(angle) <= kLevel) return 0;
+    if (std::abs(angle) >= pi / 2 - kLevel) return 1;
+    return angle < 0 ? 2 : 3;
 }
 
+constexpr SourceWords kCircle = "circle";
+
 // A circle or an ellipse, whichever way it is turned.
-std::optional<std::string> round_name(const std::vector<Point>& even) {
+std::optional<Phrase> round_name(const std::vector<Point>& even) {
     Point mean;
     for (const Point& p : even) mean = {mean.x + p.x / kSteps, mean.y + p.y / kSteps};
     double xx = 0, xy = 0, yy = 0;
@@ -106,36 +129,57 @@ std::optional<std::string> round_name(const std::vector<Point>& even) {
     }
     constexpr double kRound = 0.05;
     if (std::sqrt(off) > kRound) return std::nullopt;
-    return std::min(a, b) >= 0.9 * std::max(a, b) ? "circle" : "oval";
+    return std::min(a, b) >= 0.9 * std::max(a, b) ? phrase(kCircle) : phrase("oval");
 }
 
-std::string closed_name(const std::vector<Point>& points, const Rect& box, double length, double tolerance) {
+// What it is called as an outline, and filled.
+struct ClosedName {
+    Phrase outline, area;
+
+    ClosedName(Phrase both) : outline(both), area(std::move(both)) {}
+    ClosedName(Phrase as_outline, Phrase filled) : outline(std::move(as_outline)), area(std::move(filled)) {}
+};
+
+ClosedName four_sided(const std::vector<Point>& corners) {
+    bool right = true;
+    double lean = 0;  // of all sides together, so that it does not matter which comes first
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double turn =
+            angle_between(direction(corners[i], corners[(i + 1) % 4]), direction(corners[(i + 1) % 4], corners[(i + 2) % 4]));
+        right = right && std::abs(std::abs(turn) - pi / 2) < 12 * pi / 180;
+        lean += std::remainder(direction(corners[i], corners[(i + 1) % 4]), pi / 2) / 4;
+    }
+    if (!right) return phrase("four-sided outline");
+    const double a = distance(corners[0], corners[1]), b = distance(corners[1], corners[2]);
+    const bool tilted = std::abs(lean) > 10 * pi / 180;
+    if (std::min(a, b) >= 0.92 * std::max(a, b)) return tilted ? phrase("tilted square") : phrase("square");
+    return tilted ? phrase("tilted rectangle") : phrase("rectangle");
+}
+
+ClosedName closed_name(const std::vector<Point>& points, const Rect& box, double length, double tolerance) {
     const std::vector<Point> corners = corners_of(points, true, tolerance);
     const std::size_t count = corners.size();
-    if (count < 3) return "narrow closed outline";
-    if (count == 3) return "triangle";
-    if (count == 4) {
-        bool right = true;
-        double lean = 0;  // of all sides together, so that it does not matter which comes first
-        for (std::size_t i = 0; i < 4; ++i) {
-            const double turn =
-                angle_between(direction(corners[i], corners[(i + 1) % 4]), direction(corners[(i + 1) % 4], corners[(i + 2) % 4]));
-            right = right && std::abs(std::abs(turn) - pi / 2) < 12 * pi / 180;
-            lean += std::remainder(direction(corners[i], corners[(i + 1) % 4]), pi / 2) / 4;
-        }
-        if (!right) return "four-sided outline";
-        const double a = distance(corners[0], corners[1]), b = distance(corners[1], corners[2]);
-        return std::string(std::abs(lean) > 10 * pi / 180 ? "tilted " : "") +
-               (std::min(a, b) >= 0.92 * std::max(a, b) ? "square" : "rectangle");
+    if (count < 3) return {phrase("narrow closed outline"), phrase("narrow shape")};
+    if (count == 3) return phrase("triangle");
+    if (count == 4) return four_sided(corners);
+    if (count <= 6) {
+        const std::string number = std::to_string(count);
+        return {phrase("closed outline with {0} corners", number), phrase("shape with {0} corners", number)};
     }
-    if (count <= 6) return "closed outline with " + std::to_string(count) + " corners";
     if (const auto name = round_name(evenly(points, true, length))) return *name;
     // A straight course there and back is twice the diagonal of its box.
-    return length > 4 * std::hypot(box.width, box.height) ? "winding closed outline" : "closed outline";
+    if (length > 4 * std::hypot(box.width, box.height)) return {phrase("winding closed outline"), phrase("winding shape")};
+    return {phrase("closed outline"), phrase("shape")};
 }
 
+struct OpenName {
+    Phrase name;
+    bool level = false;   // straight, and horizontal or vertical
+    bool circle = false;  // but for a gap
+};
+
 // The circle that the points follow, by least squares (Kasa).
-std::optional<std::string> arc_name(const std::vector<Point>& even, double length, double tolerance) {
+std::optional<OpenName> arc_name(const std::vector<Point>& even, double length, double tolerance) {
     Point mean;
     for (const Point& p : even) mean = {mean.x + p.x / kSteps, mean.y + p.y / kSteps};
     double uu = 0, uv = 0, vv = 0, ur = 0, vr = 0;
@@ -154,10 +198,8 @@ std::optional<std::string> arc_name(const std::vector<Point>& even, double lengt
     // Round and round, or so flat that the next drawing of the same might bulge the other way.
     if (sweep > 2 * pi || radius * (1 - std::cos(sweep / 2)) < 2 * tolerance) return std::nullopt;
     const double middle = direction(centre, even[kSteps / 2]);
-    if (sweep > 1.75 * pi) return "circle with a gap at the " + eighth(middle + pi);
-    if (sweep >= pi * 0.9) return "arc open to the " + eighth(middle + pi);
-    const std::string side = eighth(middle);
-    return "arc bulging " + (side == "top" ? "upwards" : side == "bottom" ? "downwards" : "to the " + side);
+    if (sweep > 1.75 * pi) return OpenName{towards(kGapped, middle + pi), false, true};
+    return OpenName{sweep >= pi * 0.9 ? towards(kOpen, middle + pi) : towards(kBulging, middle)};
 }
 
 // Swings to and fro about a straight line.
@@ -179,25 +221,26 @@ bool is_wavy(const std::vector<Point>& even) {
     return swings >= kSwings;
 }
 
-std::string open_name(const std::vector<Point>& points, const Rect& box, double length, double tolerance) {
+OpenName open_name(const std::vector<Point>& points, const Rect& box, double length, double tolerance) {
     const Point a = points.front(), b = points.back();
     const double chord = distance(a, b);
+    const std::size_t way = heading(a, b);
     double off = 0;
     for (const Point& p : points) off = std::max(off, distance_to_segment(p, a, b));
     const bool direct = chord >= 0.95 * length;
-    if (direct && off <= tolerance) return "straight " + heading(a, b);
+    if (direct && off <= tolerance) return {phrase(kStraight[way]), way < 2};
     const std::vector<Point> even = evenly(points, false, length);
     if (const auto name = arc_name(even, length, std::max(tolerance, 0.02 * length))) return *name;
-    if (direct && off <= 0.05 * chord) return "nearly straight " + heading(a, b);
+    if (direct && off <= 0.05 * chord) return {phrase(kNearlyStraight[way]), way < 2};
     const std::vector<Point> corners = corners_of(points, false, tolerance);
     bool sharp = corners.size() >= 3 && corners.size() <= 6;
     for (std::size_t i = 1; sharp && i + 1 < corners.size(); ++i)
         sharp = std::abs(angle_between(direction(corners[i - 1], corners[i]), direction(corners[i], corners[i + 1]))) > pi / 6;
-    if (sharp && corners.size() == 3) return "line with one corner";
-    if (sharp) return "line with " + std::to_string(corners.size() - 2) + " corners";
-    if (chord > 0.5 * length && is_wavy(even)) return "wavy " + heading(a, b);
-    if (chord >= 0.9 * length) return "slightly curved " + heading(a, b);
-    return length > 2.5 * std::hypot(box.width, box.height) ? "winding line" : "curved line";
+    if (sharp && corners.size() == 3) return {phrase("line with one corner")};
+    if (sharp) return {phrase("line with {0} corners", std::to_string(corners.size() - 2))};
+    if (chord > 0.5 * length && is_wavy(even)) return {phrase(kWavy[way])};
+    if (chord >= 0.9 * length) return {phrase(kSlightlyCurved[way])};
+    return {length > 2.5 * std::hypot(box.width, box.height) ? phrase("winding line") : phrase("curved line")};
 }
 
 double turn_of(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
@@ -218,14 +261,16 @@ double length_of(std::span<const Point> points, bool closed) {
     return length;
 }
 
-std::string spoken_length(double mm) {
-    if (mm >= 995) return to_text(std::round(mm / 100) / 10) + " m";
-    if (mm >= 97.5) return to_text(std::round(mm / 10)) + " cm";
-    if (mm >= 9.75) return to_text(std::round(mm / 5) / 2) + " cm";
-    return to_text(std::max(1.0, std::round(mm))) + " mm";
+Phrase spoken_length(double mm) {
+    if (mm >= 995) return phrase("{0} m", numeral(std::round(mm / 100) / 10));
+    if (mm >= 97.5) return phrase("{0} cm", numeral(std::round(mm / 10)));
+    if (mm >= 9.75) return phrase("{0} cm", numeral(std::round(mm / 5) / 2));
+    return phrase("{0} mm", numeral(std::max(1.0, std::round(mm))));
 }
 
-std::string spoken_size(const Rect& box) { return spoken_length(box.width) + " wide and " + spoken_length(box.height) + " high"; }
+Phrase spoken_size(const Rect& box) {
+    return phrase("{0} wide and {1} high", spoken_length(box.width), spoken_length(box.height));
+}
 
 Shape shape_of(std::span<const Point> points, bool closed) {
     Shape shape;
@@ -241,20 +286,25 @@ Shape shape_of(std::span<const Point> points, bool closed) {
 
     constexpr double kDot = 4, kMark = 8;  // mm; below half an inch no shape is recognised (APH guide), a line from 6.4 mm on
     if (side <= kDot) {
-        shape.name = "dot";
-        shape.size = spoken_length(side) + " across";
+        shape.name = shape.area = phrase("dot");
+        shape.size = phrase("{0} across", spoken_length(side));
     } else if (side <= kMark) {
-        shape.name = "small mark";
-        shape.size = spoken_length(side) + " across";
+        shape.name = shape.area = phrase("small mark");
+        shape.size = phrase("{0} across", spoken_length(side));
     } else if (shape.closed) {
-        shape.name = closed_name(few, shape.box, length_of(few, true), tolerance);
-        shape.size =
-            shape.name == "circle" ? spoken_length((shape.box.width + shape.box.height) / 2) + " across" : spoken_size(shape.box);
+        ClosedName name = closed_name(few, shape.box, length_of(few, true), tolerance);
+        shape.size = name.outline == phrase(kCircle)
+                         ? phrase("{0} across", spoken_length((shape.box.width + shape.box.height) / 2))
+                         : spoken_size(shape.box);
+        shape.name = std::move(name.outline);
+        shape.area = std::move(name.area);
     } else {
-        shape.name = open_name(few, shape.box, length_of(few, false), tolerance);
-        shape.size = spoken_length(shape.length) + " long";
-        const bool doubles_back = shape.length > 1.6 * gap && !shape.name.starts_with("circle");
-        if (doubles_back) shape.size += " in a space " + spoken_size(shape.box);
+        OpenName name = open_name(few, shape.box, length_of(few, false), tolerance);
+        const bool doubles_back = shape.length > 1.6 * gap && !name.circle;
+        shape.size = doubles_back ? phrase("{0} long in a space {1}", spoken_length(shape.length), spoken_size(shape.box))
+                                  : phrase("{0} long", spoken_length(shape.length));
+        shape.name = shape.area = std::move(name.name);
+        shape.level = name.level;
     }
     return shape;
 }

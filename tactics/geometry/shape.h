@@ -4,17 +4,19 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "tactics/page.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 struct Shape {
-    std::string name;     ///< "circle", "straight horizontal line"; without article
-    std::string size;     ///< "5 cm across"
+    Phrase name;          ///< "circle", "straight horizontal line"; without article
+    Phrase area;          ///< the same of what is not an outline but filled: "circle", "winding shape"
+    Phrase size;          ///< "5 cm across"
     bool closed = false;  ///< in effect: ignores a gap too small for a finger
+    bool level = false;   ///< straight, and horizontal or vertical
     double length = 0;    ///< mm, with the closing side
     Rect box;
     std::vector<Point> corners;  ///< the same line within 0.5 mm, coarser if that takes more than 200 points
@@ -31,8 +33,8 @@ bool end_meets(const Shape& open, const Shape& other);  ///< one of its ends rea
 double length_of(std::span<const Point> points, bool closed);
 
 /// A length as people say it: "8 mm", "3.5 cm", "12 cm", "1.4 m".
-std::string spoken_length(double mm);
+Phrase spoken_length(double mm);
 /// "5 cm wide and 3 cm high"
-std::string spoken_size(const Rect& box);
+Phrase spoken_size(const Rect& box);
 
 }  // namespace tactics

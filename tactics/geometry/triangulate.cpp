@@ -128,7 +128,8 @@ Mesh mesh_of(const Model& model, const std::string& file) {
     std::size_t count = 0;
     for (const ModelFace& face : model.faces) count += face.count - 2;
     if (count > kMostMeshTriangles)
-        throw Error(Fault::failed, file, "has over " + std::to_string(kMostMeshTriangles) + " triangles; make it coarser first");
+        throw Error(Fault::failed, file,
+                    phrase("has over {0} triangles; make it coarser first", std::to_string(kMostMeshTriangles)));
     Mesh mesh;
     mesh.vertices = model.vertices;
     mesh.triangles.reserve(count);

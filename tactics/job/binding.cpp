@@ -15,7 +15,8 @@ namespace {
 // What an outline calls it.
 std::string name_in_outline(const Outcome& outcome, const Page& page) {
     if (!page.title.empty()) return page.title;
-    return stem_of(outcome.input) + (outcome.pdf_page > 0 ? ", page " + std::to_string(outcome.pdf_page) : "");
+    if (outcome.pdf_page == 0) return stem_of(outcome.input);
+    return phrase("{0}, page {1}", stem_of(outcome.input), std::to_string(outcome.pdf_page)).in(page.language);
 }
 
 }  // namespace
@@ -39,9 +40,9 @@ void PageBinding::check_sizes(const Outcome& outcome) const {
             const Page& page = bound.pages.front();
             if (page.width == file.size.x && page.height == file.size.y) continue;
             throw Error(Fault::failed, "",
-                        "its page is turned, or of another size than those before it, and one " +
-                            std::string(file.output.format->name) + " holds pages of one size; name " + spelled("orientation") +
-                            " and " + spelled("paper") + ", or choose a pdf");
+                        phrase("its page is turned, or of another size than those before it, and one {0} holds pages of one "
+                               "size; name {1} and {2}, or choose a pdf",
+                               file.output.format->name, spelled("orientation"), spelled("paper")));
         }
 }
 
@@ -65,10 +66,10 @@ void PageBinding::bind(Outcome& outcome) {
                 file.pages += bound.pages.size();
             }
     } catch (const Error& error) {
-        outcome.error = name_of_input(outcome) + ": " + error.what();
+        outcome.error = phrase("{0}: {1}", name_of_input(outcome), error.told());
         outcome.fault = error.fault();
     } catch (const std::exception& error) {  // such as no memory: later ones must not wait for ever
-        outcome.error = name_of_input(outcome) + ": it cannot be bound into one file: " + error.what();
+        outcome.error = phrase("{0}: it cannot be bound into one file: {1}", name_of_input(outcome), error.what());
         outcome.fault = Fault::failed;
     }
 }
@@ -103,7 +104,7 @@ std::vector<BoundFile> PageBinding::write() {
                 write_file(file.output.path, bytes);
             }
         } catch (const Error& error) {
-            told.error = error.what();
+            told.error = error.told();
         }
         written.push_back(std::move(told));
     }

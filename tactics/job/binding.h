@@ -23,7 +23,7 @@ struct BoundFile {
     std::string path;
     std::size_t pages = 0;             ///< 0: no picture has a page, and no file is written
     std::vector<std::string> missing;  ///< pictures without a page in it
-    std::string error;                 ///< why it could not be written; empty: it was written
+    Phrase error;                      ///< why it could not be written; empty: it was written
 };
 
 /// Takes outcomes with bound outputs (item.h) as they finish, from any thread, and passes them on in the order of their items.

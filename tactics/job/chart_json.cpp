@@ -115,8 +115,9 @@ void check_size(const Plot& plot) {
     for (const PlotSurface& surface : plot.surfaces) values += surface.z.size();
     if (values > kMostToldValues)
         throw Error(Fault::usage, spelled("json"),
-                    "it tells " + std::to_string(kMostToldValues) + " values at most, and the table has " +
-                        std::to_string(values) + "; leave it out, or keep every tenth row, for example: awk 'NR % 10 == 1' FILE");
+                    phrase("it tells {0} values at most, and the table has {1}; leave it out, or keep every tenth row, for "
+                           "example: awk 'NR % 10 == 1' FILE",
+                           std::to_string(kMostToldValues), std::to_string(values)));
 }
 
 }  // namespace

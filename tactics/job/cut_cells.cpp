@@ -25,14 +25,18 @@ void CutCells::count(const Format& format, const Settings& settings, const std::
     formats_.insert(std::string(format.name));
 }
 
-std::string CutCells::note() const {
-    if (most_ == 0) return "";
-    std::string names;
-    for (const std::string& name : formats_) names += (names.empty() ? "" : " and ") + name;
-    return (most_ == 1 ? "1 cell of its braille loses" : std::to_string(most_) + " cells of its braille lose") +
-           " dots 7 and 8, which " + names + (formats_.size() == 1 ? " does" : " do") +
-           " not have; take a table of six dots with " + spelled("braille") + ", or what has eight: pef with " + spelled("set") +
-           " pef.dots=8, generic with " + spelled("set") + " generic.dots=8, index-v4";
+Phrase CutCells::note() const {
+    if (most_ == 0) return {};
+    const Phrase names = listed({formats_.begin(), formats_.end()});
+    const Phrase mend = phrase(
+        "take a table of six dots with {0}, or what has eight: pef with {1} pef.dots=8, generic with {1} "
+        "generic.dots=8, index-v4",
+        spelled("braille"), spelled("set"));
+    if (formats_.size() == 1)
+        return phrases(most_, "{0} cell of its braille loses dots 7 and 8, which {1} does not have; {2}",
+                       "{0} cells of its braille lose dots 7 and 8, which {1} does not have; {2}", names, mend);
+    return phrases(most_, "{0} cell of its braille loses dots 7 and 8, which {1} do not have; {2}",
+                   "{0} cells of its braille lose dots 7 and 8, which {1} do not have; {2}", names, mend);
 }
 
 }  // namespace tactics

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "print/format.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -17,7 +18,7 @@ public:
     void count(const Format& format, const Settings& settings, const std::vector<Page>& pages);
 
     /// A message: what is lost, in which formats, and which formats have eight dots; empty: nothing is lost.
-    std::string note() const;
+    Phrase note() const;
 
 private:
     std::size_t most_ = 0;           // in one output

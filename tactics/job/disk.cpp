@@ -33,7 +33,7 @@ std::string read_text(const std::string& path) {
     const Source source = open_source(path);
     std::string text(kMaxRecipeBytes + 1, '\0');  // one byte more tells that it is too long
     text.resize(std::fread(text.data(), 1, text.size(), source.file.get()));
-    if (std::ferror(source.file.get()) != 0) throw Error(Fault::failed, path, "it cannot be read");
+    if (std::ferror(source.file.get()) != 0) throw Error(Fault::failed, path, phrase("it cannot be read"));
     return text;
 }
 

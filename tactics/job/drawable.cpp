@@ -46,7 +46,7 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
     Drawable drawable{.info = std::move(info)};
     drawable.recipe = recipe_for(*reading, job, drawable.reason);
     drawable.words = words_of(*reading, drawable.recipe, words, sheet);
-    drawable.no_room_for_words = "print in it is left in the lines, as the page has no room for it in braille; take ";
+    drawable.print_is_left = true;
     drawable.title = drawable.words.title;
     drawable.title_origin = "the title of the figure";
     const Kept kept = kept_by(drawable.recipe);
@@ -78,14 +78,13 @@ Drawable drawable_of_picture(Source& source, const Job& job, const Sheet& sheet)
 }
 
 // What is lines already goes no way through pixels.
-void tell_what_does_nothing(std::string_view what, const Job& job, Notes& notes) {
-    const std::string it_is = "it is " + std::string(what) + ", so ";
+void tell_what_does_nothing(const Phrase& what, const Job& job, Notes& notes) {
     if (asks_for_a_way(job.chain))
-        notes.push_back(it_is + spelled("recipe") + ", " + spelled("filter") + ", " + spelled("detail") +
-                        " and settings of filters do nothing to it");
+        notes.push_back(phrase("it is {0}, so {1}, {2}, {3} and settings of filters do nothing to it", what, spelled("recipe"),
+                               spelled("filter"), spelled("detail")));
     if (!job.wish.empty())
-        notes.push_back(it_is + spelled("subject") + ", " + spelled("subject-only") + " and " + spelled("leave") +
-                        " do nothing to it");
+        notes.push_back(phrase("it is {0}, so {1}, {2} and {3} do nothing to it", what, spelled("subject"),
+                               spelled("subject-only"), spelled("leave")));
 }
 
 // A file within the file, kept as long as it is drawn from.
@@ -111,8 +110,8 @@ std::shared_ptr<const std::vector<FigurePart>> parts_of(const Figure& figure, co
         FigurePart part{picture.place, picture.shown,
                         drawable_of_pixels(inspect_picture(*source), reading, job.words, job, sheet)};
         if (!part.drawable.reason.empty())
-            notes.push_back("a picture in it is drawn by the recipe " + part.drawable.recipe.name + " (" + part.drawable.reason +
-                            ")");
+            notes.push_back(
+                phrase("a picture in it is drawn by the recipe {0} ({1})", part.drawable.recipe.name, part.drawable.reason));
         parts->push_back(std::move(part));
     }
     return parts;
@@ -126,7 +125,6 @@ Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, 
     drawable.words = figure->words;
     const auto parts = parts_of(*figure, job, sheet, notes);
     take_words(*parts, page.width, page.height, drawable.words);
-    drawable.no_room_for_words = "its words are left out, as the page has no room for them in braille; take ";
     if (!page.title.empty() && !sheet.bare) {
         drawable.title = page.title;
         drawable.title_origin = "the title in the SVG";
@@ -141,7 +139,7 @@ Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, 
         draw_parts(*parts, place.width / figure->page.page.width, !words.told.empty(), on, drawing, way);
         return drawing;
     };
-    if (parts->empty()) tell_what_does_nothing("lines already", job, notes);
+    if (parts->empty()) tell_what_does_nothing(phrase("lines already"), job, notes);
     return drawable;
 }
 
@@ -163,8 +161,10 @@ std::optional<Drawable> drawable_of_own_page(Source& source, const Job& job, Not
 }
 
 Drawable drawable_of_table(Source& source, const Job& job, const Sheet& sheet, Notes& notes) {
-    std::vector<std::string> told;
-    const auto plot = std::make_shared<Plot>(plot_of(source, job.table, told));
+    std::vector<Phrase> told;
+    TableWish table = job.table;
+    table.language = sheet.language;
+    const auto plot = std::make_shared<Plot>(plot_of(source, table, told));
     notes.insert(notes.end(), told.begin(), told.end());
     Drawable drawable{.info = {"table", 0, 0}};
     drawable.title = plot->title;
@@ -180,7 +180,7 @@ Drawable drawable_of_table(Source& source, const Job& job, const Sheet& sheet, N
     };
     if (!plot->surfaces.empty() && job.chart.view == SurfaceView::heights)
         drawable.heights = [plot](double width) { return surface_heights(plot->surfaces.front(), {.width = width}); };
-    tell_what_does_nothing("a table", job, notes);
+    tell_what_does_nothing(phrase("a table"), job, notes);
     return drawable;
 }
 
@@ -191,7 +191,7 @@ Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view
     Drawable drawable{.info = {std::string(format), 0, 0}};
     drawable.title = drawing->model().title;
     drawable.title_origin = "the title of the model";
-    const std::vector<std::string> told = fold_lines(drawing->on(sheet));
+    const std::vector<Phrase> told = fold_lines(drawing->on(sheet));
     notes.insert(notes.end(), drawing->notes().begin(), drawing->notes().end());
     notes.insert(notes.end(), told.begin(), told.end());
     drawable.model_json = fold_json(drawing->on(sheet));
@@ -202,7 +202,7 @@ Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view
     drawable.draw = [drawing](const Sheet& on, const Rect& place, const PrintWords&, DrawingWay&) {
         return scaled_to(drawing->on(on).drawing, place.width);
     };
-    tell_what_does_nothing("a model", job, notes);
+    tell_what_does_nothing(phrase("a model"), job, notes);
     return drawable;
 }
 
@@ -212,7 +212,7 @@ Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, N
     const bool automatic = job.model.view == ModelView::automatic;
     if (job.model.view != ModelView::heights && !(automatic && (job.recipe || asks_for_a_way(job.chain)))) {
         const std::string format(model_format(source));
-        std::vector<std::string> told;
+        std::vector<Phrase> told;
         auto model = std::make_shared<const Model>(read_model(source, told));
         if (!automatic || !is_terrain(*model)) {
             notes.insert(notes.end(), told.begin(), told.end());

@@ -32,7 +32,7 @@ struct Drawable {
     Recipe recipe = {};       ///< recipe that draws it; no steps: it consists of lines already
     std::string reason = {};  ///< why auto chose it; empty: the user named it, or there is none
     PrintWords words = {};
-    std::string no_room_for_words = {};  ///< message if a page has no room for them in braille
+    bool print_is_left = false;  ///< what happens to words that have no room in braille: left in the lines; else left out
     std::string title = {}, title_origin = {};
     std::optional<double> width = {};      ///< real width from the file, mm
     std::string model_json = {};           ///< of a folded-out model: what was done with its objects

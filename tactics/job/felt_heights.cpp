@@ -29,7 +29,7 @@ Settings relief_settings(const HeightWish& wish) {
     set("pitch", "pitch", wish.pitch);
     set("height", "high", wish.high);
     if (wish.low && *wish.low != 0)
-        throw Error(Fault::usage, spelled("low"), "the lines of a drawing stand on a ground of 0 mm; leave it out");
+        throw Error(Fault::usage, spelled("low"), phrase("the lines of a drawing stand on a ground of 0 mm; leave it out"));
     return settings;
 }
 
@@ -43,7 +43,8 @@ FeltHeights draw(Source source, const HeightWish& heights, Wishes wishes) {
     if (!felt.drawn->error.empty()) throw Error(felt.drawn->fault, "", felt.drawn->error);
     const Layout& layout = felt.drawn->layouts.front();
     if (layout.empty)
-        throw Error(Fault::failed, job.input, "nothing is drawn of it that could be felt; take another " + spelled("recipe"));
+        throw Error(Fault::failed, job.input,
+                    phrase("nothing is drawn of it that could be felt; take another {0}", spelled("recipe")));
     PageRelief relief(layout.shown.front(), settings, kFormat);
     felt.file = {relief.map(), relief.sheet().low, relief.sheet().high, "drawing", {}};
     return felt;
@@ -52,7 +53,7 @@ FeltHeights draw(Source source, const HeightWish& heights, Wishes wishes) {
 }  // namespace
 
 FeltHeights felt_heights(Source source, const std::string& path, const HeightWish& heights, Wishes wishes) {
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const Holds holds = look_at(source);
     if (holds == Holds::model) return {read_heights(source, heights), {}};
     if (holds == Holds::table && !asks_for_a_way(wishes.chain) && is_of_heights(source, wishes.table)) {
@@ -78,7 +79,7 @@ void fit_heights(HeightFile& file, const MediumChannel& channel, const std::stri
         scene_of(grid_of(file.map, file.low, file.high, kMostLevels, name), file.map.pitch, file.low, file.high, name);
     const LeastLoss least = least_loss(scene, channel);
     if (least.plain > 0) file.map = transformed_heights(scene, least.best, least.levels);
-    file.notes.push_back("for " + channel.name + ": " + explained(least, scene.pyramid.whole()));
+    file.notes.push_back(phrase("for {0}: {1}", channel.name, explained(least, scene.pyramid.whole())));
 }
 
 }  // namespace tactics

@@ -28,6 +28,18 @@ std::string bytes_of(std::FILE* file) {
 
 namespace {
 
+// Lettering that nobody could read.
+Phrase left_out_words(std::size_t count, const std::string& places, const Phrase& trouble) {
+    Phrase text =
+        phrases(count,
+                "{0} piece of its lettering, drawn as shapes that no installed font has, is left out: at {1}; give the "
+                "words with {2}",
+                "{0} pieces of its lettering, drawn as shapes that no installed font has, are left out: at {1}; give the "
+                "words with {2}",
+                places, spelled("label"));
+    return trouble.empty() ? text : phrase("{0}. {1}", std::move(text), trouble);
+}
+
 // Where its lines and areas begin, in percent from the top.
 double first_ink(const Page& page) {
     double top = page.height;
@@ -50,7 +62,7 @@ Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
     Figure figure;
     // A figure without a size is finally drawn as large as the sheet, so any size will do.
     const bool wordless = wish == WordsWish::leave || wish == WordsWish::remove || sheet.bare;
-    std::string trouble;  // in reading letters that are shapes
+    Phrase trouble;  // in reading letters that are shapes
     figure.page = read_svg(bytes_of(source.file.get()), source.name, 0, find_paper("a4", ""),
                            wordless ? SvgPurpose::lines : SvgPurpose::figure, [&](FoundPage& page) {
                                read_letter_shapes(page);
@@ -60,9 +72,9 @@ Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
     PrintWords& words = figure.words;
     words.notes.assign(figure.page.notes.begin(), figure.page.notes.end());
     if (!page.braille.empty())
-        words.notes.push_back(to_act_on("braille in it is left out; give its words with " + spelled("label")));
+        words.notes.push_back(to_act_on(phrase("braille in it is left out; give its words with {0}", spelled("label"))));
     if (wordless) {
-        if (!figure.page.words.empty() && !sheet.bare) words.notes.push_back("its words are left out");
+        if (!figure.page.words.empty() && !sheet.bare) words.notes.push_back(phrase("its words are left out"));
         return figure;
     }
     std::vector<PrintPlace> places;
@@ -77,26 +89,22 @@ Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
             unread += (++count == 1 ? "" : "; ") + origin_place(words.told.back());
         } else if (!words.told.back().set)
             words.notes.push_back(
-                to_act_on("the words \"" + beginning_of(one.text) + "\" are left out: they lie outside of the drawing"));
+                to_act_on(phrase("the words \"{0}\" are left out: they lie outside of the drawing", beginning_of(one.text))));
         places.push_back({{x, y}, 100 * one.height / page.height, one.upwards, false, false, one.thing.has_value()});
     }
     if (by_sight > 0)
-        words.notes.push_back(to_act_on(std::to_string(by_sight) + (by_sight == 1 ? " piece" : " pieces") +
-                                        " of its lettering, drawn as shapes that no installed font has, " +
-                                        (by_sight == 1 ? "was" : "were") + " read as print is; look " +
-                                        (by_sight == 1 ? "it" : "them") + " over"));
-    if (count > 0)
-        words.notes.push_back(to_act_on(std::to_string(count) + (count == 1 ? " piece" : " pieces") +
-                                        " of its lettering, drawn as shapes that no installed font has, " +
-                                        (count == 1 ? "is" : "are") + " left out: at " + unread + "; give the words with " +
-                                        spelled("label") + (trouble.empty() ? "" : ". " + trouble)));
+        words.notes.push_back(to_act_on(phrases(
+            by_sight,
+            "{0} piece of its lettering, drawn as shapes that no installed font has, was read as print is; look it over",
+            "{0} pieces of its lettering, drawn as shapes that no installed font has, were read as print is; look them over")));
+    if (count > 0) words.notes.push_back(to_act_on(left_out_words(count, unread, trouble)));
     std::vector<ToldWords> before = words.told;
     keep_what_has_braille(words.told, sheet.braille_table);
     for (std::size_t i = 0; i < before.size(); ++i)
         if (before[i].set && !words.told[i].set)
-            words.notes.push_back(to_act_on("the words \"" + beginning_of(before[i].text) +
-                                            "\" are left out: the braille table has no cells for them; take another with " +
-                                            spelled("braille")));
+            words.notes.push_back(
+                to_act_on(phrase("the words \"{0}\" are left out: the braille table has no cells for them; take another with {1}",
+                                 beginning_of(before[i].text), spelled("braille"))));
     if (sheet.title.empty() && page.title.empty()) words.title = take_title(words.told, places, first_ink(page));
     want_places(words.told, std::move(places));
     for (std::size_t i = 0; i < words.told.size(); ++i)

@@ -7,7 +7,7 @@ namespace tactics {
 
 Output output_to(const std::string& path) {
     const Format* format = format_of_path(path);
-    if (format == nullptr) throw Error(Fault::usage, path, "its ending names no format; end it in .pdf, for example");
+    if (format == nullptr) throw Error(Fault::usage, path, phrase("its ending names no format; end it in .pdf, for example"));
     return {format, path, ""};
 }
 

@@ -66,7 +66,7 @@ Image picture_of(const Page& page, double tallest) {
 
 }  // namespace
 
-std::string read_letter_picture(FoundPage& figure, std::string_view language, const std::string& program) {
+Phrase read_letter_picture(FoundPage& figure, std::string_view language, const std::string& program) {
     if (std::none_of(figure.words.begin(), figure.words.end(), [&](const FoundWords& words) { return is_unread(figure, words); }))
         return {};
     double tallest = 0;

@@ -11,6 +11,6 @@ namespace tactics {
 
 /// Fills in the text and confidence of such words, if the reading is certain and covers all of their letters. Returns why nothing
 /// could be read and the remedy; empty: all is well, or there was nothing to read. `program` is for tests.
-std::string read_letter_picture(FoundPage& figure, std::string_view language, const std::string& program = "tesseract");
+Phrase read_letter_picture(FoundPage& figure, std::string_view language, const std::string& program = "tesseract");
 
 }  // namespace tactics

@@ -140,29 +140,35 @@ void keep_record(const Output& output, const Record& record, bool new_folder) {
     }
 }
 
-std::vector<std::string> differences(const MadeWith& before, const MadeWith& now) {
-    std::vector<std::string> told;
+namespace {
+
+std::string name_and(const std::string& value, const std::string& name) { return value.empty() ? name : name + " " + value; }
+
+}  // namespace
+
+std::vector<Phrase> differences(const MadeWith& before, const MadeWith& now) {
+    std::vector<Phrase> told;
     const Values earlier = by_name(before), later = by_name(now);
     for (const auto& [name, value] : now) {
         const auto was = earlier.find(name);
         if (was != earlier.end() && was->second == value) continue;
         if (name == "picture")
-            told.emplace_back("the picture is another");
+            told.emplace_back(phrase("the picture is another"));
         else if (name == "labels")
-            told.emplace_back("its labels are others");
+            told.emplace_back(phrase("its labels are others"));
         else if (name.starts_with("picture ") || name.starts_with("labels "))
-            told.push_back(name + (was == earlier.end() ? " is new" : " is another"));
+            told.push_back(was == earlier.end() ? phrase("{0} is new", name) : phrase("{0} is another", name));
         else
-            told.push_back(name + (value.empty() ? "" : " " + value) +
-                           (was == earlier.end() ? " is new" : ", was " + std::string(was->second)));
+            told.push_back(was == earlier.end() ? phrase("{0} is new", name_and(value, name))
+                                                : phrase("{0}, was {1}", name_and(value, name), was->second));
     }
     for (const auto& [name, value] : before)
         if (later.count(name) == 0)
-            told.push_back(name == "labels"    ? "its labels are gone"
-                           : name == "picture" ? "it was made of one picture"
+            told.push_back(name == "labels"    ? phrase("its labels are gone")
+                           : name == "picture" ? phrase("it was made of one picture")
                            : name.starts_with("picture ") || name.starts_with("labels ")
-                               ? name + " is gone"
-                               : name + (value.empty() ? "" : " " + value) + " is gone");
+                               ? phrase("{0} is gone", name)
+                               : phrase("{0} is gone", name_and(value, name)));
     return told;
 }
 

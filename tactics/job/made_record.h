@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tactics/job/item.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -45,6 +46,6 @@ std::optional<Record> record_of(const Output& output);
 void keep_record(const Output& output, const Record& record, bool new_folder);
 
 /// The differences in words: "--margin is 15mm, was 20mm".
-std::vector<std::string> differences(const MadeWith& before, const MadeWith& now);
+std::vector<Phrase> differences(const MadeWith& before, const MadeWith& now);
 
 }  // namespace tactics

@@ -45,10 +45,10 @@ void make_many(std::span<const Item> items, const Wishes& wishes, const Many& ma
     const bool together = !items.empty() && binds(items.front());
     const MadeWith settings = many.settings == nullptr ? MadeWith{} : *many.settings;
     // All of them are made if one has to be: what a file of many holds is not taken out of it.
-    std::optional<std::vector<std::string>> reasons_for_all;
+    std::optional<std::vector<Phrase>> reasons_for_all;
     if (many.update && together) reasons_for_all = reasons_to_bind(settings, items);
     share_out(items.size(), many.workers, [&](std::size_t i) {
-        std::optional<std::vector<std::string>> reasons;
+        std::optional<std::vector<Phrase>> reasons;
         if (many.update) reasons = together ? reasons_for_all : reasons_to_make(settings, items[i]);
         Outcome outcome;
         if (many.update && !reasons) {

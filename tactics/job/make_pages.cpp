@@ -43,7 +43,7 @@ public:
     PageMaking(const Job& job, const Watch& watch, Outcome& outcome) : job_(job), watch_(watch), outcome_(outcome) {}
 
     void run(Source source) {
-        if (job_.outputs.empty()) throw Error(Fault::usage, "", "no output is named, so nothing would be made");
+        if (job_.outputs.empty()) throw Error(Fault::usage, "", phrase("no output is named, so nothing would be made"));
         begin(JobStep::reading);
         if (job_.as_text) return run_text(source);
         const Sheet sheet = sheet_for(job_, *job_.outputs.front().format, job_);
@@ -79,7 +79,7 @@ private:
     void run_text(Source& source) {
         const int page = page_of(job_);
         const Written written = text_in(source, {page, std::max(page, job_.last_page)});
-        for (const std::string& note : written.notes) outcome_.notes.push_back(to_act_on(note));
+        for (const Phrase& note : written.notes) outcome_.notes.push_back(to_act_on(note));
         from_.aspect = [](const Sheet& sheet) { return sheet.paper.width / sheet.paper.height; };
         outcome_.picture.format = "text";
         plan_layouts();
@@ -102,7 +102,7 @@ private:
     }
 
     void begin(JobStep step) const {
-        if (watch_.goes_on && !watch_.goes_on(step)) throw Error(Fault::failed, "", "given up; nothing was written");
+        if (watch_.goes_on && !watch_.goes_on(step)) throw Error(Fault::failed, "", phrase("given up; nothing was written"));
     }
 
     // The outputs that share a sheet, and the place of the drawing on each.
@@ -133,22 +133,24 @@ private:
             sheet.title = from_.title;
             sheet.title_origin = from_.title_origin;
         }
-        if (const std::string note = note_of_foreign_letters(sheet.title, sheet.braille_table); !note.empty())
-            tell_once(to_act_on(note + ": " + spelled("language") + " de, for example"));
-        if (sheet.window) more_room_ = "show " + spelled("zoom") + " 2";
+        if (Phrase note = note_of_foreign_letters(sheet.title, sheet.braille_table); !note.empty())
+            tell_once(to_act_on(std::move(note)));
+        if (sheet.window) more_room_ = phrase("show {0} 2", spelled("zoom"));
         if (sheet.title_cells > 0 && !sheet.title.empty())
             if (const std::size_t cells = to_braille(sheet.title, sheet.braille_table, sheet.title_origin).size();
                 cells > static_cast<std::size_t>(sheet.title_cells))
-                outcome_.notes.push_back(to_act_on("the display shows the first " + std::to_string(sheet.title_cells) +
-                                                   " of the " + std::to_string(cells) + " cells of the title; shorten it"));
+                outcome_.notes.push_back(
+                    to_act_on(phrase("the display shows the first {0} of the {1} cells of the title; shorten it",
+                                     std::to_string(sheet.title_cells), std::to_string(cells))));
         // Letters are set one after the other to the right, so such print would come out reversed. Braille always runs so.
         if (sheet.print_title && !sheet.bare && runs_from_right(sheet.title)) {
             sheet.print_title = false;
             if (from_right_++ == 0)
                 outcome_.notes.push_back(
                     sheet.braille_table.empty()
-                        ? to_act_on("the title runs from right to left, which print does not do here, and is left out; name a " +
-                                    spelled("braille") + " table")
+                        ? to_act_on(phrase("the title runs from right to left, which print does not do here, and is left out; "
+                                           "name a {0} table",
+                                           spelled("braille")))
                         : Note("the title runs from right to left and is in braille only, as print does not do that here"));
         }
         return sheet;
@@ -159,7 +161,7 @@ private:
         if (!from_.width)
             throw Error(
                 Fault::usage, spelled("scale"),
-                "a picture does not tell how large it is in the world; add for example " + spelled("real-width") + " 12m");
+                phrase("a picture does not tell how large it is in the world; add for example {0} 12m", spelled("real-width")));
         return *from_.width;
     }
 
@@ -207,15 +209,16 @@ private:
 
     // Words of the picture that no page of braille has room for.
     void tell_left_out(const Page& page) {
-        std::string names;
-        for (const Name& name : page.left_out)
-            names += (names.empty() ? "\"" : ", \"") + beginning_of(name.text) + "\" (" + name.origin + ")";
-        const std::size_t count = page.left_out.size();
-        const std::string note =
-            (count == 1 ? names + " is left out, as there is no room for it in braille"
-                        : std::to_string(count) + " names are left out, as there is no room for them in braille: " + names) +
-            "; take " + more_room_ + ", or shorter names with " + spelled("label") + " and " + spelled("words") + " remove";
-        if (count > 0) tell_once(to_act_on(note));
+        std::vector<Phrase> names;
+        for (const Name& name : page.left_out) names.push_back(phrase("\"{0}\" ({1})", beginning_of(name.text), name.origin));
+        if (!names.empty())
+            tell_once(to_act_on(phrases(
+                names.size(),
+                "{1} is left out, as there is no room for it in braille; take {2}, or shorter names with {3} and {4} remove",
+                "{0} names are left out, as there is no room for them in braille: {1}; take {2}, or shorter names with {3} and "
+                "{4} "
+                "remove",
+                row_of(names), more_room_, spelled("label"), spelled("words"))));
         outcome_.words = from_.words.told;
         std::set<std::string_view> origins;
         for (const Name& name : page.left_out) origins.insert(name.origin);
@@ -228,7 +231,12 @@ private:
         if (job_.words != WordsWish::automatic) return;
         from_.words = PrintWords{};
         for (ToldWords& one : outcome_.words) one.set = false;
-        outcome_.notes = {to_act_on(from_.no_room_for_words + more_room_ + ", or " + spelled("words") + " remove")};
+        outcome_.notes = {to_act_on(
+            from_.print_is_left
+                ? phrase("print in it is left in the lines, as the page has no room for it in braille; take {0}, or {1} remove",
+                         more_room_, spelled("words"))
+                : phrase("its words are left out, as the page has no room for them in braille; take {0}, or {1} remove",
+                         more_room_, spelled("words")))};
         drawn_medium_ = nullptr;
     }
 
@@ -250,10 +258,10 @@ private:
             found = find_width();
         }
         if (thinned > 0)
-            outcome_.notes.push_back(to_act_on(std::to_string(thinned) +
-                                               " numbers in rows are left out, every second or more, as the page has no room for "
-                                               "all in braille; " +
-                                               more_room_ + " shows more"));
+            outcome_.notes.push_back(
+                to_act_on(phrase("{0} numbers in rows are left out, every second or more, as the page has no room for all in "
+                                 "braille; {1} shows more",
+                                 std::to_string(thinned), more_room_)));
         if (found && found->width < whole) layout.sheet.drawing_width = found->width;
         if (!found) give_up_words();
         arrangement = arrange(layout.sheet, aspect);
@@ -316,7 +324,7 @@ private:
     }
 
     void tell_once(const Note& note) {
-        if (!note.text.empty() && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end())
+        if (!note.words.empty() && std::find(outcome_.notes.begin(), outcome_.notes.end(), note) == outcome_.notes.end())
             outcome_.notes.push_back(note);
     }
 
@@ -352,7 +360,7 @@ private:
     const std::set<std::string> none_ = {};
     const std::set<std::string>& taken_ = watch_.taken != nullptr ? *watch_.taken : none_;
     Outcome& outcome_;
-    std::string more_room_ = "larger paper or " + spelled("tiles") + " 2x1";  // as the user would get it
+    Phrase more_room_ = phrase("larger paper or {0} 2x1", spelled("tiles"));  // as the user would get it
     int from_right_ = 0;                                                      // outputs whose title is not printed
     std::vector<Arrangement> arranged_;                                       // for each layout
     std::vector<bool> stays_;                                                 // each is the page that was read
@@ -368,14 +376,14 @@ private:
     bool finer_ = false;  // more would be drawn on a larger sheet
 };
 
-Outcome outcome_of(const Job& job, const Watch& watch, const std::function<Source(std::vector<std::string>& notes)>& open) {
+Outcome outcome_of(const Job& job, const Watch& watch, const std::function<Source(std::vector<Phrase>& notes)>& open) {
     const auto start = std::chrono::steady_clock::now();
     Outcome outcome;
     outcome.input = job.input;
     outcome.pdf_page = job.pdf_page;
     // The messages of a batch must say which picture they are about.
     Failure failure = failure_of(name_of_input(outcome), [&] {
-        std::vector<std::string> told;
+        std::vector<Phrase> told;
         Source source = open(told);
         outcome.notes.assign(told.begin(), told.end());
         source.allowed = job.allowed;
@@ -395,13 +403,13 @@ std::string name_of_input(const Outcome& outcome) {
 }
 
 Outcome make_pages(const Job& job, const Watch& watch) {
-    return outcome_of(job, watch, [&](std::vector<std::string>& notes) {
+    return outcome_of(job, watch, [&](std::vector<Phrase>& notes) {
         return job.as_text ? open_source(job.input) : open_input(job.input, {page_of(job), page_wish(job).as_picture}, notes);
     });
 }
 
 Outcome make_pages(Source source, const Job& job, const Watch& watch) {
-    return outcome_of(job, watch, [&](std::vector<std::string>&) { return std::move(source); });
+    return outcome_of(job, watch, [&](std::vector<Phrase>&) { return std::move(source); });
 }
 
 }  // namespace tactics

@@ -79,10 +79,10 @@ struct Outcome {
     /// Files beside the outputs that are named like a further page but are no page of this picture: from an earlier run, or a
     /// person's own. They are reported and kept.
     std::vector<std::string> left_over;
-    bool up_to_date = false;                  ///< --update found nothing to do
-    std::vector<std::string> made_anew = {};  ///< why --update remade existing pages
+    bool up_to_date = false;             ///< --update found nothing to do
+    std::vector<Phrase> made_anew = {};  ///< why --update remade existing pages
     double seconds = 0;
-    std::string error;            ///< empty: done
+    Phrase error;                 ///< empty: done
     Fault fault = Fault::failed;  ///< only with an error
 };
 

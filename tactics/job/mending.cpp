@@ -31,28 +31,28 @@ double kept_on(Sheet sheet, const Drawing& drawing, Tiles tiles) {
 constexpr std::size_t kMostTried = 1000;
 
 // Split it, enlarge it, or say it in words.
-std::string advice_for(const Sheet& sheet, const Drawing& drawing, const MendingTold& told, bool finer) {
-    const std::string words =
-        "draw a part of it with " + spelled("filter") + " \"crop ...\", or describe it instead: tactics describe";
-    std::string text = (told.complete ? "too much is too close for a finger in this size; "
-                                      : "there is far more in it than this size has room for; ") +
-                       percent(told.kept) + " of its lines are left";
+Phrase advice_for(const Sheet& sheet, const Drawing& drawing, const MendingTold& told, bool finer) {
+    const Phrase words =
+        phrase("draw a part of it with {0} \"crop ...\", or describe it instead: tactics describe", spelled("filter"));
+    Phrase text =
+        told.complete
+            ? phrase("too much is too close for a finger in this size; {0} of its lines are left", percent(told.kept))
+            : phrase("there is far more in it than this size has room for; {0} of its lines are left", percent(told.kept));
     if (told.broken_after > 0)
-        text += " and " + std::to_string(told.broken_after) +
-                (told.broken_after == 1 ? " place still breaks" : " places still break") + " a hard rule";
+        text = phrases(told.broken_after, "{1} and {0} place still breaks a hard rule",
+                       "{1} and {0} places still break a hard rule", std::move(text));
     if (sheet.drawing_width || sheet.real_width)
-        return text + ". Draw it larger (" + spelled("width") + ", " + spelled("scale") + "), " + words;
+        return phrase("{0}. Draw it larger ({1}, {2}), {3}", text, spelled("width"), spelled("scale"), words);
     if (sheet.tiles.several() || sheet.bare || told.broken_before > kMostTried)
-        return text + ". A larger page may help; else " + words;
+        return phrase("{0}. A larger page may help; else {1}", text, words);
     if (finer)
-        return text + ". More sheets (" + spelled("tiles") + " 2x2) may help, though more is drawn on them, too; else " + words;
+        return phrase("{0}. More sheets ({1} 2x2) may help, though more is drawn on them, too; else {2}", text, spelled("tiles"),
+                      words);
     for (const int sheets : {2, 3})
-        if (const double kept = kept_on(sheet, drawing, {sheets, sheets}); kept >= kLegible) {
-            const std::string size = std::to_string(sheets) + "x" + std::to_string(sheets);
-            return text + ". On " + size + " sheets (" + spelled("tiles") + " " + size + ") " + percent(kept) +
-                   " would be; else " + words;
-        }
-    return text + ". Nine sheets (" + spelled("tiles") + " 3x3) help little; " + words;
+        if (const double kept = kept_on(sheet, drawing, {sheets, sheets}); kept >= kLegible)
+            return phrase("{0}. On {1} sheets ({2} {1}) {3} would be; else {4}", text,
+                          std::to_string(sheets) + "x" + std::to_string(sheets), spelled("tiles"), percent(kept), words);
+    return phrase("{0}. Nine sheets ({1} 3x3) help little; {2}", text, spelled("tiles"), words);
 }
 
 // Lines found in a photograph that are this short on average, as a share of the drawing's side, are pieces of fur, leaves or
@@ -61,18 +61,17 @@ std::string advice_for(const Sheet& sheet, const Drawing& drawing, const Mending
 constexpr double kPieces = 0.09;
 constexpr std::size_t kFewLines = 8;
 
-std::string advice_for_pieces(const Drawing& drawing) {
+Phrase advice_for_pieces(const Drawing& drawing) {
     const std::size_t count = drawing.strokes.size();
     const bool seen =
         std::any_of(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& stroke) { return stroke.strength > 0; });
-    if (!seen || count <= kFewLines) return "";
+    if (!seen || count <= kFewLines) return {};
     const double mean = total_stroke_length(drawing) / static_cast<double>(count);
-    if (mean >= kPieces * std::sqrt(drawing.width * drawing.height)) return "";
-    return "its " + std::to_string(count) + " lines are short pieces, " + std::to_string(std::lround(mean)) +
-           " mm on average, which seldom show what is depicted; take a picture with a calmer ground, draw a part of it with " +
-           spelled("filter") +
-           " "
-           "\"crop ...\", or describe it instead: tactics describe";
+    if (mean >= kPieces * std::sqrt(drawing.width * drawing.height)) return {};
+    return phrase(
+        "its {0} lines are short pieces, {1} mm on average, which seldom show what is depicted; take a picture with a "
+        "calmer ground, draw a part of it with {2} \"crop ...\", or describe it instead: tactics describe",
+        std::to_string(count), std::to_string(std::lround(mean)), spelled("filter"));
 }
 
 // Pages with less expected agreement are reported. Chosen on BSDS500's 200 photographs for training and every second of its 100
@@ -84,13 +83,12 @@ constexpr double kDoubt = 0.62;
 // To a twentieth: finer is not known.
 std::string about(double share) { return percent(std::round(share * 20) / 20); }
 
-std::string doubt_about(const Trust& trust) {
-    return "probably not fit to be handed out as it is: about " + about(trust.line) +
-           " of its line is what people would draw, and about " + about(trust.found) +
-           " of what they would draw is on it; draw a box around what matters (" + spelled("subject") +
-           " 20%,30%-70%,90%), draw another part of "
-           "the picture with " +
-           spelled("filter") + " \"crop ...\", or describe it instead: tactics describe";
+Phrase doubt_about(const Trust& trust) {
+    return phrase(
+        "probably not fit to be handed out as it is: about {0} of its line is what people would draw, and about {1} of what "
+        "they would draw is on it; draw a box around what matters ({2} 20%,30%-70%,90%), draw another part of the "
+        "picture with {3} \"crop ...\", or describe it instead: tactics describe",
+        about(trust.line), about(trust.found), spelled("subject"), spelled("filter"));
 }
 
 }  // namespace

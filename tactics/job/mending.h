@@ -9,20 +9,21 @@
 #include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 #include "tactics/repair/repair.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 struct MendingTold {
-    bool measured = false;           ///< false: the drawing was not mended, so nothing is known
-    bool complete = true;            ///< false: the drawing has too much line to check all of it
-    std::vector<Mend> changes;       ///< where, in the drawing
-    std::vector<std::string> notes;  ///< the same as sentences
+    bool measured = false;      ///< false: the drawing was not mended, so nothing is known
+    bool complete = true;       ///< false: the drawing has too much line to check all of it
+    std::vector<Mend> changes;  ///< where, in the drawing
+    std::vector<Phrase> notes;  ///< the same as sentences
     std::size_t broken_before = 0;
     std::size_t broken_after = 0;
     double kept = 1;                  ///< share of the lines that is left
     std::optional<Trust> trust = {};  ///< as the drawing had it
-    std::string doubt;                ///< why people would hardly agree with it, and the remedy; empty: no doubt
-    std::string advice;               ///< remedy for a drawing that is not fit to be felt at this size; empty: it is fit
+    Phrase doubt;                     ///< why people would hardly agree with it, and the remedy; empty: no doubt
+    Phrase advice;                    ///< remedy for a drawing that is not fit to be felt at this size; empty: it is fit
 };
 
 struct Mended {

@@ -31,12 +31,12 @@ std::string trust_json(const Trust& trust) {
 
 void add_mending(JsonObject& json, const MendingTold& told, const Rect& drawing) {
     if (told.trust) json.add_raw("trust", trust_json(*told.trust));
-    if (!told.doubt.empty()) json.add("doubt", told.doubt);
+    if (!told.doubt.empty()) json.add("doubt", told.doubt.english());
     if (!told.measured) return;
     json.add("hard_before", static_cast<double>(told.broken_before));
     json.add("hard_after", static_cast<double>(told.broken_after));
     json.add("kept", told.kept);
-    if (!told.advice.empty()) json.add("advice", told.advice);
+    if (!told.advice.empty()) json.add("advice", told.advice.english());
     std::vector<std::string> changes;
     for (const Mend& change : told.changes) {
         JsonObject one;

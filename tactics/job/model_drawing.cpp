@@ -25,11 +25,12 @@ std::string_view name_of(FoldedObject::Fate fate) {
     return "";
 }
 
-std::string listed(const std::vector<const FoldedObject*>& objects) {
-    std::string text;
+Phrase named_objects(const std::vector<const FoldedObject*>& objects) {
+    std::vector<Phrase> names;
     for (std::size_t i = 0; i < std::min(objects.size(), kMostNamed); ++i)
-        text += (i == 0 ? "" : ", ") + (objects[i]->path.empty() ? "one without a name" : objects[i]->path);
-    return objects.size() > kMostNamed ? text + " and " + std::to_string(objects.size() - kMostNamed) + " more" : text;
+        names.push_back(objects[i]->path.empty() ? phrase("one without a name") : Phrase(objects[i]->path));
+    if (objects.size() <= kMostNamed) return row_of(names);
+    return phrase("{0} and {1} more", row_of(names), std::to_string(objects.size() - kMostNamed));
 }
 
 std::vector<const FoldedObject*> with_fate(const FoldOut& made, FoldedObject::Fate fate) {
@@ -59,8 +60,10 @@ const FoldOut& ModelDrawing::on(const Sheet& sheet) {
     const Rect room = place_on(sheet, 1).live;
     if (medium_ != sheet.medium || width_ != room.width || height_ != room.height) {
         notes_.clear();
-        made_ = (wish_.view == ModelView::views ? views_of : fold_out)(*model_, room.width, room.height, *sheet.medium,
-                                                                       wish_.fold, notes_);
+        FoldWish fold = wish_.fold;
+        fold.language = sheet.language;
+        made_ =
+            (wish_.view == ModelView::views ? views_of : fold_out)(*model_, room.width, room.height, *sheet.medium, fold, notes_);
         medium_ = sheet.medium;
         width_ = room.width;
         height_ = room.height;
@@ -68,8 +71,8 @@ const FoldOut& ModelDrawing::on(const Sheet& sheet) {
     return made_;
 }
 
-std::vector<std::string> fold_lines(const FoldOut& made) {
-    std::vector<std::string> lines;
+std::vector<Phrase> fold_lines(const FoldOut& made) {
+    std::vector<Phrase> lines, what;
     int folded = 0, flattened = 0, wedges = 0, straightened = 0, lying = 0, left_out = 0;
     for (const FoldedObject& one : made.objects) {
         folded += one.folded;
@@ -79,25 +82,27 @@ std::vector<std::string> fold_lines(const FoldOut& made) {
         lying += one.lying;
         left_out += one.fate == FoldedObject::Fate::drawn ? one.left_out : 0;
     }
-    std::string what;
-    const auto count = [&](int number, const std::string& one, const std::string& many) {
-        if (number > 0) what += (what.empty() ? "" : ", ") + std::to_string(number) + " " + (number == 1 ? one : many);
+    const auto count = [&](int number, auto words) {
+        if (number > 0) what.push_back(words(static_cast<std::size_t>(number)));
     };
-    count(folded, "face folded out", "faces folded out");
-    count(flattened, "slender part laid flat", "slender parts laid flat");
-    count(straightened, "part turned upright", "parts turned upright");
-    count(lying, "upright face laid down", "upright faces laid down");
-    count(wedges, "slender part shown by a wedge, thick where it is near",
-          "slender parts shown by wedges, thick where they are near");
-    count(left_out, "face without room left out", "faces without room left out");
-    if (!what.empty()) lines.push_back(std::string(seen(made.plane)) + ": " + what);
+    count(folded, [](std::size_t n) { return phrases(n, "{0} face folded out", "{0} faces folded out"); });
+    count(flattened, [](std::size_t n) { return phrases(n, "{0} slender part laid flat", "{0} slender parts laid flat"); });
+    count(straightened, [](std::size_t n) { return phrases(n, "{0} part turned upright", "{0} parts turned upright"); });
+    count(lying, [](std::size_t n) { return phrases(n, "{0} upright face laid down", "{0} upright faces laid down"); });
+    count(wedges, [](std::size_t n) {
+        return phrases(n, "{0} slender part shown by a wedge, thick where it is near",
+                       "{0} slender parts shown by wedges, thick where they are near");
+    });
+    count(left_out,
+          [](std::size_t n) { return phrases(n, "{0} face without room left out", "{0} faces without room left out"); });
+    if (!what.empty()) lines.push_back(phrase("{0}: {1}", seen(made.plane), row_of(what)));
     if (made.spread > 1)
-        lines.push_back("things are moved apart, " + to_text(made.spread) +
-                        " times as far from the middle, so that their faces have room");
+        lines.push_back(phrase("things are moved apart, {0} times as far from the middle, so that their faces have room",
+                               numeral(made.spread)));
     if (const auto small = with_fate(made, FoldedObject::Fate::small); !small.empty())
-        lines.push_back("too small to be felt at this size: " + listed(small) + "; draw a part alone to feel them");
+        lines.push_back(phrase("too small to be felt at this size: {0}; draw a part alone to feel them", named_objects(small)));
     if (const auto hidden = with_fate(made, FoldedObject::Fate::hidden); !hidden.empty())
-        lines.push_back("under or behind other things: " + listed(hidden));
+        lines.push_back(phrase("under or behind other things: {0}", named_objects(hidden)));
     return lines;
 }
 

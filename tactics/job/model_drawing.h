@@ -9,6 +9,7 @@
 #include "tactics/layout/sheet.h"
 #include "tactics/model.h"
 #include "tactics/solid/fold_out.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -34,7 +35,7 @@ public:
     /// As large as the room on the sheet; y downwards, mm.
     const FoldOut& on(const Sheet& sheet);
     const Model& model() const { return *model_; }
-    const std::vector<std::string>& notes() const { return notes_; }
+    const std::vector<Phrase>& notes() const { return notes_; }
 
 private:
     std::shared_ptr<const Model> model_;
@@ -42,11 +43,11 @@ private:
     double width_ = 0, height_ = 0;
     const Medium* medium_ = nullptr;
     FoldOut made_;
-    std::vector<std::string> notes_;
+    std::vector<Phrase> notes_;
 };
 
 /// Notes for readers and transcribers, one line each: what was folded, hidden, moved.
-std::vector<std::string> fold_lines(const FoldOut& made);
+std::vector<Phrase> fold_lines(const FoldOut& made);
 /// The same for each object, as JSON; places in percent of the drawing, from the left and from the top.
 std::string fold_json(const FoldOut& made);
 

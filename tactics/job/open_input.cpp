@@ -19,7 +19,7 @@ Source kept(const std::string& bytes, const std::string& name) {
     Source source{name, temporary_file()};
     std::FILE* file = source.file.get();
     if (file == nullptr || std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0)
-        throw Error(Fault::failed, name, "cannot be kept in a temporary file; " + temporary_file_cure());
+        throw Error(Fault::failed, name, phrase("cannot be kept in a temporary file; {0}", temporary_file_cure()));
     std::rewind(file);
     return source;
 }
@@ -28,29 +28,29 @@ Source kept(const std::string& bytes, const std::string& name) {
 
 PdfPageWish page_wish(const Wishes& wishes) { return {wishes.page, wishes.recipe || asks_for_a_way(wishes.chain)}; }
 
-Source open_input(const std::string& path, const PdfPageWish& wish, std::vector<std::string>& notes) {
+Source open_input(const std::string& path, const PdfPageWish& wish, std::vector<Phrase>& notes) {
     return page_of_input(open_source(path), path, wish, notes);
 }
 
-Source page_of_input(Source source, const std::string& path, const PdfPageWish& wish, std::vector<std::string>& notes) {
+Source page_of_input(Source source, const std::string& path, const PdfPageWish& wish, std::vector<Phrase>& notes) {
     if (look_at(source) != Holds::pdf) {
-        if (wish.page > 0) throw Error(Fault::usage, spelled("page"), path + " is no PDF; leave it out");
+        if (wish.page > 0) throw Error(Fault::usage, spelled("page"), phrase("{0} is no PDF; leave it out", path));
         return source;
     }
     const int pages = pages_of_pdf(source), page = std::max(1, wish.page);
     if (page > pages)
         throw Error(Fault::usage, source.name,
-                    "there is no page " + std::to_string(page) + ", but pages 1 to " + std::to_string(pages));
+                    phrase("there is no page {0}, but pages 1 to {1}", std::to_string(page), std::to_string(pages)));
     if (wish.page == 0 && pages > 1)
-        notes.push_back("this is page 1 of " + std::to_string(pages) + "; " + spelled("page") + " 2 is the next");
+        notes.push_back(phrase("this is page 1 of {0}; {1} 2 is the next", std::to_string(pages), spelled("page")));
     if (!wish.as_picture) {
         const PdfText text = pdf_text(source, page);
         const auto svg = pdf_page_as_svg(source, page, text);
         if (is_text(text, svg ? drawn_in(*svg) : 1))
             throw Error(Fault::failed, source.name,
-                        "page " + std::to_string(page) + " is text, " + std::to_string(text.count()) +
-                            " words, and would be felt as rubble; lay it out in braille with " + spelled("text") +
-                            ", or draw a part of it with " + spelled("filter") + " \"crop ...\"");
+                        phrase("page {0} is text, {1} words, and would be felt as rubble; lay it out in braille with {2}, or "
+                               "draw a part of it with {3} \"crop ...\"",
+                               std::to_string(page), std::to_string(text.count()), spelled("text"), spelled("filter")));
         if (svg) return kept(*svg, source.name);
     }
     return kept(pdf_page_as_png(source, page), source.name);

@@ -7,6 +7,7 @@
 
 #include "tactics/job/wishes.h"
 #include "tactics/readers/read.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -20,9 +21,9 @@ struct PdfPageWish {
 PdfPageWish page_wish(const Wishes& wishes);
 
 /// A file or, for "-", standard input; of a PDF, that page. Throws Error.
-Source open_input(const std::string& path, const PdfPageWish& wish, std::vector<std::string>& notes);
+Source open_input(const std::string& path, const PdfPageWish& wish, std::vector<Phrase>& notes);
 
 /// The same for an opened file.
-Source page_of_input(Source source, const std::string& path, const PdfPageWish& wish, std::vector<std::string>& notes);
+Source page_of_input(Source source, const std::string& path, const PdfPageWish& wish, std::vector<Phrase>& notes);
 
 }  // namespace tactics

@@ -46,13 +46,14 @@ void check_page_files(const Output& output, std::size_t files, const std::set<st
     if (files == 1) return;
     if (output.path == "-" || output.path == "/dev/stdout")
         throw Error(Fault::usage, "standard output",
-                    "there are " + std::to_string(files) + " pages, and " + std::string(output.format->name) +
-                        " holds one; write to a file, which gets others beside it, or choose pdf");
+                    phrase("there are {0} pages, and {1} holds one; write to a file, which gets others beside it, or choose pdf",
+                           std::to_string(files), output.format->name));
     for (std::size_t page = 2; page <= files; ++page)
         if (const std::string path = path_of_page(output, page); is_taken(taken, path, disk))
-            throw Error(Fault::usage, path,
-                        "page " + std::to_string(page) + " of " + output.path +
-                            " would be written here, over a picture or another page; choose another name or folder");
+            throw Error(
+                Fault::usage, path,
+                phrase("page {0} of {1} would be written here, over a picture or another page; choose another name or folder",
+                       std::to_string(page), output.path));
 }
 
 std::string left_over_behind(const Output& output, std::size_t files, const std::set<std::string>& taken, const Disk& disk) {

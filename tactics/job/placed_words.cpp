@@ -38,9 +38,10 @@ PlacedWords label_of(std::string_view place, std::string_view words, const std::
     if (!x || !y || x->share != y->share)
         throw Error(
             Fault::usage, origin,
-            "\"" + std::string(place.substr(0, 80)) +
-                "\" is no place; write how far from the left and from the top of the drawing, such as 30%,40% or 12mm,50mm");
-    if (words.empty()) throw Error(Fault::usage, origin, "the words are missing after the place");
+            phrase(
+                "\"{0}\" is no place; write how far from the left and from the top of the drawing, such as 30%,40% or 12mm,50mm",
+                place.substr(0, 80)));
+    if (words.empty()) throw Error(Fault::usage, origin, phrase("the words are missing after the place"));
     return {x->value, y->value, x->share, std::string(words), origin};
 }
 
@@ -55,7 +56,7 @@ std::vector<PlacedWords> parse_labels(std::string_view text, const std::string& 
         if (is_subject_line(line)) continue;
         const std::string origin = file + ":" + std::to_string(number);
         if (labels.size() == kMostLabels)
-            throw Error(Fault::usage, origin, "these are over 1000 labels, more than a page has room for");
+            throw Error(Fault::usage, origin, phrase("these are over 1000 labels, more than a page has room for"));
         const std::size_t blank = std::min(line.find_first_of(kBlanks), line.size());
         labels.push_back(label_of(line.substr(0, blank), trimmed(line.substr(blank)), origin));
     }
@@ -78,8 +79,8 @@ std::vector<Name> names_on(const Drawing& drawing, const std::vector<PlacedWords
         const Point at{label.share ? label.x * drawing.width : label.x, label.share ? label.y * drawing.height : label.y};
         if (at.x > drawing.width || at.y > drawing.height)
             throw Error(Fault::usage, label.origin,
-                        "it is outside of the drawing, which is " + to_text(std::floor(drawing.width * 10) / 10) +
-                            " mm wide and " + to_text(std::floor(drawing.height * 10) / 10) + " mm high");
+                        phrase("it is outside of the drawing, which is {0} mm wide and {1} mm high",
+                               to_text(std::floor(drawing.width * 10) / 10), to_text(std::floor(drawing.height * 10) / 10)));
         names.push_back({at, label.text, label.origin});
     }
     return names;

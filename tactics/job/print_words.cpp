@@ -189,10 +189,9 @@ void add_unsure(Notes& notes, const std::vector<ToldWords>& told) {
     const auto count = std::count_if(told.begin(), told.end(), [](const ToldWords& one) { return !one.set; });
     if (count > 1)
         notes.push_back(
-            to_act_on("print at " + std::to_string(count) +
-                      " places was read with little sureness and is left in the lines; look it over, and give what is "
-                      "words with " +
-                      spelled("label")));
+            to_act_on(phrase("print at {0} places was read with little sureness and is left in the lines; look it over, and give "
+                             "what is words with {1}",
+                             std::to_string(count), spelled("label"))));
     for (const ToldWords& one : told)
         if (!one.set) notes.push_back({unsure_line(one), count > 1 ? Note::Kind::know : Note::Kind::act});
 }
@@ -236,8 +235,8 @@ WordsWish find_words_wish(std::string_view name, std::string_view place) {
     if (name == "leave") return WordsWish::leave;
     if (name == "remove") return WordsWish::remove;
     throw Error(Fault::usage, place,
-                "it cannot be \"" + std::string(name.substr(0, 80)) + "\"" +
-                    did_you_mean(name, {"auto", "read", "leave", "remove"}) + "; it is auto, read, leave or remove");
+                phrase("it cannot be \"{0}\"{1}; it is auto, read, leave or remove", name.substr(0, 80),
+                       did_you_mean(name, {"auto", "read", "leave", "remove"})));
 }
 
 PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, const Sheet& sheet) {
@@ -248,13 +247,13 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
     if (!asked && (!recipe.has_words || !whole)) return words;
     if (!whole)
         throw Error(Fault::usage, spelled("words"),
-                    "print is read in whole pages only; leave out " + spelled("words") + ", or " + spelled("bare") +
-                        " and the filter crop");
+                    phrase("print is read in whole pages only; leave out {0}, or {1} and the filter crop", spelled("words"),
+                           spelled("bare")));
     Lettering& lettering = words.lettering =
         read_lettering(reading.get({kLookForWords, false}), sheet.language, kSureEnough, each_print_font);
     if (!lettering.trouble.empty()) {
-        if (asked) throw Error(Fault::failed, spelled("words"), "there is print in the picture; " + lettering.trouble);
-        words.notes.push_back(to_act_on("print in it is left in the lines; " + lettering.trouble));
+        if (asked) throw Error(Fault::failed, spelled("words"), phrase("there is print in the picture; {0}", lettering.trouble));
+        words.notes.push_back(to_act_on(phrase("print in it is left in the lines; {0}", lettering.trouble)));
     }
     words.remove_all = wish == WordsWish::remove;
     std::vector<PrintPlace> places;
@@ -272,17 +271,20 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
     for (std::size_t i = 0; i < words.told.size(); ++i) lettering.words[i].sure = words.told[i].set;
     const auto set = std::count_if(words.told.begin(), words.told.end(), [](const ToldWords& one) { return one.set; });
     if (set > 0)
-        words.notes.push_back("print was read at " + std::to_string(set) + (set == 1 ? " place" : " places") +
-                              " and stands in braille; look it over, or leave it as it is with " + spelled("words") + " leave");
+        words.notes.push_back(
+            phrases(static_cast<std::size_t>(set),
+                    "print was read at {0} place and stands in braille; look it over, or leave it as it is with {1} leave",
+                    "print was read at {0} places and stands in braille; look it over, or leave it as it is with {1} leave",
+                    spelled("words")));
     if (!words.remove_all) add_unsure(words.notes, words.told);
     return words;
 }
 
-std::string unsure_line(const ToldWords& words) {
-    const std::string place = percent(words.x) + "%," + percent(words.y) + "%";
-    return "print at " + percent(words.x) + " %, " + percent(words.y) + " % was read as \"" + words.text +
-           "\" with little sureness (" + to_text(std::round(words.sureness)) +
-           " of 100) and is left in the lines; if it is words, give it with " + spelled("label") + " \"" + place + "=...\"";
+Phrase unsure_line(const ToldWords& words) {
+    return phrase(
+        "print at {0} %, {1} % was read as \"{2}\" with little sureness ({3} of 100) and is left in the lines; if it is "
+        "words, give it with {4} \"{0}%,{1}%=...\"",
+        percent(words.x), percent(words.y), words.text, to_text(std::round(words.sureness)), spelled("label"));
 }
 
 }  // namespace tactics

@@ -61,6 +61,6 @@ std::size_t thin_out(std::vector<ToldWords>& told);
 std::string origin_of(const ToldWords& words);
 
 /// "print at 30 %, 40 % was read as ..."
-std::string unsure_line(const ToldWords& words);
+Phrase unsure_line(const ToldWords& words);
 
 }  // namespace tactics

@@ -30,8 +30,9 @@ void set_in_all(Recipe& recipe, const Change& change) {
     const auto names = step_names(recipe);
     std::string all;
     for (const auto name : names) all += (all.empty() ? "" : ", ") + std::string(name);
-    throw Error(Fault::usage, change.place,
-                "recipe " + recipe.name + " has no filter " + change.name + did_you_mean(change.name, names) + "; it has " + all);
+    throw Error(
+        Fault::usage, change.place,
+        phrase("recipe {0} has no filter {1}{2}; it has {3}", recipe.name, change.name, did_you_mean(change.name, names), all));
 }
 
 bool names_setting(std::string_view line, std::string_view option) {
@@ -52,9 +53,10 @@ std::optional<Step> in_full(const Step& step, const std::vector<Change>& changes
     for (const Change& change : changes) {
         if (change.name != step.filter->name) continue;
         if (!has(change.option))
-            throw Error(Fault::usage, change.place,
-                        spelled("detail") + " contours draws every contour, without " + change.name + ", so " + change.name +
-                            "." + change.option + " would do nothing; leave out one of the two");
+            throw Error(
+                Fault::usage, change.place,
+                phrase("{0} contours draws every contour, without {1}, so {1}.{2} would do nothing; leave out one of the two",
+                       spelled("detail"), change.name, change.option));
         full->settings.set(change.option, change.value, change.place, full->filter->name);
     }
     return full;
@@ -84,8 +86,8 @@ void multiply_line(Step& step, const std::string& detail, const std::string& rec
     const double times = parse_number(detail).value_or(1);
     if (times < least || times > most)
         throw Error(Fault::usage, spelled("detail"),
-                    detail.substr(0, 80) + " is out of range; with recipe " + recipe + " it is " + to_text(least) + " to " +
-                        to_text(most) + " times the line that touch allows");
+                    phrase("{0} is out of range; with recipe {1} it is {2} to {3} times the line that touch allows",
+                           detail.substr(0, 80), recipe, to_text(least), to_text(most)));
     step.settings.set(budget, to_text(line * times), spelled("detail"), step.filter->name);
 }
 
@@ -109,8 +111,8 @@ void set_detail(Recipe& recipe, const RecipeWish& chain) {
     if (budget == recipe.steps.end() && !chain.base) return;  // auto took a recipe that keeps everything
     if (budget == recipe.steps.end())
         throw Error(Fault::usage, spelled("detail"),
-                    "recipe " + recipe.name + " has no filter that keeps to a budget of line, such as " + named_budgets() +
-                        "; leave " + spelled("detail") + " out or use " + spelled("recipe") + " photo");
+                    phrase("recipe {0} has no filter that keeps to a budget of line, such as {1}; leave {2} out or use {3} photo",
+                           recipe.name, named_budgets(), spelled("detail"), spelled("recipe")));
     if (detail == "touch" || detail == "best") return;
     if (detail == "contours") return draw_every_contour(recipe, chain.changes);
     multiply_line(*budget, detail, recipe.name);
@@ -149,9 +151,8 @@ Change parse_change(std::string_view text, std::string_view place) {
     const auto equals = text.find('=');
     const auto dot = text.substr(0, equals).find('.');
     if (equals == std::string_view::npos || dot == std::string_view::npos || dot == 0 || dot + 1 == equals)
-        throw Error(
-            Fault::usage, place,
-            "\"" + std::string(text.substr(0, 80)) + "\" is not a setting; write NAME.OPTION=VALUE, for example png.dpi=300");
+        throw Error(Fault::usage, place,
+                    phrase("\"{0}\" is not a setting; write NAME.OPTION=VALUE, for example png.dpi=300", text.substr(0, 80)));
     Change change{std::string(text.substr(0, dot)), std::string(text.substr(dot + 1, equals - dot - 1)),
                   std::string(text.substr(equals + 1)), std::string(place)};
     // Tried on a copy, so that mistakes are reported before any picture is opened.
@@ -167,8 +168,8 @@ Change parse_change(std::string_view text, std::string_view place) {
     for (const Filter* filter : filters()) names.push_back(filter->name);
     for (const Format* format : formats()) names.push_back(format->name);
     throw Error(Fault::usage, place,
-                "there is no filter or format \"" + change.name.substr(0, 80) + "\"" + did_you_mean(change.name, names) +
-                    "; see tactics list filters formats");
+                phrase("there is no filter or format \"{0}\"{1}; see tactics list filters formats", change.name.substr(0, 80),
+                       did_you_mean(change.name, names)));
 }
 
 void check_detail(const std::string& detail) {

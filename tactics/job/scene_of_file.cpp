@@ -31,13 +31,13 @@ FileScene of_pixels(Source& source, const HeightWish& wish) {
     Image image = read_picture(source, {0, false});
     const double low = wish.low.value_or(0), high = wish.high.value_or(low + kPictureHeight);
     if (!(high > low))
-        throw Error(Fault::usage, spelled("high"), "white must be higher than black; change it or " + spelled("low"));
+        throw Error(Fault::usage, spelled("high"), phrase("white must be higher than black; change it or {0}", spelled("low")));
     const double pitch = wish.pitch ? *wish.pitch : wish.width ? *wish.width / image.width : kPixelPitch;
     FileScene found{scene_of(grid_of(std::move(image)), pitch, low, high, source.name), format, {}};
     if (!wish.high)
-        found.notes.push_back("its lightness is taken for heights from " + to_text(low) + " to " + to_text(high) +
-                              " mm; say others with " + spelled("low") + " and " + spelled("high") + ", or have it drawn with " +
-                              spelled("recipe"));
+        found.notes.push_back(phrase(
+            "its lightness is taken for heights from {0} to {1} mm; say others with {2} and {3}, or have it drawn with {4}",
+            to_text(low), to_text(high), spelled("low"), spelled("high"), spelled("recipe")));
     return found;
 }
 
@@ -63,7 +63,9 @@ FileDrawing drawn(Source source, Wishes wishes) {
     draw_rows(page, size, [&](const std::uint8_t* row) {
         for (int x = 0; x < size.width; ++x) black.push_back(static_cast<std::uint8_t>(row[x / 8] >> (7 - x % 8) & 1));
     });
-    return {{size.width, size.height, 1, 2, std::move(black)}, kMmPerInch / dpi, lines_of(page), texts_of(made.notes)};
+    std::vector<Phrase> notes;
+    for (const Note& note : made.notes) notes.push_back(note.words);
+    return {{size.width, size.height, 1, 2, std::move(black)}, kMmPerInch / dpi, lines_of(page), std::move(notes)};
 }
 
 }  // namespace
@@ -84,7 +86,7 @@ FileScene scene_of_file(Source source, const std::string& path, const HeightWish
 }
 
 FileDrawing drawing_of_file(Source source, const std::string& path, Wishes wishes) {
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     source = page_of_input(std::move(source), path, page_wish(wishes), notes);
     FileDrawing drawing = drawn(std::move(source), std::move(wishes));
     drawing.notes.insert(drawing.notes.begin(), notes.begin(), notes.end());

@@ -17,14 +17,14 @@ std::vector<Spot> boxes_of(std::string_view text, std::string_view place, std::s
     for (const Spot& box : boxes)
         if (!box.is_box())
             throw Error(Fault::usage, place,
-                        "\"" + to_text(box) + "\" is a point; what is left out is a box such as 20%,30%-70%,90%");
+                        phrase("\"{0}\" is a point; what is left out is a box such as 20%,30%-70%,90%", to_text(box)));
     return boxes;
 }
 
 void append(std::vector<Spot>& to, std::string& first_place, const std::vector<Spot>& spots, const std::string& place) {
     to.insert(to.end(), spots.begin(), spots.end());
     if (to.size() > kMostSpots)
-        throw Error(Fault::usage, place, "these are over " + std::to_string(kMostSpots) + " places; name fewer");
+        throw Error(Fault::usage, place, phrase("these are over {0} places; name fewer", std::to_string(kMostSpots)));
     if (first_place.empty()) first_place = place;
 }
 
@@ -34,13 +34,14 @@ std::string_view first_word(std::string_view line) { return line.substr(0, line.
 
 void add_subject(SubjectWish& wish, std::string_view text, const std::string& place, std::string_view what) {
     const std::vector<Spot> spots = parse_spots(text, place, what);
-    if (spots.empty()) throw Error(Fault::usage, place, "the place is missing; a box is 20%,30%-70%,90%, a point 40%,50%");
+    if (spots.empty())
+        throw Error(Fault::usage, place, phrase("the place is missing; a box is 20%,30%-70%,90%, a point 40%,50%"));
     append(wish.subject, wish.subject_place, spots, place);
 }
 
 void add_leave(SubjectWish& wish, std::string_view text, const std::string& place, std::string_view what) {
     const std::vector<Spot> boxes = boxes_of(text, place, what);
-    if (boxes.empty()) throw Error(Fault::usage, place, "the box is missing; write for example 20%,30%-70%,90%");
+    if (boxes.empty()) throw Error(Fault::usage, place, phrase("the box is missing; write for example 20%,30%-70%,90%"));
     append(wish.leave, wish.leave_place, boxes, place);
 }
 
@@ -65,7 +66,7 @@ void add_subject_line(SubjectWish& wish, std::string_view line, const std::strin
     if (word == "subject-only") {
         if (!rest.empty())
             throw Error(Fault::usage, origin,
-                        "subject-only stands alone on its line; write the place as subject 20%,30%-70%,90%");
+                        phrase("subject-only stands alone on its line; write the place as subject 20%,30%-70%,90%"));
         set_only(wish, origin);
     } else if (word == "leave") {
         add_leave(wish, rest, origin, word);
@@ -77,7 +78,7 @@ void add_subject_line(SubjectWish& wish, std::string_view line, const std::strin
 void check_subject(const SubjectWish& wish) {
     if (wish.only && wish.subject.empty())
         throw Error(Fault::usage, wish.only_place,
-                    "no subject is named; add for example " + spelled("subject") + " 20%,30%-70%,90%, a box around it");
+                    phrase("no subject is named; add for example {0} 20%,30%-70%,90%, a box around it", spelled("subject")));
 }
 
 Recipe with_subject(Recipe recipe, const SubjectWish& wish) {
@@ -92,10 +93,13 @@ Recipe with_subject(Recipe recipe, const SubjectWish& wish) {
         found = true;
     }
     if (!found)
-        throw Error(Fault::usage, wish.subject.empty() ? wish.leave_place : wish.subject_place,
-                    "recipe " + recipe.name + " has no filter outlines, which " +
-                        (wish.subject.empty() ? "leaves boxes out" : "draws the subject") + "; use " + spelled("recipe") +
-                        " photo, without " + spelled("detail") + " contours");
+        throw Error(
+            Fault::usage, wish.subject.empty() ? wish.leave_place : wish.subject_place,
+            wish.subject.empty()
+                ? phrase("recipe {0} has no filter outlines, which leaves boxes out; use {1} photo, without {2} contours",
+                         recipe.name, spelled("recipe"), spelled("detail"))
+                : phrase("recipe {0} has no filter outlines, which draws the subject; use {1} photo, without {2} contours",
+                         recipe.name, spelled("recipe"), spelled("detail")));
     return recipe;
 }
 

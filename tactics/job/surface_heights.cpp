@@ -36,7 +36,7 @@ double height_at(const PlotSurface& surface, const Between& x, const Between& y)
 
 HeightFile surface_heights(const PlotSurface& surface, const HeightWish& wish) {
     const double low = wish.low.value_or(0), high = wish.high.value_or(low + kPictureHeight);
-    if (!(high > low)) throw Error(Fault::usage, spelled("high"), "it must be over " + to_text(low) + " mm");
+    if (!(high > low)) throw Error(Fault::usage, spelled("high"), phrase("it must be over {0} mm", to_text(low)));
     double least = INFINITY, most = -INFINITY;
     std::size_t unknown = 0;
     for (const double z : surface.z) {
@@ -47,13 +47,13 @@ HeightFile surface_heights(const PlotSurface& surface, const HeightWish& wish) {
         least = std::min(least, z);
         most = std::max(most, z);
     }
-    if (!(least <= most)) throw Error(Fault::failed, "", "nothing is known of the surface's heights");
+    if (!(least <= most)) throw Error(Fault::failed, "", phrase("nothing is known of the surface's heights"));
     const double wide = surface.x.back() - surface.x.front(), deep = surface.y.back() - surface.y.front();
     const double width = wish.width.value_or(kSurfaceWidth), pitch = wish.pitch.value_or(kPitch);
     const double depth = width * std::clamp(deep / wide, 1 / kMostUneven, kMostUneven);
     const double columns = std::max(2.0, std::round(width / pitch)), rows = std::max(2.0, std::round(depth / pitch));
     if (!(columns * rows <= static_cast<double>(kMostHeights)))
-        throw Error(Fault::failed, "", "its heights would be too many samples; take a larger " + spelled("pitch"));
+        throw Error(Fault::failed, "", phrase("its heights would be too many samples; take a larger {0}", spelled("pitch")));
     HeightFile file;
     file.map = {static_cast<int>(columns), static_cast<int>(rows), pitch, {}};
     file.map.heights.resize(static_cast<std::size_t>(columns * rows));
@@ -70,7 +70,8 @@ HeightFile surface_heights(const PlotSurface& surface, const HeightWish& wish) {
         }
     }
     if (unknown > 0)
-        file.notes.push_back(std::to_string(unknown) + " of its heights are not known, and are as low as the lowest place");
+        file.notes.push_back(
+            phrase("{0} of its heights are not known, and are as low as the lowest place", std::to_string(unknown)));
     return file;
 }
 

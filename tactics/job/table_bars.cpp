@@ -49,29 +49,30 @@ std::vector<ValueColumn> named_columns(const TableHead& head, std::string_view o
 }
 
 void check_counts(const TableWish& wish, const BarColumns& columns) {
-    const auto refuse = [](std::string_view option, const std::string& why) { throw Error(Fault::usage, spelled(option), why); };
+    const auto refuse = [](std::string_view option, const Phrase& why) { throw Error(Fault::usage, spelled(option), why); };
     if (wish.lower.size() != wish.upper.size())
         refuse(wish.lower.size() < wish.upper.size() ? "lower" : "upper",
-               "the least and the largest value go together; name as many columns by " + spelled("lower") + " as by " +
-                   spelled("upper"));
+               phrase("the least and the largest value go together; name as many columns by {0} as by {1}", spelled("lower"),
+                      spelled("upper")));
     if (!wish.errors.empty() && !wish.lower.empty())
-        refuse("error", "errors stand in one column, or their ends in two; leave out " + spelled("error") + ", or " +
-                            spelled("lower") + " and " + spelled("upper"));
+        refuse("error", phrase("errors stand in one column, or their ends in two; leave out {0}, or {1} and {2}",
+                               spelled("error"), spelled("lower"), spelled("upper")));
     if (!columns.lower.empty() && columns.lower.size() != columns.values.size())
-        refuse(wish.errors.empty() ? "lower" : "error", "there are " + std::to_string(columns.values.size()) +
-                                                            " columns of values and " + std::to_string(columns.lower.size()) +
-                                                            " for their errors; name one for each");
+        refuse(wish.errors.empty() ? "lower" : "error",
+               phrase("there are {0} columns of values and {1} for their errors; name one for each",
+                      std::to_string(columns.values.size()), std::to_string(columns.lower.size())));
     if (!columns.lower.empty() && *wish.bars != BarKind::grouped)
-        refuse("error", "errors stand on bars that begin at 0; take " + spelled("bars") + " grouped");
-    if (columns.group && columns.values.size() > 1) refuse("group", "groups are of one column; name it by " + spelled("y"));
+        refuse("error", phrase("errors stand on bars that begin at 0; take {0} grouped", spelled("bars")));
+    if (columns.group && columns.values.size() > 1)
+        refuse("group", phrase("groups are of one column; name it by {0}", spelled("y")));
     if (columns.values.size() > kMostSeries)
-        refuse("y", "a finger tells " + std::to_string(kMostSeries) + " textures, and there are " +
-                        std::to_string(columns.values.size()) + " columns; name at most " + std::to_string(kMostSeries));
+        refuse("y", phrase("a finger tells {0} textures, and there are {1} columns; name at most {0}",
+                           std::to_string(kMostSeries), std::to_string(columns.values.size())));
     if (*wish.bars == BarKind::pie && (columns.group || columns.values.size() > 1))
-        refuse("bars", "a pie shows the shares of one column; name it by " + spelled("y"));
+        refuse("bars", phrase("a pie shows the shares of one column; name it by {0}", spelled("y")));
 }
 
-BarColumns choose_bar_columns(TableHead& head, const TableWish& wish, std::vector<std::string>& notes) {
+BarColumns choose_bar_columns(TableHead& head, const TableWish& wish, std::vector<Phrase>& notes) {
     name_by_first_row(head, wish);
     BarColumns columns;
     if (!wish.group.empty()) columns.group = column_of(head, "group", wish.group);
@@ -92,13 +93,16 @@ BarColumns choose_bar_columns(TableHead& head, const TableWish& wish, std::vecto
             if (i != columns.category && i != columns.group && !is_error(i) && holds_numbers(head, i))
                 columns.values.push_back({head.columns[i], "y", i});
         if (columns.values.empty())
-            throw Error(Fault::usage, spelled("y"),
-                        head.name + " has no column of numbers for it; name one, or write numbers such as 0.53 below its name");
+            throw Error(
+                Fault::usage, spelled("y"),
+                phrase("{0} has no column of numbers for it; name one, or write numbers such as 0.53 below its name", head.name));
         const std::size_t most = columns.group || *wish.bars == BarKind::pie ? 1 : kMostSeries;
         if (columns.values.size() > most) {
-            notes.push_back("of its " + std::to_string(columns.values.size()) + " columns of numbers " +
-                            (most == 1 ? quoted(columns.values[0].name) + " is" : "the first five are") +
-                            " shown; name others by " + spelled("y"));
+            notes.push_back(most == 1
+                                ? phrase("of its {0} columns of numbers {1} is shown; name others by {2}",
+                                         std::to_string(columns.values.size()), quoted(columns.values[0].name), spelled("y"))
+                                : phrase("of its {0} columns of numbers the first five are shown; name others by {1}",
+                                         std::to_string(columns.values.size()), spelled("y")));
             columns.values.resize(most);
         }
     }
@@ -109,14 +113,16 @@ BarColumns choose_bar_columns(TableHead& head, const TableWish& wish, std::vecto
     settle_values(head, wish, all);
     for (const ValueColumn* column : all)
         if (column->dates)
-            throw Error(Fault::usage, spelled(column->wish), beginning_of(column->name) + " has dates, and a bar shows a number");
+            throw Error(Fault::usage, spelled(column->wish),
+                        phrase("{0} has dates, and a bar shows a number", beginning_of(column->name)));
     return columns;
 }
 
 // Rows become bars as they come.
 class BarTable {
 public:
-    BarTable(const TableHead& head, const BarColumns& columns) : head_(head), columns_(columns) {
+    BarTable(const TableHead& head, const BarColumns& columns, const std::string& language)
+        : head_(head), columns_(columns), language_(language) {
         if (columns.category) wanted_.push_back(*columns.category);
         if (columns.group) wanted_.push_back(*columns.group);
         for (const auto* some : {&columns.values, &columns.lower, &columns.upper})
@@ -140,7 +146,7 @@ public:
         const bool known = std::any_of(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count),
                                        [](const auto& value) { return value.has_value(); });
         if (name.empty() && !known) return;
-        if (name.empty()) name = "row " + std::to_string(rows_);
+        if (name.empty()) name = phrase("row {0}", std::to_string(rows_)).in(language_);
         const std::size_t category = category_named(name, line);
         const std::size_t first = columns_.group ? series_named(group) : 0;
         for (std::size_t k = 0; k < count; ++k) {
@@ -149,10 +155,12 @@ public:
             if (taken_[first + k].size() <= category) taken_[first + k].resize(category + 1);
             if (taken_[first + k][category])
                 throw Error(Fault::failed, place_of_row(head_, line),
-                            quoted(name) + " stands there for the second time" +
-                                (group.empty() ? "; a column that tells its rows apart can be named by " + spelled("group")
-                                               : " in " + quoted(group)) +
-                                "; leave one of them out, or add them up");
+                            group.empty()
+                                ? phrase("{0} stands there for the second time; a column that tells its rows apart can be named "
+                                         "by {1}; leave one of them out, or add them up",
+                                         quoted(name), spelled("group"))
+                                : phrase("{0} stands there for the second time in {1}; leave one of them out, or add them up",
+                                         quoted(name), quoted(group)));
             taken_[first + k][category] = true;
             set(series, category, values, k, line);
         }
@@ -179,8 +187,8 @@ private:
         if (columns_.upper.empty()) {
             if (first < 0)
                 throw Error(Fault::failed, place_of_row(head_, line),
-                            beginning_of(columns_.lower[k].name) + " is " + to_text(first) +
-                                ", and an error is no less than 0; mend it, or leave it empty");
+                            phrase("{0} is {1}, and an error is no less than 0; mend it, or leave it empty",
+                                   beginning_of(columns_.lower[k].name), to_text(first)));
             series.errors[category] = {value - first, value + first};
             return;
         }
@@ -188,8 +196,8 @@ private:
         const double last = *values[2 * count + k];
         if (first > value || last < value)
             throw Error(Fault::failed, place_of_row(head_, line),
-                        beginning_of(columns_.values[k].name) + " is " + to_text(value) + ", which is not between " +
-                            to_text(first) + " and " + to_text(last) + "; mend it, or leave one of these empty");
+                        phrase("{0} is {1}, which is not between {2} and {3}; mend it, or leave one of these empty",
+                               beginning_of(columns_.values[k].name), to_text(value), to_text(first), to_text(last)));
         series.errors[category] = {first, last};
     }
 
@@ -198,9 +206,9 @@ private:
         if (!fresh) return known->second;
         if (bars.categories.size() == kMostCategories)
             throw Error(Fault::failed, place_of_row(head_, line),
-                        "there are more than " + std::to_string(kMostCategories) +
-                            " bars, and no page has room for them; keep fewer rows, or show how often values occur by " +
-                            spelled("histogram"));
+                        phrase("there are more than {0} bars, and no page has room for them; keep fewer rows, or show how often "
+                               "values occur by {1}",
+                               std::to_string(kMostCategories), spelled("histogram")));
         bars.categories.push_back(name);
         return known->second;
     }
@@ -210,8 +218,8 @@ private:
             if (bars.series[i].name == name) return i;
         if (bars.series.size() == kMostSeries)
             throw Error(Fault::usage, spelled("group"),
-                        "a finger tells " + std::to_string(kMostSeries) + " textures, and " + head_.name +
-                            " has more groups; keep the rows of " + std::to_string(kMostSeries));
+                        phrase("a finger tells {0} textures, and {1} has more groups; keep the rows of {0}",
+                               std::to_string(kMostSeries), head_.name));
         bars.series.push_back({name, {}});
         return bars.series.size() - 1;
     }
@@ -221,6 +229,7 @@ private:
     std::vector<std::size_t> wanted_;
     std::unordered_map<std::string, std::size_t> categories_;
     std::vector<bool> taken_[kMostSeries];
+    std::string language_;  // of names that rows have not
     std::size_t rows_ = 0;
 };
 
@@ -234,38 +243,42 @@ void check_values(const TableHead& head, const PlotBars& bars) {
                 most = std::max(most, std::abs(value));
             }
     if (!any)
-        throw Error(Fault::failed, head.name, "there is no row with a number for a bar; name other columns by " + spelled("y"));
+        throw Error(Fault::failed, head.name,
+                    phrase("there is no row with a number for a bar; name other columns by {0}", spelled("y")));
     if (most > 0 && most < kLeastValue)
-        throw Error(Fault::failed, head.name, "its numbers are too small to be written at an axis; write them in a smaller unit");
+        throw Error(Fault::failed, head.name,
+                    phrase("its numbers are too small to be written at an axis; write them in a smaller unit"));
 }
 
-void take_shares(const TableHead& head, PlotBars& bars, std::vector<std::string>& notes) {
+void take_shares(const TableHead& head, PlotBars& bars, std::vector<Phrase>& notes) {
     double sum = 0;
     for (std::size_t i = 0; i < bars.categories.size(); ++i) {
         const double value = bars.series[0].values[i];
         if (value < 0)
             throw Error(Fault::failed, head.name,
-                        quoted(bars.categories[i]) + " is less than 0, which is no share of a whole; take " + spelled("bars") +
-                            " grouped");
+                        phrase("{0} is less than 0, which is no share of a whole; take {1} grouped", quoted(bars.categories[i]),
+                               spelled("bars")));
         if (!std::isnan(value)) sum += value;
     }
     if (!(sum > 0))
         throw Error(Fault::failed, head.name,
-                    "its numbers add up to 0, so there are no shares; take " + spelled("bars") + " grouped");
+                    phrase("its numbers add up to 0, so there are no shares; take {0} grouped", spelled("bars")));
     for (double& value : bars.series[0].values) value *= 100 / sum;
-    notes.push_back("a finger compares lengths and not angles, so the pie is drawn as bars: shares in percent of " +
-                    to_text(sum));
+    notes.push_back(
+        phrase("a finger compares lengths and not angles, so the pie is drawn as bars: shares in percent of {0}", to_text(sum)));
 }
 
-std::string title_of(const BarColumns& columns, const std::string& category, bool shares) {
-    return (shares ? "Shares of " : "") + bare_names(columns.values) + (category.empty() ? "" : " by " + category);
+Phrase title_of(const BarColumns& columns, const std::string& category, bool shares) {
+    const Phrase values = bare_names(columns.values);
+    if (shares) return category.empty() ? phrase("Shares of {0}", values) : phrase("Shares of {0} by {1}", values, category);
+    return category.empty() ? values : phrase("{0} by {1}", values, category);
 }
 
 }  // namespace
 
-Plot bars_plot(Source& source, TableHead& head, const TableWish& wish, std::vector<std::string>& notes) {
+Plot bars_plot(Source& source, TableHead& head, const TableWish& wish, std::vector<Phrase>& notes) {
     const BarColumns columns = choose_bar_columns(head, wish, notes);
-    BarTable table(head, columns);
+    BarTable table(head, columns, wish.language);
     read_rows(source, head, table.wanted(),
               [&](std::size_t line, std::span<const std::string_view> cells, bool) { table.take(line, cells); });
     table.fill_all();
@@ -276,10 +289,11 @@ Plot bars_plot(Source& source, TableHead& head, const TableWish& wish, std::vect
     check_values(head, *plot.bars);
     const bool shares = *wish.bars == BarKind::pie;
     if (shares) take_shares(head, *plot.bars, notes);
-    plot.x.name = columns.category ? head.columns[*columns.category] : "row";
-    plot.y.name = shares ? "percent" : name_of_all(columns.values);
+    const std::string row = phrase("row").in(wish.language);
+    plot.x.name = columns.category ? head.columns[*columns.category] : row;
+    plot.y.name = shares ? phrase("percent").in(wish.language) : name_of_all(columns.values);
     plot.y.comma = wish.written.value_or(columns.values[0].decimal) == Decimal::comma;
-    plot.title = title_of(columns, columns.category ? bare_name(plot.x.name) : "row", shares);
+    plot.title = title_of(columns, columns.category ? bare_name(plot.x.name) : row, shares).in(wish.language);
     return plot;
 }
 

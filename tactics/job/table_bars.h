@@ -9,6 +9,7 @@
 #include "tactics/plot.h"
 #include "tactics/readers/read.h"
 #include "tactics/readers/table.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -16,6 +17,6 @@ inline constexpr std::size_t kMostCategories = 1000;  // many times what a page 
 
 /// A bar for each row, or, with groups, one bar per group for each value of x. If no columns are named, all columns of numbers
 /// are shown, up to kMostSeries. Throws Error as plot_of does.
-Plot bars_plot(Source& source, TableHead& head, const TableWish& wish, std::vector<std::string>& notes);
+Plot bars_plot(Source& source, TableHead& head, const TableWish& wish, std::vector<Phrase>& notes);
 
 }  // namespace tactics

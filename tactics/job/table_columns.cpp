@@ -38,8 +38,8 @@ std::size_t column_of(const TableHead& head, std::string_view option, const std:
         all += (all.empty() ? "\"" : ", \"") + beginning_of(column) + '"';
     }
     throw Error(Fault::usage, spelled(option),
-                head.name + " has no column \"" + beginning_of(wanted) + "\"" +
-                    did_you_mean(wanted, {head.columns.begin(), head.columns.end()}) + "; it has " + all);
+                phrase("{0} has no column \"{1}\"{2}; it has {3}", head.name, beginning_of(wanted),
+                       did_you_mean(wanted, {head.columns.begin(), head.columns.end()}), all));
 }
 
 namespace {
@@ -84,8 +84,9 @@ DateOrder order_of(const TableHead& head, const ValueColumn& column) {
     }
     if (some == nullptr) return DateOrder::year_first;
     throw Error(Fault::failed, place_of_row(head, some->line),
-                "is " + shown(some->cells[column.at]) + " day.month or month/day? No day in the first rows is over 12; say " +
-                    spelled("dates") + " DMY or " + spelled("dates") + " MDY, or write it like 2024-02-29");
+                phrase("is {0} day.month or month/day? No day in the first rows is over 12; say {1} DMY or {1} MDY, or write it "
+                       "like 2024-02-29",
+                       shown(some->cells[column.at]), spelled("dates")));
 }
 
 // Whether numbers have points or commas, by all of the first rows.
@@ -107,13 +108,13 @@ Decimal decimal_of(const TableHead& head, const std::vector<ValueColumn*>& colum
         }
     if (point != nullptr && comma != nullptr)
         throw Error(Fault::failed, place_of_row(head, comma->line),
-                    "there is " + shown(comma_cell) + ", and " + shown(with_mark) + " in line " + std::to_string(point->line) +
-                        "; write all numbers with a point, or all with a comma");
+                    phrase("there is {0}, and {1} in line {2}; write all numbers with a point, or all with a comma",
+                           shown(comma_cell), shown(with_mark), std::to_string(point->line)));
     if (comma != nullptr) return Decimal::comma;
     if (either != nullptr && point == nullptr)
         throw Error(Fault::failed, place_of_row(head, either->line),
-                    shown(either_cell) + " may be " + with_point(either_cell) + " or a whole number; say " + spelled("decimal") +
-                        " comma, or write numbers without a mark between thousands");
+                    phrase("{0} may be {1} or a whole number; say {2} comma, or write numbers without a mark between thousands",
+                           shown(either_cell), with_point(either_cell), spelled("decimal")));
     return Decimal::point;
 }
 
@@ -157,7 +158,7 @@ void name_by_first_row(TableHead& head, const TableWish& wish) {
 namespace {
 
 // A table of many columns is often meant as a curve for each.
-void tell_left_out(const TableHead& head, std::size_t y, ColumnChoice& others, std::vector<std::string>& notes) {
+void tell_left_out(const TableHead& head, std::size_t y, ColumnChoice& others, std::vector<Phrase>& notes) {
     constexpr std::size_t kNamed = 3;
     std::string names;
     std::size_t count = 0;
@@ -165,17 +166,17 @@ void tell_left_out(const TableHead& head, std::size_t y, ColumnChoice& others, s
         if (count < kNamed) names += (count == 0 ? "" : ", ") + beginning_of(head.columns[*other]);
     if (count == 0) return;
     if (count > kNamed) names += " and " + std::to_string(count - kNamed) + " more";
-    notes.push_back("of its columns of numbers " + beginning_of(head.columns[y]) + " is shown, and not " + names +
-                    "; name another by " + spelled("y") + ", or, for a curve each, name several");
+    notes.push_back(
+        phrase("of its columns of numbers {0} is shown, and not {1}; name another by {2}, or, for a curve each, name several",
+               beginning_of(head.columns[y]), names, spelled("y")));
 }
 
 void check_names(const TableHead& head, const std::string& across, const std::string& up) {
     if (!head.named || !is_number(across) || !is_number(up)) return;
     throw Error(Fault::failed, head.name,
-                "its first line names the columns, and there is \"" + beginning_of(across) + "\" and \"" + beginning_of(up) +
-                    "\", which are numbers; write a line of names above them, time (s),length (mm) for example, or name both "
-                    "by " +
-                    spelled("x") + " and " + spelled("y"));
+                phrase("its first line names the columns, and there is \"{0}\" and \"{1}\", which are numbers; write a line of "
+                       "names above them, time (s),length (mm) for example, or name both by {2} and {3}",
+                       beginning_of(across), beginning_of(up), spelled("x"), spelled("y")));
 }
 
 }  // namespace
@@ -186,7 +187,7 @@ void settle_values(const TableHead& head, const TableWish& wish, const std::vect
         column->dates = wish.dates ? *wish.dates : order_of(head, *column);
         if (column->logarithmic)
             throw Error(Fault::usage, spelled("log-" + column->wish),
-                        column->name + " has dates, which are on no logarithmic axis");
+                        phrase("{0} has dates, which are on no logarithmic axis", column->name));
     }
     const Decimal decimal = wish.decimal ? *wish.decimal : decimal_of(head, columns);
     for (ValueColumn* column : columns) column->decimal = decimal;
@@ -200,14 +201,13 @@ std::string name_of_all(const std::vector<ValueColumn>& columns) {
     return same ? std::string(unit) : "";
 }
 
-std::string bare_names(const std::vector<ValueColumn>& columns) {
-    std::string names;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-        names += (i == 0 ? "" : i + 1 < columns.size() ? ", " : " and ") + std::string(name_and_unit(columns[i].name).name);
-    return names;
+Phrase bare_names(const std::vector<ValueColumn>& columns) {
+    std::vector<Phrase> names;
+    for (const ValueColumn& column : columns) names.emplace_back(name_and_unit(column.name).name);
+    return listed(names);
 }
 
-TableColumns choose_columns(TableHead& head, const TableWish& wish, std::vector<std::string>& notes) {
+TableColumns choose_columns(TableHead& head, const TableWish& wish, std::vector<Phrase>& notes) {
     name_by_first_row(head, wish);
     TableColumns choice;
     std::vector<std::size_t> taken;
@@ -227,18 +227,22 @@ TableColumns choose_columns(TableHead& head, const TableWish& wish, std::vector<
     if (!y) y = others.next();
     const bool is_chosen = wish.y.empty() && y && !z && !wish.histogram;
     if (!x || (!y && (!wish.x.empty() || z)))
-        throw Error(Fault::usage, spelled(x ? "y" : "x"),
-                    head.name + " has no column of numbers for it; name one, or write numbers such as 0.53 below its name");
+        throw Error(
+            Fault::usage, spelled(x ? "y" : "x"),
+            phrase("{0} has no column of numbers for it; name one, or write numbers such as 0.53 below its name", head.name));
     if (!y) {  // one column: against the number of the row
         y = x;
         x.reset();
-        notes.push_back("there is one column of numbers, shown against the number of its row");
+        notes.push_back(phrase("there is one column of numbers, shown against the number of its row"));
     }
     if (x && !both && !wish.histogram) check_names(head, head.columns[*x], head.columns[*y]);
     if (!head.named)
-        notes.push_back("its first line has values and no names; the columns are called " +
-                        (head.columns.size() < 4 ? head.columns.front() + (head.columns.size() > 1 ? ", y and so on" : "")
-                                                 : "column 1, column 2 and so on"));
+        notes.push_back(
+            head.columns.size() >= 4
+                ? phrase("its first line has values and no names; the columns are called column 1, column 2 and so on")
+            : head.columns.size() > 1
+                ? phrase("its first line has values and no names; the columns are called {0}, y and so on", head.columns.front())
+                : phrase("its first line has values and no names; the columns are called {0}", head.columns.front()));
     if (is_chosen) tell_left_out(head, *y, others, notes);
     std::vector<ValueColumn*> values;
     if (x) {
@@ -263,23 +267,23 @@ TableColumns choose_columns(TableHead& head, const TableWish& wish, std::vector<
 namespace {
 
 [[noreturn]] void refuse(const TableHead& head, const ValueColumn& column, std::size_t line, std::string_view cell,
-                         const std::string& why) {
-    throw Error(Fault::failed, place_of_row(head, line), beginning_of(column.name) + " is " + shown(cell) + why);
+                         const Phrase& why) {
+    throw Error(Fault::failed, place_of_row(head, line), phrase("{0} is {1}, {2}", beginning_of(column.name), shown(cell), why));
 }
 
 double date_in(const TableHead& head, const ValueColumn& column, std::size_t line, std::string_view cell) {
     const DateReading date = read_date(cell, *column.dates);
     if (date.fault == DateFault::none) return date.seconds;
     refuse(head, column, line, cell,
-           date.fault == DateFault::impossible ? ", and there is no such day or time; mend it, or leave it empty"
-           : date.fault == DateFault::old      ? ", and our calendar began on 15 October 1582; write years as numbers"
-                                               : ", which is no date as those above it; write it like 2024-02-29");
+           date.fault == DateFault::impossible ? phrase("and there is no such day or time; mend it, or leave it empty")
+           : date.fault == DateFault::old      ? phrase("and our calendar began on 15 October 1582; write years as numbers")
+                                               : phrase("which is no date as those above it; write it like 2024-02-29"));
 }
 
 // What to do about what is no number.
-std::string how_to_write(const ValueColumn& column, std::string_view cell) {
+Phrase how_to_write(const ValueColumn& column, std::string_view cell) {
     const std::string better = with_point(cell);
-    if (is_infinity(cell)) return ", which no axis reaches; leave it empty";
+    if (is_infinity(cell)) return phrase("which no axis reaches; leave it empty");
     if (has_thousands(cell) && !(column.decimal == Decimal::point && cell.find(',') == std::string_view::npos)) {
         std::string bare;
         const auto fraction = cell.find_last_of(",.");
@@ -290,12 +294,12 @@ std::string how_to_write(const ValueColumn& column, std::string_view cell) {
             else if (two_marks && i == fraction)
                 bare += column.decimal == Decimal::comma ? ',' : '.';
         }
-        return ", with a mark between thousands; write it without: " + beginning_of(bare);
+        return phrase("with a mark between thousands; write it without: {0}", beginning_of(bare));
     }
     if (column.decimal == Decimal::comma && parse_number(cell))
-        return ", with a point, and others have a decimal comma; write all of them in one way";
-    return ", which is no number; " +
-           (better.empty() ? "write it like 0.53, or leave it empty" : "write a point and no comma: " + beginning_of(better));
+        return phrase("with a point, and others have a decimal comma; write all of them in one way");
+    return better.empty() ? phrase("which is no number; write it like 0.53, or leave it empty")
+                          : phrase("which is no number; write a point and no comma: {0}", beginning_of(better));
 }
 
 }  // namespace
@@ -311,10 +315,10 @@ std::optional<double> value_in(const TableHead& head, const ValueColumn& column,
         refuse(head, column, line, cell, how_to_write(column, cell));
     }
     if (std::abs(*number) > kMost)
-        refuse(head, column, line, cell, ", too large to be written at an axis; write all in a larger unit");
+        refuse(head, column, line, cell, phrase("too large to be written at an axis; write all in a larger unit"));
     if (column.logarithmic && !(*number > 0))
         refuse(head, column, line, cell,
-               ", and a logarithmic axis shows numbers over 0 only; leave the row out, or take an axis that is not");
+               phrase("and a logarithmic axis shows numbers over 0 only; leave the row out, or take an axis that is not"));
     return number;
 }
 

@@ -9,6 +9,7 @@
 
 #include "tactics/job/table_wish.h"
 #include "tactics/readers/table.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -32,7 +33,7 @@ struct TableColumns {
 
 /// `head` may take names from the first row if a wish names a column by them. Throws Error: usage if there is no such column;
 /// failed if the notation of numbers or dates is ambiguous.
-TableColumns choose_columns(TableHead& head, const TableWish& wish, std::vector<std::string>& notes);
+TableColumns choose_columns(TableHead& head, const TableWish& wish, std::vector<Phrase>& notes);
 
 /// The column of that name, with its unit or without. Throws Error(usage) if there is none.
 std::size_t column_of(const TableHead& head, std::string_view option, const std::string& wanted);
@@ -50,7 +51,7 @@ void settle_values(const TableHead& head, const TableWish& wish, const std::vect
 /// The name of an axis: for several columns, their unit, if all have the same; for one column, its name.
 std::string name_of_all(const std::vector<ValueColumn>& columns);
 /// "a, b and c": their names without units.
-std::string bare_names(const std::vector<ValueColumn>& columns);
+Phrase bare_names(const std::vector<ValueColumn>& columns);
 
 /// Nothing for a gap. Throws Error(failed) with the line for anything else, and for values that no axis could show.
 std::optional<double> value_in(const TableHead& head, const ValueColumn& column, std::size_t line, std::string_view cell);

@@ -29,15 +29,14 @@ void check_range(const TableHead& head, const ValueColumn& column, const Range& 
     const double least = column.logarithmic ? range.low : range.high - range.low;
     if (least != 0 && least < kLeast)
         throw Error(Fault::failed, head.name,
-                    "the numbers of " + beginning_of(column.name) +
-                        " are too small to be written at an axis; write them in a smaller unit");
+                    phrase("the numbers of {0} are too small to be written at an axis; write them in a smaller unit",
+                           beginning_of(column.name)));
 }
 
-std::string rows_have(std::size_t count) { return std::to_string(count) + (count == 1 ? " row has" : " rows have"); }
-
-void tell_left_out(std::size_t count, std::vector<std::string>& notes) {
+void tell_left_out(std::size_t count, std::vector<Phrase>& notes) {
     if (count > 0)
-        notes.push_back(rows_have(count) + " no number for the chart and " + (count == 1 ? "is" : "are") + " left out");
+        notes.push_back(phrases(count, "{0} row has no number for the chart and is left out",
+                                "{0} rows have no number for the chart and are left out"));
 }
 
 std::string bare(const std::string& column) { return std::string(name_and_unit(column).name); }
@@ -52,15 +51,17 @@ public:
         ups_.insert(ups_.end(), columns.other_y.begin(), columns.other_y.end());
         for (const ValueColumn& up : ups_) {
             if (std::find(wanted_.begin() + (columns.x ? 1 : 0), wanted_.end(), up.at) != wanted_.end())
-                throw Error(Fault::usage, spelled("y"), beginning_of(up.name) + " is named twice; name each column once");
+                throw Error(Fault::usage, spelled("y"),
+                            phrase("{0} is named twice; name each column once", beginning_of(up.name)));
             wanted_.push_back(up.at);
             if (up.dates.has_value() != columns.y.dates.has_value())
-                throw Error(Fault::usage, spelled("y"), "numbers and dates have no axis in common; name columns of one kind");
+                throw Error(Fault::usage, spelled("y"),
+                            phrase("numbers and dates have no axis in common; name columns of one kind"));
         }
         if (columns.group) wanted_.push_back(*columns.group);
         if (columns.label) wanted_.push_back(*columns.label);
-        const std::string across = columns.x ? columns.x->name : "row";
-        plot_.title = bare_names(ups_) + " against " + bare(across);
+        const std::string across = columns.x ? columns.x->name : phrase("row").in(wish.language);
+        plot_.title = phrase("{0} against {1}", bare_names(ups_), bare(across)).in(wish.language);
         const bool comma = wish.written.value_or(columns.y.decimal) == Decimal::comma;
         plot_.x = {across, columns.x && columns.x->logarithmic, columns.x && columns.x->dates.has_value(), false, comma};
         plot_.y = {name_of_all(ups_), columns.y.logarithmic, columns.y.dates.has_value(), false, comma};
@@ -83,11 +84,12 @@ public:
         for (const ValueColumn& up : ups_) take_value(group_of(up.name), *x, value_in(head_, up, line, cells[at++]), apart, "");
     }
 
-    Plot plot(std::vector<std::string>& notes) {
+    Plot plot(std::vector<Phrase>& notes) {
         if (!(across_.low <= across_.high))
-            throw Error(Fault::failed, head_.name,
-                        "there is no row with numbers in " + beginning_of(plot_.x.name) + " and " + beginning_of(plot_.y.name) +
-                            "; write some there, or name other columns by " + spelled("x") + " and " + spelled("y"));
+            throw Error(
+                Fault::failed, head_.name,
+                phrase("there is no row with numbers in {0} and {1}; write some there, or name other columns by {2} and {3}",
+                       beginning_of(plot_.x.name), beginning_of(plot_.y.name), spelled("x"), spelled("y")));
         if (columns_.x) check_range(head_, *columns_.x, across_);
         check_range(head_, columns_.y, up_);
         for (Group& group : groups_) {
@@ -97,9 +99,12 @@ public:
         }
         tell_left_out(left_out_, notes);
         if (gaps_ > 0)
-            notes.push_back(rows_have(gaps_) + " no number in " +
-                            (ups_.size() > 1 ? "one of the columns" : beginning_of(plot_.y.name)) +
-                            "; the curve has a gap there");
+            notes.push_back(ups_.size() > 1
+                                ? phrases(gaps_, "{0} row has no number in one of the columns; the curve has a gap there",
+                                          "{0} rows have no number in one of the columns; the curve has a gap there")
+                                : phrases(gaps_, "{0} row has no number in {1}; the curve has a gap there",
+                                          "{0} rows have no number in {1}; the curve has a gap there",
+                                          beginning_of(plot_.y.name)));
         return std::move(plot_);
     }
 
@@ -139,12 +144,14 @@ private:
         last_ = known->second;
         if (!fresh) return groups_[last_];
         if (wish_.points && last_ > 1)
-            throw Error(Fault::usage, spelled("points"),
-                        "a finger tells two groups of points, discs and rings, and " + head_.name +
-                            " has more; leave it out, or keep two");
+            throw Error(
+                Fault::usage, spelled("points"),
+                phrase("a finger tells two groups of points, discs and rings, and {0} has more; leave it out, or keep two",
+                       head_.name));
         if (last_ == kMostTableCurves)
-            throw Error(Fault::usage, spelled("group"),
-                        head_.name + " has more than " + std::to_string(kMostTableCurves) + " groups; name a column with few");
+            throw Error(
+                Fault::usage, spelled("group"),
+                phrase("{0} has more than {1} groups; name a column with few", head_.name, std::to_string(kMostTableCurves)));
         groups_.emplace_back();
         groups_.back().curve.name = name;
         groups_.back().curve.joined = wish_.steps ? Joining::steps : Joining::straight;
@@ -157,8 +164,9 @@ private:
     void add_mark(PlotMark mark) {
         if (plot_.marks.size() == kMostTableMarks)
             throw Error(Fault::failed, head_.name,
-                        "there are more than " + std::to_string(kMostTableMarks) +
-                            " points to be marked; keep every tenth or hundredth row, for example: awk 'NR % 100 == 1' FILE");
+                        phrase("there are more than {0} points to be marked; keep every tenth or hundredth row, for example: awk "
+                               "'NR % 100 == 1' FILE",
+                               std::to_string(kMostTableMarks)));
         plot_.marks.push_back(std::move(mark));
     }
 
@@ -171,8 +179,9 @@ private:
             const double way = point.x - before.x;
             if (way * group.way < 0 && ++group.turns > kMostTableTurns)
                 throw Error(Fault::failed, head_.name,
-                            "rows are joined in their order, and " + beginning_of(plot_.x.name) + " goes to and fro more than " +
-                                std::to_string(kMostTableTurns) + " times; sort the rows by it, or keep fewer");
+                            phrase("rows are joined in their order, and {0} goes to and fro more than {1} times; sort the rows "
+                                   "by it, or keep fewer",
+                                   beginning_of(plot_.x.name), std::to_string(kMostTableTurns)));
             if (way != 0) group.way = way;
         }
         group.apart = false;
@@ -215,7 +224,7 @@ private:
 }  // namespace
 
 Plot curves_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
-                 std::vector<std::string>& notes) {
+                 std::vector<Phrase>& notes) {
     CurveTable table(head, columns, wish);
     read_rows(source, head, table.wanted(),
               [&](std::size_t line, std::span<const std::string_view> cells, bool apart) { table.take(line, cells, apart); });
@@ -223,7 +232,7 @@ Plot curves_plot(Source& source, const TableHead& head, const TableColumns& colu
 }
 
 Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
-                    std::vector<std::string>& notes) {
+                    std::vector<Phrase>& notes) {
     const ValueColumn& column = columns.y;
     const Decimal decimal = wish.written.value_or(column.decimal);
     int bins = *wish.histogram;
@@ -242,18 +251,20 @@ Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& c
         range.take(*value);
     });
     if (values.empty())
-        throw Error(Fault::failed, head.name,
-                    "there is no row with a number in " + beginning_of(column.name) + "; name another column by " + spelled("x"));
+        throw Error(
+            Fault::failed, head.name,
+            phrase("there is no row with a number in {0}; name another column by {1}", beginning_of(column.name), spelled("x")));
     check_range(head, column, range);
     tell_left_out(left_out, notes);
     if (bins == 0) bins = bins_for(values);
     Plot plot;
-    plot.title = "How often " + bare(column.name) + " is where";
+    plot.title = phrase("How often {0} is where", bare(column.name)).in(wish.language);
     plot.x = {column.name, false, column.dates.has_value()};
     plot.x.comma = decimal == Decimal::comma;
-    plot.y = {"count"};
+    plot.y = {phrase("count").in(wish.language)};
     plot.curves.push_back(histogram_of(values, bins));
-    notes.push_back(std::to_string(values.size()) + " values in " + std::to_string(plot.curves[0].points.size() - 1) + " bars");
+    notes.push_back(
+        phrase("{0} values in {1} bars", std::to_string(values.size()), std::to_string(plot.curves[0].points.size() - 1)));
     return plot;
 }
 

@@ -9,15 +9,16 @@
 #include "tactics/plot.h"
 #include "tactics/readers/read.h"
 #include "tactics/readers/table.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 /// Throws Error as plot_of does.
 Plot curves_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
-                 std::vector<std::string>& notes);
+                 std::vector<Phrase>& notes);
 
 /// A histogram of the column's values, in the bins of the wish. Throws Error as plot_of does.
 Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
-                    std::vector<std::string>& notes);
+                    std::vector<Phrase>& notes);
 
 }  // namespace tactics

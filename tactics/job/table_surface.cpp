@@ -31,11 +31,11 @@ std::size_t place_in(const std::vector<double>& sorted, double value) {
     return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
 }
 
-void tell_unknown(const std::vector<double>& z, std::vector<std::string>& notes) {
+void tell_unknown(const std::vector<double>& z, std::vector<Phrase>& notes) {
     const auto unknown = std::count_if(z.begin(), z.end(), [](double height) { return std::isnan(height); });
     if (unknown > 0)
-        notes.push_back("nothing is known of " + std::to_string(unknown) + " of the " + std::to_string(z.size()) +
-                        " places of the surface");
+        notes.push_back(phrase("nothing is known of {0} of the {1} places of the surface", std::to_string(unknown),
+                               std::to_string(z.size())));
 }
 
 // Rising or falling, two at least.
@@ -75,9 +75,11 @@ Decimal matrix_decimal(const TableHead& head, const TableWish& wish) {
     };
     if (!some(with_comma)) return Decimal::point;
     if (some(with_point))
-        throw Error(Fault::failed, head.name,
-                    "some of its numbers have a point and some a comma; write all of them in one way, or say " +
-                        spelled("decimal") + " point or " + spelled("decimal") + " comma");
+        throw Error(
+            Fault::failed, head.name,
+            phrase(
+                "some of its numbers have a point and some a comma; write all of them in one way, or say {0} point or {0} comma",
+                spelled("decimal")));
     return Decimal::comma;
 }
 
@@ -123,7 +125,7 @@ std::optional<PlotSurface> surface_of(const std::vector<double>& x, const std::v
 }
 
 Plot spatial_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
-                  std::vector<std::string>& notes) {
+                  std::vector<Phrase>& notes) {
     const std::size_t wanted[] = {columns.x->at, columns.y.at, columns.z->at};
     std::vector<double> x, y, z;
     for (auto* values : {&x, &y, &z}) values->reserve(std::min(head.rows_expected, kMostTableRows));
@@ -140,7 +142,8 @@ Plot spatial_plot(Source& source, const TableHead& head, const TableColumns& col
         z.push_back(height.value_or(kUnknown));
     });
     Plot plot;
-    plot.title = bare(columns.z->name) + " over " + bare(columns.x->name) + " and " + bare(columns.y.name);
+    plot.title =
+        phrase("{0} over {1} and {2}", bare(columns.z->name), bare(columns.x->name), bare(columns.y.name)).in(wish.language);
     plot.x = {columns.x->name, columns.x->logarithmic, columns.x->dates.has_value()};
     plot.y = {columns.y.name, columns.y.logarithmic, columns.y.dates.has_value()};
     plot.z = {columns.z->name, false, columns.z->dates.has_value()};
@@ -157,16 +160,17 @@ Plot spatial_plot(Source& source, const TableHead& head, const TableColumns& col
             }
             if (plot.marks.size() == kMostTableMarks)
                 throw Error(Fault::failed, head.name,
-                            "there are more than " + std::to_string(kMostTableMarks) +
-                                " points, and they are no grid, with each x and y once; keep every tenth or hundredth row");
+                            phrase("there are more than {0} points, and they are no grid, with each x and y once; keep every "
+                                   "tenth or hundredth row",
+                                   std::to_string(kMostTableMarks)));
             plot.marks.push_back({"", x[i], y[i], PlotSymbol::disc, z[i]});
         }
     }
     if (left_out > 0)
-        notes.push_back(std::to_string(left_out) + (left_out == 1 ? " row has" : " rows have") + " no number for the chart and " +
-                        (left_out == 1 ? "is" : "are") + " left out");
+        notes.push_back(phrases(left_out, "{0} row has no number for the chart and is left out",
+                                "{0} rows have no number for the chart and are left out"));
     if (plot.surfaces.empty() && plot.marks.empty())
-        throw Error(Fault::failed, head.name, "there is no row with numbers in all three columns; write some there");
+        throw Error(Fault::failed, head.name, phrase("there is no row with numbers in all three columns; write some there"));
     return plot;
 }
 
@@ -197,18 +201,18 @@ void turn(PlotSurface& surface) {
 
 void check_sides(const TableHead& head, const PlotSurface& surface) {
     if (surface.x.size() < 2 || surface.y.size() < 2)
-        throw Error(Fault::failed, head.name, "a surface has two rows and two columns at least, and this has fewer");
+        throw Error(Fault::failed, head.name, phrase("a surface has two rows and two columns at least, and this has fewer"));
     if (surface.z.size() != surface.x.size() * surface.y.size())
         throw Error(Fault::failed, head.name,
-                    "z has " + std::to_string(surface.z.size()) + " heights for " + std::to_string(surface.x.size()) +
-                        " of x and " + std::to_string(surface.y.size()) + " of y; give one for each pair");
+                    phrase("z has {0} heights for {1} of x and {2} of y; give one for each pair",
+                           std::to_string(surface.z.size()), std::to_string(surface.x.size()), std::to_string(surface.y.size())));
     if (!is_monotone(surface.x) || !is_monotone(surface.y))
-        throw Error(Fault::failed, head.name, "x and y of a surface rise or fall all the way; sort them");
+        throw Error(Fault::failed, head.name, phrase("x and y of a surface rise or fall all the way; sort them"));
 }
 
 }  // namespace
 
-Plot matrix_plot(Source& source, const TableHead& head, const TableWish& wish, std::vector<std::string>& notes) {
+Plot matrix_plot(Source& source, const TableHead& head, const TableWish& wish, std::vector<Phrase>& notes) {
     const Decimal decimal = matrix_decimal(head, wish);
     const bool heights = head.form == TableForm::heights;
     const Borders borders = heights ? Borders{} : borders_of(head, decimal, wish.matrix);
@@ -227,12 +231,13 @@ Plot matrix_plot(Source& source, const TableHead& head, const TableWish& wish, s
             surface.y.push_back(up.value_or(kUnknown));
         }
         if (surface.z.size() + cells.size() > kMostHeights)
-            throw Error(Fault::failed, head.name,
-                        "there are more than " + std::to_string(kMostHeights) + " heights; keep every second row and column");
+            throw Error(
+                Fault::failed, head.name,
+                phrase("there are more than {0} heights; keep every second row and column", std::to_string(kMostHeights)));
         if (heights && !surface.x.empty() && cells.size() != surface.x.size())
             throw Error(Fault::failed, head.name + ":" + std::to_string(line),
-                        "this row of z has " + std::to_string(cells.size()) + " heights for " + std::to_string(surface.x.size()) +
-                            " of x; write null for gaps");
+                        phrase("this row of z has {0} heights for {1} of x; write null for gaps", std::to_string(cells.size()),
+                               std::to_string(surface.x.size())));
         if (surface.x.empty())
             for (std::size_t i = begin; i < cells.size(); ++i) surface.x.push_back(static_cast<double>(i - begin + 1));
         for (std::size_t i = begin; i < cells.size(); ++i)
@@ -244,12 +249,13 @@ Plot matrix_plot(Source& source, const TableHead& head, const TableWish& wish, s
     turn(surface);
     tell_unknown(surface.z, notes);
     if (!wish.matrix && !heights)
-        notes.push_back("its first row and column are numbers, so it is taken as a matrix of heights; " + spelled("x") + " and " +
-                        spelled("y") + " name columns of a curve");
+        notes.push_back(phrase(
+            "its first row and column are numbers, so it is taken as a matrix of heights; {0} and {1} name columns of a curve",
+            spelled("x"), spelled("y")));
     Plot plot;
-    plot.title = "Heights";
-    plot.x = {borders.there || heights ? "x" : "column"};
-    plot.y = {borders.there || heights ? "y" : "row"};
+    plot.title = phrase("Heights").in(wish.language);
+    plot.x = {borders.there || heights ? "x" : phrase("column").in(wish.language)};
+    plot.y = {borders.there || heights ? "y" : phrase("row").in(wish.language)};
     plot.z = {"z"};
     plot.x.comma = plot.y.comma = plot.z.comma = wish.written.value_or(decimal) == Decimal::comma;
     plot.surfaces.push_back(std::move(surface));

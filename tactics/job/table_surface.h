@@ -10,6 +10,7 @@
 #include "tactics/plot.h"
 #include "tactics/readers/read.h"
 #include "tactics/readers/table.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -19,7 +20,7 @@ std::optional<PlotSurface> surface_of(const std::vector<double>& x, const std::v
 
 /// Heights over x and y from columns, as a surface or as marks in space. Throws Error as plot_of does.
 Plot spatial_plot(Source& source, const TableHead& head, const TableColumns& columns, const TableWish& wish,
-                  std::vector<std::string>& notes);
+                  std::vector<Phrase>& notes);
 
 /// Whether the table is recognisable as a matrix: numbers that rise or fall in the first row, after a first cell without a
 /// number, and in the first column.
@@ -27,6 +28,6 @@ bool is_matrix(const TableHead& head);
 
 /// The heights of a matrix. Its first row and column are x and y if is_matrix, or if the first cell gives the number of other
 /// cells in its row (gnuplot's "nonuniform matrix"); else rows and columns are numbered from 1. Throws Error as plot_of does.
-Plot matrix_plot(Source& source, const TableHead& head, const TableWish& wish, std::vector<std::string>& notes);
+Plot matrix_plot(Source& source, const TableHead& head, const TableWish& wish, std::vector<Phrase>& notes);
 
 }  // namespace tactics

@@ -39,6 +39,7 @@ struct TableWish {
     bool log_x = false, log_y = false;
     std::optional<Decimal> decimal = {};  ///< notation of its numbers; nothing: as in its first rows
     std::optional<Decimal> written = {};  ///< on the page; nothing: as in the table
+    std::string language = "en";          ///< of the words that the plot has besides those of the table (BCP 47)
     std::optional<DateOrder> dates = {};  ///< order in its dates; nothing: as in its first rows
 };
 

@@ -15,44 +15,44 @@ bool is_there(const std::string& path) {
     return std::filesystem::is_regular_file(path, fault);
 }
 
-std::vector<std::string> reasons_of(const Output& output, const std::optional<MadeWith>& now) {
-    if (!is_there(output.path)) return {output.path + " is not there"};
-    if (!now) return {"the picture cannot be looked at"};  // converting it will say why
+std::vector<Phrase> reasons_of(const Output& output, const std::optional<MadeWith>& now) {
+    if (!is_there(output.path)) return {phrase("{0} is not there", output.path)};
+    if (!now) return {phrase("the picture cannot be looked at")};  // converting it will say why
     const auto record = record_of(output);
-    if (!record) return {"there is no record of how " + output.path + " was made"};
+    if (!record) return {phrase("there is no record of how {0} was made", output.path)};
     for (std::size_t file = 1; file <= record->files; ++file) {
         const std::string path = path_of_page(output, file);
-        if (!is_there(path)) return {path + " is not there"};
-        if (mark_of_file(path) != record->marks[file - 1]) return {path + " is not what was written there"};
+        if (!is_there(path)) return {phrase("{0} is not there", path)};
+        if (mark_of_file(path) != record->marks[file - 1]) return {phrase("{0} is not what was written there", path)};
     }
     return differences(record->with, *now);
 }
 
 /// Why outputs are made anew, each reason once; no words if none of them is there.
 struct Reasons {
-    std::vector<std::string> all;
+    std::vector<Phrase> all;
     bool any_there = false;
 
     void add(const Output& output, const std::optional<MadeWith>& now) {
         any_there = any_there || is_there(output.path);
-        for (std::string& reason : reasons_of(output, now))
+        for (Phrase& reason : reasons_of(output, now))
             if (std::find(all.begin(), all.end(), reason) == all.end()) all.push_back(std::move(reason));
     }
-    std::optional<std::vector<std::string>> told() const {
+    std::optional<std::vector<Phrase>> told() const {
         if (all.empty()) return std::nullopt;
-        return any_there ? all : std::vector<std::string>{};
+        return any_there ? all : std::vector<Phrase>{};
     }
 };
 
 }  // namespace
 
-std::optional<std::vector<std::string>> reasons_to_make(const MadeWith& settings, const Item& item) {
+std::optional<std::vector<Phrase>> reasons_to_make(const MadeWith& settings, const Item& item) {
     Reasons reasons;
     for (const Output& output : item.outputs) reasons.add(output, made_with(settings, item, output));
     return reasons.told();
 }
 
-std::optional<std::vector<std::string>> reasons_to_bind(const MadeWith& settings, std::span<const Item> items) {
+std::optional<std::vector<Phrase>> reasons_to_bind(const MadeWith& settings, std::span<const Item> items) {
     Reasons reasons;
     for (const Item& item : items)
         for (const Output& output : item.outputs)

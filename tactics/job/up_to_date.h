@@ -13,8 +13,8 @@ namespace tactics {
 
 /// Nothing: all outputs exist, and this version made them from this picture with these settings. Else the reasons to make them
 /// anew, in words; no words if none exists.
-std::optional<std::vector<std::string>> reasons_to_make(const MadeWith& settings, const Item& item);
+std::optional<std::vector<Phrase>> reasons_to_make(const MadeWith& settings, const Item& item);
 /// The same for pictures bound into files, whose records describe all of them, and for their other outputs.
-std::optional<std::vector<std::string>> reasons_to_bind(const MadeWith& settings, std::span<const Item> items);
+std::optional<std::vector<Phrase>> reasons_to_bind(const MadeWith& settings, std::span<const Item> items);
 
 }  // namespace tactics

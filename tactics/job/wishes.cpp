@@ -31,12 +31,12 @@ Sheet sheet_for(const Wishes& wishes, const Format& output, const Item& item) {
     Sheet sheet = wishes.sheet;
     const bool display = format.dots != nullptr && format.dots(wishes.settings_of(format)).width > 0;
     if (display && (wishes.paper || sheet.margin || sheet.binding))
-        throw Error(Fault::usage,
-                    wishes.paper   ? spelled("paper")
-                    : sheet.margin ? spelled("margin")
-                                   : spelled("binding"),
-                    std::string(format.name) + " is a display, all of which is used; leave it out, and see tactics help " +
-                        std::string(format.name) + " for its size");
+        throw Error(
+            Fault::usage,
+            wishes.paper   ? spelled("paper")
+            : sheet.margin ? spelled("margin")
+                           : spelled("binding"),
+            phrase("{0} is a display, all of which is used; leave it out, and see tactics help {0} for its size", format.name));
     sheet.paper = wishes.paper ? *wishes.paper : find_paper(own_paper(format, wishes.settings_of(format)), format.name);
     take_kept(sheet, wishes.kept, format, wishes.paper.has_value(), wishes.settings_of(format));
     if (sheet.medium == nullptr) sheet.medium = &find_medium(format.medium, format.name);
@@ -46,11 +46,11 @@ Sheet sheet_for(const Wishes& wishes, const Format& output, const Item& item) {
     if (format.embosser != nullptr) {
         if (sheet.duplex && !has_sides(format))
             throw Error(Fault::usage, spelled("duplex"),
-                        std::string(format.name) + " is made for one side of a sheet; leave it out, or make two jobs");
+                        phrase("{0} is made for one side of a sheet; leave it out, or make two jobs", format.name));
         sheet.print_title = false;  // it has no ink
         if (sheet.bare)
             throw Error(Fault::usage, spelled("bare"),
-                        "an embosser raises dots on a sheet with margins; leave it out for " + std::string(format.name));
+                        phrase("an embosser raises dots on a sheet with margins; leave it out for {0}", format.name));
         const double narrow = sheet.paper.width, wide = sheet.paper.height;
         const Settings settings = wishes.settings_of(format);
         const bool upright = takes_sheet(*format.embosser, settings, narrow, wide),

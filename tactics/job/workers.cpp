@@ -19,13 +19,13 @@ Failure failure_of(const std::string& name, const std::function<void()>& work) {
         work();
         return failure;
     } catch (const Error& error) {
-        failure = {error.what(), error.fault()};
+        failure = {error.told(), error.fault()};
     } catch (const std::bad_alloc&) {
-        failure.text = "there is not enough memory for it; try " + spelled("jobs") + " 1 or a smaller picture";
+        failure.text = phrase("there is not enough memory for it; try {0} 1 or a smaller picture", spelled("jobs"));
     } catch (const std::exception& error) {
-        failure.text = std::string("this should not happen, please report it: ") + error.what();
+        failure.text = phrase("this should not happen, please report it: {0}", error.what());
     }
-    if (!failure.text.starts_with(name + ":")) failure.text = name + ": " + failure.text;
+    if (!failure.text.english().starts_with(name + ":")) failure.text = phrase("{0}: {1}", name, std::move(failure.text));
     return failure;
 }
 

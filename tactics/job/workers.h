@@ -12,7 +12,7 @@ namespace tactics {
 
 /// The error, as a line that begins with the name of the thing; empty if there was none.
 struct Failure {
-    std::string text;
+    Phrase text;
     Fault fault = Fault::failed;
 };
 Failure failure_of(const std::string& name, const std::function<void()>& work);

@@ -98,7 +98,8 @@ public:
 
     Written written() {
         Written all{std::move(blocks_), {}};
-        if (has_rows_) all.notes.emplace_back("tabs between words are set as |, so that the cells of tables can be told apart");
+        if (has_rows_)
+            all.notes.emplace_back(phrase("tabs between words are set as |, so that the cells of tables can be told apart"));
         return all;
     }
 
@@ -142,8 +143,8 @@ std::string list_of(const std::vector<int>& pages) {
 
 Error too_much(const Source& source, bool pdf) {
     return Error(Fault::failed, source.name,
-                 pdf ? "this PDF has over 4 MB of text or 20,000 pages; lay out a part of it with " + spelled("page")
-                     : "this text has over 4 MB; cut it into parts");
+                 pdf ? phrase("this PDF has over 4 MB of text or 20,000 pages; lay out a part of it with {0}", spelled("page"))
+                     : phrase("this text has over 4 MB; cut it into parts"));
 }
 
 std::vector<PdfText> read_pages(const Source& source, const PageRange& pages) {
@@ -161,8 +162,7 @@ std::vector<PdfText> read_pages(const Source& source, const PageRange& pages) {
 }
 
 // What is not set, page by page.
-void tell_left_out(const Source& source, const std::vector<PdfText>& texts, const PageRange& pages,
-                   std::vector<std::string>& notes) {
+void tell_left_out(const Source& source, const std::vector<PdfText>& texts, const PageRange& pages, std::vector<Phrase>& notes) {
     std::vector<int> without_words, with_drawings, not_looked_at;
     for (int first = pages.first; first <= pages.last; first += kPagesAtOnce) {
         const int last = std::min(pages.last, first + kPagesAtOnce - 1);
@@ -178,23 +178,26 @@ void tell_left_out(const Source& source, const std::vector<PdfText>& texts, cons
             (words ? with_drawings : without_words).push_back(page);
         }
     }
-    const auto tell = [&](const std::vector<int>& which, const std::string& one, const std::string& many) {
-        if (which.size() == 1) notes.push_back("page " + list_of(which) + one);
-        if (which.size() > 1) notes.push_back("pages " + list_of(which) + many);
-    };
-    tell(without_words, " has no words and is left out; it may be a scan, have it read first: ocrmypdf",
-         " have no words and are left out; they may be scans, have them read first: ocrmypdf");
-    tell(with_drawings, " has drawings or pictures besides its words, which are left out",
-         " have drawings or pictures besides their words, which are left out");
-    tell(not_looked_at, " takes too much to be looked at for drawings and scans, which are left out",
-         " take too much to be looked at for drawings and scans, which are left out");
+    if (!without_words.empty())
+        notes.push_back(phrases(without_words.size(),
+                                "page {1} has no words and is left out; it may be a scan, have it read first: ocrmypdf",
+                                "pages {1} have no words and are left out; they may be scans, have them read first: ocrmypdf",
+                                list_of(without_words)));
+    if (!with_drawings.empty())
+        notes.push_back(phrases(with_drawings.size(), "page {1} has drawings or pictures besides its words, which are left out",
+                                "pages {1} have drawings or pictures besides their words, which are left out",
+                                list_of(with_drawings)));
+    if (!not_looked_at.empty())
+        notes.push_back(phrases(
+            not_looked_at.size(), "page {1} takes too much to be looked at for drawings and scans, which are left out",
+            "pages {1} take too much to be looked at for drawings and scans, which are left out", list_of(not_looked_at)));
 }
 
 Written written_in_pdf(const Source& source, PageRange pages) {
     const int count = pages_of_pdf(source);
     if (pages.last > count)
         throw Error(Fault::usage, source.name,
-                    "there is no page " + std::to_string(pages.last) + ", but pages 1 to " + std::to_string(count));
+                    phrase("there is no page {0}, but pages 1 to {1}", std::to_string(pages.last), std::to_string(count)));
     if (pages.first == 0) pages = {1, count};
     if (pages.last - pages.first >= kMostPages) throw too_much(source, true);
     const std::vector<PdfText> texts = read_pages(source, pages);
@@ -207,10 +210,10 @@ Written written_in_pdf(const Source& source, PageRange pages) {
         for (const std::string& word : parted.guessed()) named += (named.empty() ? "\"" : ", \"") + word + "\"";
         const bool one = parted.guesses() == 1;
         written.notes.push_back(
-            std::to_string(parted.guesses()) +
-            (one ? " word that was parted at the end of a line is put together without its hyphen: "
-                 : " words that were parted at the ends of lines are put together without their hyphens, as ") +
-            named);
+            one ? phrase("{0} word that was parted at the end of a line is put together without its hyphen: {1}",
+                         std::to_string(parted.guesses()), named)
+                : phrase("{0} words that were parted at the ends of lines are put together without their hyphens, as {1}",
+                         std::to_string(parted.guesses()), named));
     }
     return written;
 }
@@ -234,9 +237,9 @@ void check_markup(std::string_view text, const std::string& name) {
     std::string head(text.substr(begin, kHead));
     for (char& c : head) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
     if (head.find("<html") != std::string::npos || head.find("<!doctype html") != std::string::npos)
-        throw Error(Fault::failed, name, "it is an HTML page; save it as text or as PDF first");
+        throw Error(Fault::failed, name, phrase("it is an HTML page; save it as text or as PDF first"));
     if (head.find("<svg") != std::string::npos || head.find(":svg ") != std::string::npos)
-        throw Error(Fault::failed, name, "it is a figure in SVG, no text; leave out " + spelled("text"));
+        throw Error(Fault::failed, name, phrase("it is a figure in SVG, no text; leave out {0}", spelled("text")));
 }
 
 std::string text_of_file(const Source& source) {
@@ -278,13 +281,14 @@ bool is_page_of_text(const Source& pdf, int page) {
 
 Written text_in(Source& source, PageRange pages) {
     const bool pdf = look_at(source) == Holds::pdf;
-    if (!pdf && pages.first > 0) throw Error(Fault::usage, spelled("page"), source.name + " is no PDF; leave it out");
+    if (!pdf && pages.first > 0) throw Error(Fault::usage, spelled("page"), phrase("{0} is no PDF; leave it out", source.name));
     Written written = pdf ? written_in_pdf(source, pages) : written_in_text(text_of_file(source));
     std::erase_if(written.blocks, [](const TextBlock& block) { return to_line(block.text).empty(); });
     if (written.blocks.empty())
-        throw Error(Fault::failed, source.name,
-                    pdf ? "nothing is written in it that could be laid out as text; if it is a scan, have it read first: ocrmypdf"
-                        : "nothing is written in it that could be laid out as text");
+        throw Error(
+            Fault::failed, source.name,
+            pdf ? phrase("nothing is written in it that could be laid out as text; if it is a scan, have it read first: ocrmypdf")
+                : phrase("nothing is written in it that could be laid out as text"));
     return written;
 }
 

@@ -9,12 +9,13 @@
 #include "tactics/layout/text_pages.h"
 #include "tactics/readers/read.h"
 #include "tactics/readers/svg/pdf_text.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 struct Written {
     std::vector<TextBlock> blocks;
-    std::vector<std::string> notes;  ///< on things left out or guessed, one line each
+    std::vector<Phrase> notes;  ///< on things left out or guessed, one line each
 };
 
 /// Pages of a PDF, from 1.

@@ -77,10 +77,10 @@ public:
         if (!(fit > static_cast<double>(kRunoverFrom)) || down < 0)
             throw drawn.title.empty()
                 ? Error(Fault::usage, spelled("paper"),
-                        "it is too small for the key of the labels, even on a page of its own; take larger paper or "
-                        "shorter labels")
+                        phrase("it is too small for the key of the labels, even on a page of its own; take larger paper or "
+                               "shorter labels"))
                 : Error(Fault::usage, sheet.title_origin,
-                        "the title leaves no room for the key on a page of its own; shorten it or take larger paper");
+                        phrase("the title leaves no room for the key on a page of its own; shorten it or take larger paper"));
         most_ = static_cast<std::size_t>(fit);
         width_ = std::min(longest, most_);
         columns_ = (most_ + kBetween) / (width_ + kBetween);

@@ -52,7 +52,7 @@ void say(LabelBlock& block, Page& page, PageWords words) {
 
 LabelBlock placed(LabelBlock block, const Label& label, Point at, const CellSize& cell, double page_width, double page_height) {
     if (block.width > page_width || block.height > page_height)
-        throw Error(Fault::usage, "", "the words \"" + label.text + "\" are larger than the paper; take larger paper");
+        throw Error(Fault::usage, "", phrase("the words \"{0}\" are larger than the paper; take larger paper", label.text));
     const double left = std::clamp(at.x - label.across * block.width, 0.0, page_width - block.width);
     const double top = std::clamp(at.y - label.down * block.height, 0.0, page_height - block.height);
     for (PrintLine& line : block.print) {

@@ -142,7 +142,7 @@ public:
             if (stands_beside(piece) || stands_apart(piece, Way::open)) continue;
             // Whatever the others find, not all will have a key: of thousands of names each would be looked for in vain.
             if (keyed.size() == most && !sheet_.braille_table.empty())
-                leave_out(piece, "a key");
+                leave_out(piece, phrase("a key"));
             else
                 keyed.push_back(std::move(piece));
         }
@@ -251,21 +251,22 @@ private:
         page_.names.push_back({piece.name.text, piece.key, piece.name.at, place, static_cast<int>(page_.words.size()) - 1});
     }
 
-    void leave_out(const Piece& piece, const std::string& what) {
+    void leave_out(const Piece& piece, const Phrase& what) {
         if (piece.name.optional) {
             page_.left_out.push_back(piece.name);
             return;
         }
         throw Error(Fault::usage, piece.name.origin,
-                    "there is no room for " + what + " of \"" + beginning_of(piece.name.text) +
-                        "\" clear of the lines; take larger paper, fewer lines (" + spelled("detail") + " 0.5), or fewer names");
+                    phrase("there is no room for {0} of \"{1}\" clear of the lines; take larger paper, fewer lines ({2} 0.5), or "
+                           "fewer names",
+                           what, beginning_of(piece.name.text), spelled("detail")));
     }
 
     // The key, if it has no room.
     std::vector<KeyEntry> set_key(std::vector<Piece>& keyed) {
         // Print has no two letters: it is small, and a sheet without braille is for eyes.
         if (sheet_.braille_table.empty()) {
-            for (const Piece& piece : keyed) leave_out(piece, "the words");
+            for (const Piece& piece : keyed) leave_out(piece, phrase("the words"));
             return {};
         }
         std::set<std::string> taken;
@@ -274,7 +275,7 @@ private:
         for (Piece& piece : keyed) {
             piece.key = key_for(piece.name.text, taken);
             if (piece.key.empty()) {
-                leave_out(piece, "a key");
+                leave_out(piece, phrase("a key"));
                 continue;
             }
             taken.insert(piece.key);
@@ -282,7 +283,7 @@ private:
             Piece letters = piece;
             letters.block = block_of(cells, page_);
             if (!stands_beside(letters) && !stands_apart(letters, Way::open) && !stands_apart(letters, Way::across)) {
-                leave_out(piece, "the words and even for two letters");
+                leave_out(piece, phrase("the words and even for two letters"));
                 continue;
             }
             cells.resize(kWordsFrom, 0);

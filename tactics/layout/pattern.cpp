@@ -218,7 +218,7 @@ private:
         // Each may become a mark; a sheet of 3 m has this many.
         constexpr std::size_t kMostDots = 2'000'000;
         if (grid.columns.size() * grid.rows.size() > kMostDots)
-            throw Error(Fault::usage, "", "the page has over 2 million dots, too many for textures; take smaller paper");
+            throw Error(Fault::usage, "", phrase("the page has over 2 million dots, too many for textures; take smaller paper"));
         std::vector<std::string_view> tile;
         for (std::string_view rest = texture_.tile;; rest.remove_prefix(tile.back().size() + 1)) {
             tile.push_back(rest.substr(0, rest.find('/')));

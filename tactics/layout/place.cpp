@@ -40,17 +40,17 @@ Rect within_bed(Rect live, const DotBed& bed, const CellSize& cell, double width
 struct Attempt {
     Arrangement arrangement;
     std::string place;  // of the fault
-    std::string fault;  // empty = it can be done
+    Phrase fault;       // empty = it can be done
 };
 
 // Each step of an attempt answers whether there was room enough, and gives up where there was not.
-bool give_up(Attempt& attempt, std::string_view place, std::string fault) {
+bool give_up(Attempt& attempt, std::string_view place, Phrase fault) {
     attempt.place = place;
     attempt.fault = std::move(fault);
     return false;
 }
 
-std::string paper_words(const Place& place) { return mm(place.page_width) + " x " + mm(place.page_height) + " paper"; }
+Phrase paper_words(const Place& place) { return phrase("{0} x {1} paper", mm(place.page_width), mm(place.page_height)); }
 
 bool leave_binding(Attempt& attempt, const Sheet& sheet, double least) {
     const Binding& binding = *sheet.binding;
@@ -59,8 +59,9 @@ bool leave_binding(Attempt& attempt, const Sheet& sheet, double least) {
     const double most = (top ? place.live.height : place.live.width) - least;
     if (binding.room > most && most >= 0)
         return give_up(attempt, sheet.binding_origin,
-                       to_text(binding.room) + " mm for the binding leaves nothing of " + paper_words(place) +
-                           " to draw on; it can be up to " + mm(most) + " here, or take larger paper");
+                       phrase("{0} mm for the binding leaves nothing of {1} to draw on; it can be up to {2} here, or take larger "
+                              "paper",
+                              to_text(binding.room), paper_words(place), mm(most)));
     (top ? place.live.height : place.live.width) -= binding.room;
     if (top)
         place.live.top += binding.room;
@@ -75,12 +76,17 @@ bool check_live(Attempt& attempt, const Sheet& sheet, double margin, double leas
     const double spare = (std::min(place.page_width, place.page_height) - least) / 2;
     if (sheet.margin)
         return give_up(attempt, sheet.margin_origin,
-                       "margins of " + to_text(margin) + " mm leave nothing of " + paper_words(place) +
-                           " to draw on; they can be up to " + mm(spare) + " here, or take larger paper");
+                       phrase("margins of {0} mm leave nothing of {1} to draw on; they can be up to {2} here, or take larger "
+                              "paper",
+                              to_text(margin), paper_words(place), mm(spare)));
+    const Phrase side = to_text(std::ceil((2 * margin + least) * 10) / 10);
     return give_up(attempt, spelled("paper"),
-                   paper_words(place) + " is too small for its margins of " + to_text(margin) + " mm; take paper of at least " +
-                       to_text(std::ceil((2 * margin + least) * 10) / 10) + " mm a side" +
-                       (spare > 0 ? ", or margins of up to " + mm(spare) + " with " + spelled("margin") : ""));
+                   spare > 0
+                       ? phrase("{0} is too small for its margins of {1} mm; take paper of at least {2} mm a side, or margins "
+                                "of up to {3} with {4}",
+                                paper_words(place), to_text(margin), side, mm(spare), spelled("margin"))
+                       : phrase("{0} is too small for its margins of {1} mm; take paper of at least {2} mm a side",
+                                paper_words(place), to_text(margin), side));
 }
 
 // From here on the page is the whole of all tiles.
@@ -89,21 +95,25 @@ bool lay_together(Attempt& attempt, const Sheet& sheet) {
     const auto& cut = attempt.arrangement.cut = cut_of(place.page_width, place.page_height, place.live, sheet);
     if (!cut)
         return give_up(attempt, spelled("tiles"),
-                       paper_words(place) + " is too small to be laid together; take larger paper or leave it out");
+                       phrase("{0} is too small to be laid together; take larger paper or leave it out", paper_words(place)));
     place.page_width += cut->whole.width - cut->window.width;
     place.page_height += cut->whole.height - cut->window.height;
     place.live = cut->whole;
     return true;
 }
 
-std::string crowded_words(const Sheet& sheet, const Title& title, const TitleBand& band, double height) {
-    const std::string what = title.caption.empty() ? "the title takes "
-                             : title.text.empty()  ? "the caption takes "
-                                                   : "the title and the caption take ";
-    return what + mm(band.height) + " of the page's " + mm(height) +
-           (band.braille.size() > 1 ? " (" + std::to_string(band.braille.size()) + " lines of braille)" : "") +
-           ", which leaves too little to the drawing; " +
-           (sheet.window ? "leave it out" : "shorten it, leave it out, or take larger paper");
+Phrase crowded_words(const Sheet& sheet, const Title& title, const TitleBand& band, double height) {
+    Phrase taken = mm(band.height);
+    if (band.braille.size() > 1)
+        taken = phrase("{0} ({1} lines of braille)", std::move(taken), std::to_string(band.braille.size()));
+    const Phrase mend = sheet.window ? phrase("leave it out") : phrase("shorten it, leave it out, or take larger paper");
+    const std::string all = mm(height);
+    if (title.caption.empty())
+        return phrase("the title takes {0} of the page's {1}, which leaves too little to the drawing; {2}", taken, all, mend);
+    if (title.text.empty())
+        return phrase("the caption takes {0} of the page's {1}, which leaves too little to the drawing; {2}", taken, all, mend);
+    return phrase("the title and the caption take {0} of the page's {1}, which leaves too little to the drawing; {2}", taken, all,
+                  mend);
 }
 
 // The title, the drawing and the scale bar, one below the other. `titled`: the live area of the first sheet, on which the title
@@ -170,7 +180,7 @@ Attempt best_attempt(const Sheet& sheet, const Title& title, double aspect) {
     };
     // To two digits, up: 1:130 for 1:121.
     const double least = *sheet.real_width / room, step = std::pow(10, std::floor(std::log10(least)) - 1);
-    std::string mend = "take " + spelled("scale") + " 1:" + to_text(std::ceil(least / step - 1e-9) * step);
+    std::vector<Phrase> ways{phrase("take {0} 1:{1}", spelled("scale"), to_text(std::ceil(least / step - 1e-9) * step))};
     const Paper* smallest = nullptr;
     for (const Paper& paper : papers()) {
         Sheet other = sheet;
@@ -178,7 +188,7 @@ Attempt best_attempt(const Sheet& sheet, const Title& title, double aspect) {
         if (fits(other) && (smallest == nullptr || paper.width * paper.height < smallest->width * smallest->height))
             smallest = &paper;
     }
-    if (smallest != nullptr) mend += ", or " + spelled("paper") + " " + std::string(smallest->name);
+    if (smallest != nullptr) ways.push_back(phrase("{0} {1}", spelled("paper"), smallest->name));
     std::optional<Tiles> fewest;
     for (int columns = 1; columns <= 9; ++columns)
         for (int rows = 1; rows <= 9; ++rows) {
@@ -186,10 +196,13 @@ Attempt best_attempt(const Sheet& sheet, const Title& title, double aspect) {
             other.tiles = {columns, rows};
             if ((!fewest || columns * rows < fewest->columns * fewest->rows) && fits(other)) fewest = other.tiles;
         }
-    if (fewest) mend += ", or " + spelled("tiles") + " " + std::to_string(fewest->columns) + "x" + std::to_string(fewest->rows);
+    if (fewest)
+        ways.push_back(phrase("{0} {1}", spelled("tiles"), std::to_string(fewest->columns) + "x" + std::to_string(fewest->rows)));
+    Phrase mend = ways.front();
+    for (std::size_t i = 1; i < ways.size(); ++i) mend = phrase("{0}, or {1}", std::move(mend), ways[i]);
     throw Error(Fault::usage, spelled("scale"),
-                "at this scale the drawing would be " + mm(wanted) + " wide and " + mm(wanted / aspect) +
-                    " high, and the page has room for " + mm(room) + " x " + mm(room / aspect) + "; " + mend);
+                phrase("at this scale the drawing would be {0} wide and {1} high, and the page has room for {2} x {3}; {4}",
+                       mm(wanted), mm(wanted / aspect), mm(room), mm(room / aspect), mend));
 }
 
 // Round, and no larger than the paper allows.
@@ -201,9 +214,9 @@ Arrangement arrange(const Sheet& sheet, double aspect) {
     if (sheet.medium == nullptr || !std::isfinite(aspect) || aspect <= 0)
         throw std::logic_error("a sheet without a medium, or a drawing without a size");
     if (sheet.margin && (!std::isfinite(*sheet.margin) || *sheet.margin < 0))
-        throw Error(Fault::usage, sheet.margin_origin, "a margin cannot be less than nothing; give 0mm or more");
+        throw Error(Fault::usage, sheet.margin_origin, phrase("a margin cannot be less than nothing; give 0mm or more"));
     if (sheet.binding && (!std::isfinite(sheet.binding->room) || sheet.binding->room < 0))
-        throw Error(Fault::usage, sheet.binding_origin, "the room for it cannot be less than nothing; give 0mm or more");
+        throw Error(Fault::usage, sheet.binding_origin, phrase("the room for it cannot be less than nothing; give 0mm or more"));
     const Title title = title_of(sheet);
     Attempt best = best_attempt(sheet, title, aspect);
     if (!best.fault.empty()) throw Error(Fault::usage, best.place, best.fault);
@@ -215,14 +228,15 @@ Arrangement arrange(const Sheet& sheet, double aspect) {
     if (to_scale || sheet.drawing_width) {
         const double wanted = to_scale ? *sheet.real_width * *sheet.scale : *sheet.drawing_width;
         if (to_scale && wanted < sheet.medium->shortest)
-            throw Error(Fault::usage, spelled("scale"),
-                        "at this scale the drawing would be " + to_text(wanted) + " mm wide, too little to be felt; take " +
-                            spelled("scale") + " 1:" + to_text(scale_that_fits(*sheet.real_width / place.drawing.width)));
+            throw Error(
+                Fault::usage, spelled("scale"),
+                phrase("at this scale the drawing would be {0} mm wide, too little to be felt; take {1} 1:{2}", to_text(wanted),
+                       spelled("scale"), to_text(scale_that_fits(*sheet.real_width / place.drawing.width))));
         if (to_scale && wanted > place.drawing.width + 1e-6) refuse_scale(sheet, title, aspect, wanted, place.drawing.width);
         if (!(wanted > 0) || wanted > place.drawing.width + 1e-6)
-            throw Error(
-                Fault::usage, spelled("width"),
-                "the drawing cannot be " + to_text(wanted) + " mm wide; on this page it can be up to " + mm(place.drawing.width));
+            throw Error(Fault::usage, spelled("width"),
+                        phrase("the drawing cannot be {0} mm wide; on this page it can be up to {1}", to_text(wanted),
+                               mm(place.drawing.width)));
         place.drawing.left += (place.drawing.width - wanted) / 2;
         place.drawing.width = wanted;
         place.drawing.height = wanted / aspect;

@@ -9,7 +9,6 @@
 #include "tactics/error.h"
 #include "tactics/layout/label.h"
 #include "tactics/layout/sheet.h"
-#include "tactics/units.h"
 
 namespace tactics {
 
@@ -41,16 +40,17 @@ Level level_of(const LabelBlock& words, const Sheet& sheet) {
 
 }  // namespace
 
-std::string real_length(double mm) {
+Phrase real_length(double mm) {
     struct Unit {
-        const char* name;
+        SourceWords words;
         double mm;
     };
-    constexpr std::array<Unit, 4> kUnits{{{"km", 1e6}, {"m", 1e3}, {"cm", 10}, {"mm", 1}}};
+    static constexpr std::array<Unit, 4> kUnits{
+        {{SourceWords("{0} km"), 1e6}, {SourceWords("{0} m"), 1e3}, {SourceWords("{0} cm"), 10}, {SourceWords("{0} mm"), 1}}};
     const double step = mm > 0 ? std::pow(10, std::floor(std::log10(mm)) - 2) : 1;
     const double rounded = std::round(mm / step) * step;
     const auto unit = std::find_if(kUnits.begin(), kUnits.end() - 1, [&](const Unit& u) { return rounded >= u.mm * (1 - 1e-9); });
-    return to_text(rounded / unit->mm) + " " + unit->name;
+    return phrase(unit->words, numeral(rounded / unit->mm));
 }
 
 double scale_bar_height(const Sheet& sheet) {
@@ -70,8 +70,8 @@ void set_scale_bar(Page& page, const Rect& room, double scale, const Sheet& shee
         if (length > kLongest + 1e-9) continue;
         if (length < kShortest)
             throw Error(Fault::usage, spelled("real-width"),
-                        "there is no room for the scale bar and its words; take larger paper, or smaller margins");
-        const std::string text = real_length(real);
+                        phrase("there is no room for the scale bar and its words; take larger paper, or smaller margins"));
+        const std::string text = real_length(real).in(sheet.language);
         LabelBlock words = set_label(text, sheet);
         if (length + before + words.width > room.width) continue;
         const Level level = level_of(words, sheet);

@@ -2,10 +2,9 @@
 // The scale bar, which shows the real size of the drawing.
 #pragma once
 
-#include <string>
-
 #include "tactics/layout/sheet.h"
 #include "tactics/page.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -17,6 +16,6 @@ double scale_bar_height(const Sheet& sheet);
 void set_scale_bar(Page& page, const Rect& room, double scale, const Sheet& sheet);
 
 /// A real length, to three digits: "5 m", "2.5 km".
-std::string real_length(double mm);
+Phrase real_length(double mm);
 
 }  // namespace tactics

@@ -85,9 +85,10 @@ public:
         const Title title = title_of(first_);
         band_ = set_title(title, first_, live);
         if (cells_ < kLeastCells || rows_below(top_of(0)) < kLeastRows)
-            throw Error(Fault::usage, spelled("paper"),
-                        "it has room for " + std::to_string(cells_) + " cells and " + std::to_string(rows_below(top_of(0))) +
-                            " lines of text; take larger paper, a smaller " + spelled("margin") + " or a shorter title");
+            throw Error(
+                Fault::usage, spelled("paper"),
+                phrase("it has room for {0} cells and {1} lines of text; take larger paper, a smaller {2} or a shorter title",
+                       std::to_string(cells_), std::to_string(rows_below(top_of(0))), spelled("margin")));
         begin_page();
     }
 
@@ -97,9 +98,10 @@ public:
 
     void begin_page() {
         if (pages_.size() == kMostPages)
-            throw Error(Fault::failed, "",
-                        "this text fills over 20,000 pages of braille; cut it into parts, or of a PDF lay out one page with " +
-                            spelled("page"));
+            throw Error(
+                Fault::failed, "",
+                phrase("this text fills over 20,000 pages of braille; cut it into parts, or of a PDF lay out one page with {0}",
+                       spelled("page")));
         Page& page = pages_.emplace_back();
         page.width = arrangement_.place.page_width;
         page.height = arrangement_.place.page_height;
@@ -173,7 +175,7 @@ private:
 
 TextPages text_pages(const std::vector<TextBlock>& blocks, const Sheet& sheet, std::size_t number) {
     if (sheet.braille_table.empty())
-        throw Error(Fault::usage, spelled("braille"), "text is laid out in braille; name a table, or leave it out");
+        throw Error(Fault::usage, spelled("braille"), phrase("text is laid out in braille; name a table, or leave it out"));
     Lines lines(sheet, number);
     TextCells setting(sheet.braille_table);
     Cells hyphen = setting.known("-").value_or(Cells());
@@ -200,16 +202,19 @@ std::size_t lines_of_braille(const std::vector<Page>& pages) {
     return lines;
 }
 
-std::string note_of_unknown(const std::vector<std::string>& letters) {
-    if (letters.empty()) return "";
+Phrase note_of_unknown(const std::vector<std::string>& letters) {
+    if (letters.empty()) return {};
     constexpr std::size_t kNamed = 12;
-    std::string named;
-    for (std::size_t i = 0; i < std::min(letters.size(), kNamed); ++i) named += (i == 0 ? "\"" : ", \"") + letters[i] + "\"";
-    if (letters.size() > kNamed)
-        named += " and " + std::to_string(letters.size() - kNamed) +
-                 (letters.size() < TextCells::kMostUnknown ? " more" : " or more others");
-    return "the braille table has no cells for " + named + ": a full cell (dots 1 to 6) stands there; take another table with " +
-           spelled("braille");
+    std::vector<Phrase> some;
+    for (std::size_t i = 0; i < std::min(letters.size(), kNamed); ++i) some.push_back(phrase("\"{0}\"", letters[i]));
+    Phrase named = row_of(some);
+    if (letters.size() > kNamed) {
+        const std::string more = std::to_string(letters.size() - kNamed);
+        named = letters.size() < TextCells::kMostUnknown ? phrase("{0} and {1} more", std::move(named), more)
+                                                         : phrase("{0} and {1} or more others", std::move(named), more);
+    }
+    return phrase("the braille table has no cells for {0}: a full cell (dots 1 to 6) stands there; take another table with {1}",
+                  std::move(named), spelled("braille"));
 }
 
 }  // namespace tactics

@@ -32,6 +32,6 @@ TextPages text_pages(const std::vector<TextBlock>& blocks, const Sheet& sheet, s
 std::size_t lines_of_braille(const std::vector<Page>& pages);
 
 /// The message about letters without cells; empty: there are none.
-std::string note_of_unknown(const std::vector<std::string>& letters);
+Phrase note_of_unknown(const std::vector<std::string>& letters);
 
 }  // namespace tactics

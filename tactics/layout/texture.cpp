@@ -28,7 +28,7 @@ double step(const Texture& texture) { return texture.between_rows + texture.widt
 
 std::span<const Texture> textures() { return kTextures; }
 
-std::string_view name_of_texture(int texture) { return is_texture(texture) ? at(texture).name : "a texture"; }
+Phrase name_of_texture(int texture) { return is_texture(texture) ? phrase(at(texture).name) : phrase("a texture"); }
 
 double difference(int texture, int other) {
     constexpr double kFromBlank = 3;

@@ -5,11 +5,13 @@
 #include <span>
 #include <string_view>
 
+#include "tactics/text/phrase.h"
+
 namespace tactics {
 
 /// A mark is a dot, a dash or a line; marks stand in rows.
 struct Texture {
-    std::string_view name;    ///< "coarse dots": how it feels, for messages
+    SourceWords name;         ///< "coarse dots": how it feels, for messages
     double width = 0;         ///< width of a mark, in widths of the medium's normal line
     double between_rows = 0;  ///< mm of white
     double along_row = 0;     ///< mm of white
@@ -28,7 +30,7 @@ inline constexpr double kLeastTexture = 6.4;
 std::span<const Texture> textures();
 
 /// "coarse dots"; "a texture" for a number that is not in the list.
-std::string_view name_of_texture(int texture);
+Phrase name_of_texture(int texture);
 
 /// How different two textures feel, by their kinds, directions and distances; 0 for the same. Texture 0 is blank, and differs
 /// more from every texture than any two textures differ.

@@ -116,12 +116,12 @@ std::vector<std::vector<std::uint8_t>> wrapped(const std::vector<std::uint8_t>& 
 
 Title title_of(const Sheet& sheet) {
     if (sheet.title.size() > kLongestTitle)
-        throw Error(Fault::usage, sheet.title_origin, "the title is over 10000 bytes long; give a short one");
+        throw Error(Fault::usage, sheet.title_origin, phrase("the title is over 10000 bytes long; give a short one"));
     Title title{to_line(sheet.title), {}};
     if (!title.text.empty() && !sheet.bare && sheet.title_cells == 0 && !sheet.braille_table.empty())
         title.cells = to_braille(title.text, sheet.braille_table, sheet.title_origin);
     if (sheet.caption.size() > kLongestTitle)
-        throw Error(Fault::usage, spelled("caption"), "the caption is over 10000 bytes long; shorten it");
+        throw Error(Fault::usage, spelled("caption"), phrase("the caption is over 10000 bytes long; shorten it"));
     title.caption = to_line(sheet.caption);
     if (!title.caption.empty() && !sheet.bare && !sheet.braille_table.empty())
         title.caption_cells = to_braille(title.caption, sheet.braille_table, spelled("caption"));

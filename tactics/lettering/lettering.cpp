@@ -110,7 +110,7 @@ bool may_be_words(const ReadLine& one, const std::vector<ReadLine>& all) {
 // Tesseract's reading of each line, at two sizes. Single letters are also read if no font can identify them.
 struct Asked {
     std::vector<ReadLine> all;
-    std::string trouble;
+    Phrase trouble;
 };
 
 Asked ask_tesseract(const Image& grey, std::vector<LetteringLine> lines, bool ask_alone, std::string_view language,

@@ -8,6 +8,7 @@
 
 #include "tactics/lettering/ink.h"
 #include "tactics/lettering/letter_form.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -27,7 +28,7 @@ struct PrintedWords {
 struct Lettering {
     int width = 0, height = 0;        ///< of the examined picture, in whose coordinates the boxes are
     std::vector<PrintedWords> words;  ///< from the top to the bottom, from the left to the right
-    std::string trouble;              ///< why nothing was read and how to mend it; empty: all is well
+    Phrase trouble;                   ///< why nothing was read and how to mend it; empty: all is well
     bool found_any = false;           ///< something that looks like lettering is there
 };
 

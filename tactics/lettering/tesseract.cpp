@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "tactics/error.h"
 #include "tactics/lettering/strip.h"
 #include "tactics/text/utf8.h"
 #include "tactics/transport/child.h"
@@ -58,16 +59,17 @@ ChildAnswer asked(std::vector<std::string> words, std::string_view input) {
 }
 
 // The program is there and could not read: is it the data of the language that is missing?
-std::string why_not(const std::string& program, std::string_view language, const ChildAnswer& answer) {
+Phrase why_not(const std::string& program, std::string_view language, const ChildAnswer& answer) {
     using End = ChildAnswer::End;
-    if (answer.end == End::too_long) return "tesseract took over a minute; read it with --words leave";
+    if (answer.end == End::too_long) return phrase("tesseract took over a minute; read it with {0} leave", spelled("words"));
     if (answer.end == End::failed) {
         const ChildAnswer list = asked({program, "--list-langs"}, "");
         const std::string known = "\n" + list.out + "\n";
         if (list.end == End::done && known.find("\n" + std::string(language) + "\n") == std::string::npos)
-            return "tesseract has no data to read \"" + std::string(language) + "\"; install " + package_of(language);
+            return phrase("tesseract has no data to read \"{0}\"; install {1}", language, package_of(language));
     }
-    return "tesseract failed" + (answer.fault.empty() ? std::string() : ": " + answer.fault) + "; read it with --words leave";
+    return answer.fault.empty() ? phrase("tesseract failed; read it with {0} leave", spelled("words"))
+                                : phrase("tesseract failed: {0}; read it with {1} leave", answer.fault, spelled("words"));
 }
 
 }  // namespace
@@ -107,7 +109,7 @@ Guesses read_strips(const std::vector<Image>& strips, std::string_view tag, cons
     const std::string_view language = tesseract_language(tag);
     if (language.empty()) {
         answer.trouble =
-            "what tesseract calls the language \"" + std::string(tag) + "\" is not known; name another with --language";
+            phrase("what tesseract calls the language \"{0}\" is not known; name another with {1}", tag, spelled("language"));
         return answer;
     }
     // Each strip is a page with one line (--psm 7). One thread: a batch has a picture at work on each core already.
@@ -117,7 +119,7 @@ Guesses read_strips(const std::vector<Image>& strips, std::string_view tag, cons
         answer.guesses = parse_guesses(child.out, strips.size());
     } else if (child.end == ChildAnswer::End::missing) {
         answer.trouble =
-            "to read it the program tesseract is needed and missing; install tesseract-ocr and " + package_of(language);
+            phrase("to read it the program tesseract is needed and missing; install tesseract-ocr and {0}", package_of(language));
     } else {
         answer.trouble = why_not(program, language, child);
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tactics/image.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -18,7 +19,7 @@ struct Guess {
 
 struct Guesses {
     std::vector<Guess> guesses;  ///< one for each strip; none if there is trouble
-    std::string trouble;         ///< why nothing could be read and how to mend it, one line; empty: all is well
+    Phrase trouble;              ///< why nothing could be read and how to mend it, one line; empty: all is well
 };
 
 /// Each strip holds one line of black letters on white. `language` is a tag of BCP 47. `program` is for tests.

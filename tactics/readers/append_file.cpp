@@ -16,11 +16,10 @@ void append_file(std::string& bytes, const std::string& name) {
     while (const std::size_t count = std::fread(block, 1, sizeof block, source.file.get())) {
         bytes.append(block, count);
         if (bytes.size() > kMost)
-            throw Error(Fault::failed, name, "is over 256 MB with what stands before it; take fewer files at a time");
+            throw Error(Fault::failed, name, phrase("is over 256 MB with what stands before it; take fewer files at a time"));
     }
     if (std::ferror(source.file.get()) != 0)
-        throw Error(Fault::failed, name,
-                    "cannot be read to its end: " + std::string(std::strerror(errno)) + "; get a fresh copy of it");
+        throw Error(Fault::failed, name, phrase("cannot be read to its end: {0}; get a fresh copy of it", std::strerror(errno)));
 }
 
 }  // namespace tactics

@@ -29,9 +29,9 @@ constexpr std::size_t kMostFault = 1000;
 std::string path_of_program(const std::string& place, const caged::Program& wanted) {
     std::string path = own_program(wanted.name);
     if (!path.empty()) return path;
-    throw Error(Fault::failed, place,
-                "needs the program " + std::string(wanted.name) + ", which is not installed; install it beside tactics, or " +
-                    wanted.instead);
+    throw Error(
+        Fault::failed, place,
+        phrase("needs the program {0}, which is not installed; install it beside tactics, or {1}", wanted.name, wanted.instead));
 }
 
 // It hears of our end by the socket's, so that nothing of it stays.
@@ -56,7 +56,7 @@ void start(const std::string& place, const caged::Program& wanted, Started& prog
     const auto fail = [&](int number) {
         for (const int end : ends)
             if (end >= 0) close(end);
-        throw Error(Fault::failed, place, path + " cannot be started: " + std::strerror(number) + "; " + wanted.instead);
+        throw Error(Fault::failed, place, phrase("{0} cannot be started: {1}; {2}", path, std::strerror(number), wanted.instead));
     };
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) fail(errno);
     posix_spawn_file_actions_t actions;
@@ -114,7 +114,7 @@ void ask(const std::string& place, const caged::Program& wanted, const std::stri
         program.end();
     }
     throw Error(Fault::failed, place,
-                std::string(wanted.name) + " does not answer; install it and tactics together, or " + wanted.instead);
+                phrase("{0} does not answer; install it and tactics together, or {1}", wanted.name, wanted.instead));
 }
 
 }  // namespace
@@ -123,9 +123,9 @@ CagedAnswer::CagedAnswer(const std::string& place, const CagedRequest& request) 
     std::string text = caged::kVersion;
     for (const std::string_view line : {request.verb, request.format}) (text += '\n') += line;
     for (const std::string& line : request.rest) (text += '\n') += line;
-    if (text.size() > caged::kMostRequest) throw Error(Fault::failed, place, "has words that are too long");
+    if (text.size() > caged::kMostRequest) throw Error(Fault::failed, place, phrase("has words that are too long"));
     int ends[2] = {-1, -1};
-    if (pipe2(ends, O_CLOEXEC) != 0) throw Error(Fault::failed, place, "cannot be read: " + std::string(std::strerror(errno)));
+    if (pipe2(ends, O_CLOEXEC) != 0) throw Error(Fault::failed, place, phrase("cannot be read: {0}", std::strerror(errno)));
     pipe_ = ends[0];
     try {
         ask(place, *request.program, text, {request.file, ends[1]});

@@ -93,11 +93,11 @@ CsvRecords::CsvRecords(const Source& source, char separator) : source_(source), 
     const std::string_view head(buffer_.data(), end_);
     if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF"))
         throw Error(Fault::failed, source_.name,
-                    "it is text in UTF-16; save it as UTF-8, for example: iconv -f UTF-16 -t UTF-8 FILE > NEW.csv");
+                    phrase("it is text in UTF-16; save it as UTF-8, for example: iconv -f UTF-16 -t UTF-8 FILE > NEW.csv"));
     if (head.starts_with("\xEF\xBB\xBF")) at_ = 3;
 }
 
-void CsvRecords::fail(const std::string& message) const {
+void CsvRecords::fail(const Phrase& message) const {
     throw Error(Fault::failed, source_.name + ":" + std::to_string(number_), message);
 }
 
@@ -109,11 +109,11 @@ bool CsvRecords::fill() {
     at_ = 0;
     if (end_ > kLongestCsvRecord) {
         ++number_;
-        fail("the line is longer than " + std::to_string(kLongestCsvRecord) + " bytes; is this a table?");
+        fail(phrase("the line is longer than {0} bytes; is this a table?", std::to_string(kLongestCsvRecord)));
     }
     if (buffer_.size() < end_ + kChunk) buffer_.resize(end_ + kChunk);
     const std::size_t count = std::fread(buffer_.data() + end_, 1, kChunk, source_.file.get());
-    if (std::ferror(source_.file.get()) != 0) throw Error(Fault::failed, source_.name, "it cannot be read");
+    if (std::ferror(source_.file.get()) != 0) throw Error(Fault::failed, source_.name, phrase("it cannot be read"));
     end_ += count;
     return count > 0;
 }
@@ -165,7 +165,7 @@ bool CsvRecords::next() {
 
 void CsvRecords::add_cell(std::string_view cell) {
     if (cells_.size() == kMostTableColumns)
-        fail("there are more than " + std::to_string(kMostTableColumns) + " columns; keep those that are to be shown");
+        fail(phrase("there are more than {0} columns; keep those that are to be shown", std::to_string(kMostTableColumns)));
     cells_.push_back(cell);
 }
 
@@ -206,7 +206,8 @@ void CsvRecords::split_quoted(std::string_view line) {
             } else if (in == In::cell) {
                 unquoted_ += c;
             } else if (!is_blank(c)) {
-                fail("something stands between a closing quote and the next value; write a quote within a value twice: \"\"");
+                fail(phrase(
+                    "something stands between a closing quote and the next value; write a quote within a value twice: \"\""));
             }
         }
         if (in != In::quotes) break;
@@ -214,7 +215,7 @@ void CsvRecords::split_quoted(std::string_view line) {
         const std::size_t opened = line_;
         if (unquoted_.size() > kLongestCsvRecord || !next_line(line)) {
             number_ = opened;
-            fail("a quote is not closed; close it, and write a quote within a value twice: \"\"");
+            fail(phrase("a quote is not closed; close it, and write a quote within a value twice: \"\""));
         }
     }
     end_cell();

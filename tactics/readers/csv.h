@@ -8,6 +8,7 @@
 
 #include "tactics/readers/read.h"
 #include "tactics/readers/table.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -39,7 +40,7 @@ private:
     void split(std::string_view line);
     void split_quoted(std::string_view line);
     void add_cell(std::string_view cell);
-    [[noreturn]] void fail(const std::string& message) const;
+    [[noreturn]] void fail(const Phrase& message) const;
 
     const Source& source_;
     char separator_;

@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& name, std::size_t line, const std::string& message) {
+[[noreturn]] void fail(const std::string& name, std::size_t line, const Phrase& message) {
     throw Error(Fault::failed, name + ":" + std::to_string(line), message);
 }
 
@@ -28,7 +28,7 @@ void check_count(const TableHead& head, std::size_t line, std::size_t cells, boo
                              : head.separator == kBlankSeparator ? "write NaN where nothing is known"
                                                                  : "write a value with a comma in it in double quotes";
     fail(head.name, line,
-         "there are " + std::to_string(cells) + " values for " + std::to_string(head.columns.size()) + " columns; " + mend);
+         phrase("there are {0} values for {1} columns; {2}", std::to_string(cells), std::to_string(head.columns.size()), mend));
 }
 
 std::size_t size_of(const Source& source) {
@@ -51,7 +51,7 @@ TableHead csv_table_head(Source& source) {
         ended.push_back(records.ended());
     }
     if (head.rows.empty())
-        throw Error(Fault::failed, head.name, "there is no line in it; the first names the columns: dots a page,F");
+        throw Error(Fault::failed, head.name, phrase("there is no line in it; the first names the columns: dots a page,F"));
     head.rows_expected = size_of(source) / std::max<std::size_t>(1, records.bytes() / head.rows.size()) + 1;
     const TableRow first = head.rows.front();
     const std::size_t count = head.rows.size() > 1 ? head.rows[1].cells.size() : first.cells.size();
@@ -86,8 +86,8 @@ void read_csv_rows(Source& source, const TableHead& head, std::span<const std::s
     while (records.next()) {
         if (rows++ == kMostTableRows)
             fail(head.name, records.line(),
-                 "there are more than " + std::to_string(kMostTableRows) +
-                     " rows; keep every tenth or hundredth, for example: awk 'NR % 100 == 1' FILE");
+                 phrase("there are more than {0} rows; keep every tenth or hundredth, for example: awk 'NR % 100 == 1' FILE",
+                        std::to_string(kMostTableRows)));
         check_count(head, records.line(), records.cells().size(), records.ended());
         for (std::size_t i = 0; i < wanted.size(); ++i) cells[i] = records.cells()[wanted[i]];
         take(records.line(), cells, records.apart());

@@ -15,8 +15,8 @@ namespace tactics {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& why) {
-    throw Error(Fault::failed, "EXR", "could not be written: " + why + "; write .tif instead");
+[[noreturn]] void fail(const Phrase& why) {
+    throw Error(Fault::failed, "EXR", phrase("could not be written: {0}; write .tif instead", why));
 }
 
 void put(std::FILE* file, const void* bytes, std::size_t size) {

@@ -63,7 +63,7 @@ std::string felt_bytes(Source& source) {
         if (got < step) break;
     }
     if (std::ferror(source.file.get()) != 0)
-        throw Error(Fault::failed, source.name, std::string("cannot be read: ") + std::strerror(errno));
+        throw Error(Fault::failed, source.name, phrase("cannot be read: {0}", std::strerror(errno)));
     return bytes;
 }
 

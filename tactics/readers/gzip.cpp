@@ -51,7 +51,7 @@ bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 std::string gunzip(std::string_view bytes, std::size_t most, const std::string& name) {
     Unpacked unpacked = unpack(bytes, most);
     if (!unpacked.whole && unpacked.bytes.size() < most)
-        throw Error(Fault::failed, name, "is packed with gzip, and cut short or damaged; get a complete copy of it");
+        throw Error(Fault::failed, name, phrase("is packed with gzip, and cut short or damaged; get a complete copy of it"));
     return std::move(unpacked.bytes);
 }
 

@@ -244,7 +244,7 @@ Image read(Source& source, const ReadRequest& request) {
     const bool ink = info.num_components == 4;
     if (info.num_components != 1 && info.num_components != 3 && !ink)
         throw Error(Fault::failed, source.name,
-                    "is a JPEG with " + std::to_string(info.num_components) + " colours; save it as grey or RGB");
+                    phrase("is a JPEG with {0} colours; save it as grey or RGB", std::to_string(info.num_components)));
     const bool colour = request.colour && info.num_components != 1;
     info.out_color_space = ink ? JCS_CMYK : colour ? JCS_RGB : JCS_GRAYSCALE;
     const Size whole{static_cast<int>(info.image_width), static_cast<int>(info.image_height)};

@@ -55,7 +55,7 @@ private:
         at_ = end_ = 0;
         if (too_long()) return;
         end_ = std::fread(buffer_.data(), 1, buffer_.size(), source_.file.get());
-        if (std::ferror(source_.file.get()) != 0) throw Error(Fault::failed, source_.name, "it cannot be read");
+        if (std::ferror(source_.file.get()) != 0) throw Error(Fault::failed, source_.name, phrase("it cannot be read"));
     }
 
     const Source& source_;
@@ -94,14 +94,14 @@ void JsonCells::read() {
                                 rapidjson::kParseNanAndInfFlag | rapidjson::kParseValidateEncodingFlag;
     const rapidjson::ParseResult result = reader.Parse<kFlags>(bytes, told);
     if (!result.IsError() || result.Code() == rapidjson::kParseErrorTermination) return;
-    if (bytes.too_long()) fail("a value is longer than " + std::to_string(kLongestJsonValue) + " bytes; is this a table?");
-    if (bytes.at_end()) fail("it ends in the middle; get all of it");
+    if (bytes.too_long()) fail(phrase("a value is longer than {0} bytes; is this a table?", std::to_string(kLongestJsonValue)));
+    if (bytes.at_end()) fail(phrase("it ends in the middle; get all of it"));
     std::string what = rapidjson::GetParseError_En(result.Code());
     if (what.ends_with('.')) what.pop_back();
-    fail("it is no JSON: " + what);
+    fail(phrase("it is no JSON: {0}", what));
 }
 
-void JsonCells::fail(const std::string& message) const {
+void JsonCells::fail(const Phrase& message) const {
     throw Error(
         Fault::failed,
         source_.name + ":" + std::to_string(position_.line) + ":" + std::to_string(position_.at - position_.line_begin + 1),
@@ -110,8 +110,8 @@ void JsonCells::fail(const std::string& message) const {
 
 void JsonCells::check_count(std::size_t expected) const {
     if (form_ == TableForm::arrays && index_ != expected)
-        fail("there are " + std::to_string(index_) + " values for " + std::to_string(expected) +
-             " in the row before; write null for gaps");
+        fail(phrase("there are {0} values for {1} in the row before; write null for gaps", std::to_string(index_),
+                    std::to_string(expected)));
 }
 
 bool JsonCells::name(std::string_view text) {
@@ -152,14 +152,14 @@ bool JsonCells::opens() {
     position_.since = 0;
     ++depth_;
     if (skipped_ == 0) return true;
-    if (depth_ > kDeepest) fail("it is nested more than " + std::to_string(kDeepest) + " deep; is this a table?");
+    if (depth_ > kDeepest) fail(phrase("it is nested more than {0} deep; is this a table?", std::to_string(kDeepest)));
     return false;
 }
 
 // What is nested where a value should be.
 bool JsonCells::skip(std::string_view shown) {
     if (depth_ == 2 && in_object())
-        fail("\"" + beginning_of(to_line(key_)) + "\" is an object; a table is an array of objects, or an object of arrays");
+        fail(phrase("\"{0}\" is an object; a table is an array of objects, or an object of arrays", beginning_of(to_line(key_))));
     skipped_ = depth_;
     return put(shown);
 }
@@ -177,7 +177,7 @@ bool JsonCells::ends() {
 bool JsonCells::value(std::string_view text) {
     position_.since = 0;
     if (skipped_ > 0) return true;
-    if (depth_ == 0) fail("there is one value; a table is an array or an object");
+    if (depth_ == 0) fail(phrase("there is one value; a table is an array or an object"));
     if (depth_ == 1 && in_object()) return true;  // what is said of the whole
     if (depth_ > 1) return put(text);
     set(TableForm::values);
@@ -193,7 +193,7 @@ bool JsonCells::put(std::string_view text) {
 }
 
 void JsonCells::set(TableForm form) {
-    if (form_ && *form_ != form) fail("its rows are not of one kind; write all as objects, or all as arrays");
+    if (form_ && *form_ != form) fail(phrase("its rows are not of one kind; write all as objects, or all as arrays"));
     form_ = form;
 }
 

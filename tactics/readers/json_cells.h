@@ -8,6 +8,7 @@
 
 #include "tactics/readers/read.h"
 #include "tactics/readers/table.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -46,7 +47,7 @@ protected:
     virtual bool row_ends() = 0;
     virtual bool column_begins(const std::string& name) = 0;
 
-    [[noreturn]] void fail(const std::string& message) const;
+    [[noreturn]] void fail(const Phrase& message) const;
     /// Rows that are arrays are equally long.
     void check_count(std::size_t expected) const;
     const std::string& key() const { return key_; }

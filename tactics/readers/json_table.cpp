@@ -22,7 +22,7 @@ public:
         head_.form = form();
         if (form() == TableForm::columns) rows_of_columns();
         if (names_.empty() && widest_ == 0)
-            throw Error(Fault::failed, head_.name, "there is no row in it; write one, such as [{\"x\": 1, \"y\": 2.5}]");
+            throw Error(Fault::failed, head_.name, phrase("there is no row in it; write one, such as [{\"x\": 1, \"y\": 2.5}]"));
         if (names_.empty())
             name_columns_by_number(head_, widest_);
         else
@@ -54,7 +54,7 @@ protected:
             return true;
         }
         if (at >= kMostTableColumns)
-            fail("there are more than " + std::to_string(kMostTableColumns) + " columns; keep those that are to be shown");
+            fail(phrase("there are more than {0} columns; keep those that are to be shown", std::to_string(kMostTableColumns)));
         widest_ = std::max(widest_, at + 1);
         if (cells_.size() <= at) cells_.resize(at + 1);
         cells_[at] = text;
@@ -71,7 +71,7 @@ protected:
 
     bool column_begins(const std::string& name) override {
         if (names_.size() == kMostTableColumns)
-            fail("there are more than " + std::to_string(kMostTableColumns) + " columns; keep those that are to be shown");
+            fail(phrase("there are more than {0} columns; keep those that are to be shown", std::to_string(kMostTableColumns)));
         names_.push_back(name);
         columns_.emplace_back();
         head_.rows_expected = std::max(head_.rows_expected, count_);
@@ -82,7 +82,7 @@ protected:
 private:
     std::size_t column_of(const std::string& name) {
         const auto [known, fresh] = indices_.try_emplace(name, names_.size());
-        if (fresh && to_line(name).empty()) fail("a value has no name");
+        if (fresh && to_line(name).empty()) fail(phrase("a value has no name"));
         if (fresh) names_.push_back(name);
         return known->second;
     }
@@ -91,10 +91,10 @@ private:
         if (heights_) {
             const auto z = std::find(names_.begin(), names_.end(), "z") - names_.begin();
             if (!columns_[static_cast<std::size_t>(z)].empty())
-                throw Error(Fault::failed, head_.name, "z has rows and numbers; write all of it as rows");
+                throw Error(Fault::failed, head_.name, phrase("z has rows and numbers; write all of it as rows"));
             if (no_side_)
                 throw Error(Fault::failed, head_.name,
-                            "x and y of a surface are numbers, at most " + std::to_string(kMostTableColumns) + " each");
+                            phrase("x and y of a surface are numbers, at most {0} each", std::to_string(kMostTableColumns)));
             head_.form = TableForm::heights;
             return;
         }
@@ -147,8 +147,8 @@ protected:
             for (const std::size_t place : places_of(key())) {
                 kept_bytes_ += text.size() + 1;
                 if (kept_bytes_ > kMostJsonColumns)
-                    fail("its columns are more than " + std::to_string(kMostJsonColumns >> 20) +
-                         " MiB of text; write it as rows, [[1, 2.5], [2, 3.5]]");
+                    fail(phrase("its columns are more than {0} MiB of text; write it as rows, [[1, 2.5], [2, 3.5]]",
+                                std::to_string(kMostJsonColumns >> 20)));
                 cells_[place].append(text.substr(0, text.find('\0'))).append(1, '\0');
             }
             return true;
@@ -175,7 +175,8 @@ private:
         const auto [known, fresh] = places_.try_emplace(name);
         if (fresh) {
             if (places_.size() > kMostTableColumns)
-                fail("there are more than " + std::to_string(kMostTableColumns) + " columns; keep those that are to be shown");
+                fail(phrase("there are more than {0} columns; keep those that are to be shown",
+                            std::to_string(kMostTableColumns)));
             const std::string line = to_line(name);
             for (std::size_t i = 0; i < wanted_.size(); ++i)
                 if (head_.columns[wanted_[i]] == line) known->second.push_back(i);
@@ -189,7 +190,7 @@ private:
             return;
         }
         if (rows_++ == kMostTableRows)
-            fail("there are more than " + std::to_string(kMostTableRows) + " rows; keep every tenth or hundredth");
+            fail(phrase("there are more than {0} rows; keep every tenth or hundredth", std::to_string(kMostTableRows)));
         views_.assign(cells_.begin(), cells_.end());
         take_(line, views_, false);
     }
@@ -201,14 +202,14 @@ private:
         while (std::any_of(rest.begin(), rest.end(), some)) {
             if (!std::all_of(rest.begin(), rest.end(), some))
                 throw Error(Fault::failed, place_of_row(head_, line + 1),
-                            "one of its columns ends here, and another goes on; write null for gaps");
+                            phrase("one of its columns ends here, and another goes on; write null for gaps"));
             for (std::size_t i = 0; i < rest.size(); ++i) {
                 const auto end = std::min(rest[i].find('\0'), rest[i].size());
                 views_[i] = rest[i].substr(0, end);
                 rest[i].remove_prefix(std::min(end + 1, rest[i].size()));
             }
             if (line++ == kMostTableRows)
-                fail("there are more than " + std::to_string(kMostTableRows) + " rows; keep every tenth or hundredth");
+                fail(phrase("there are more than {0} rows; keep every tenth or hundredth", std::to_string(kMostTableRows)));
             take_(line, views_, false);
         }
     }

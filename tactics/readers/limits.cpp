@@ -21,29 +21,29 @@ std::string at_line(long long line, long long lines, int pass) {
 
 void check_claimed_size(std::string_view name, long long width, long long height) {
     const std::string claim = "claims " + by(width, height) + " pixels";
-    if (width <= 0 || height <= 0) throw Error(Fault::failed, name, claim + "; it is damaged, get a fresh copy of it");
+    if (width <= 0 || height <= 0) throw Error(Fault::failed, name, phrase("{0}; it is damaged, get a fresh copy of it", claim));
     if (width > kMaxSide || height > kMaxSide)
         throw Error(Fault::failed, name,
-                    claim + "; a side may have at most " + std::to_string(kMaxSide) + ", make it smaller first");
+                    phrase("{0}; a side may have at most {1}, make it smaller first", claim, std::to_string(kMaxSide)));
     if (width * height > kMaxPixels)
-        throw Error(Fault::failed, name,
-                    claim + "; at most " + std::to_string(kMaxPixels / 1'000'000) + " million are read, make it smaller first");
+        throw Error(
+            Fault::failed, name,
+            phrase("{0}; at most {1} million are read, make it smaller first", claim, std::to_string(kMaxPixels / 1'000'000)));
 }
 
 void check_whole_size(std::string_view name, std::string_view what, long long width, long long height) {
     if (width * height <= kMaxWholePixels) return;
     throw Error(Fault::failed, name,
-                "has " + by(width, height) + " pixels, and " + std::string(what) + " can only be decoded whole; at most " +
-                    std::to_string(kMaxWholePixels / 1'000'000) + " million pixels are, make it smaller first");
+                phrase("has {0} pixels, and {1} can only be decoded whole; at most {2} million pixels are, make it smaller first",
+                       by(width, height), what, std::to_string(kMaxWholePixels / 1'000'000)));
 }
 
 void throw_cut_short(std::string_view name, long long line, long long lines, int pass) {
-    throw Error(Fault::failed, name, "is cut short " + at_line(line, lines, pass) + "; get a complete copy of it");
+    throw Error(Fault::failed, name, phrase("is cut short {0}; get a complete copy of it", at_line(line, lines, pass)));
 }
 
 void throw_damaged(std::string_view name, long long line, long long lines, std::string_view why, int pass) {
-    throw Error(Fault::failed, name,
-                "is damaged " + at_line(line, lines, pass) + ": " + std::string(why) + "; get a fresh copy of it");
+    throw Error(Fault::failed, name, phrase("is damaged {0}: {1}; get a fresh copy of it", at_line(line, lines, pass), why));
 }
 
 }  // namespace tactics

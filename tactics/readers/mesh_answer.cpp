@@ -16,11 +16,11 @@ public:
     MeshAnswer(CagedAnswer& answer, const std::string& name, std::string_view format)
         : answer_(answer), name_(name), format_(format) {}
 
-    AnsweredMesh mesh(std::vector<std::string>& notes) {
+    AnsweredMesh mesh(std::vector<Phrase>& notes) {
         caged::MeshCounts counts;
         require(answer_.read(caged::Frame::mesh, &counts, sizeof counts));
         if (counts.vertices > kMostMeshVertices || counts.triangles > kMostMeshTriangles || counts.parts > kMostMeshParts)
-            fail("there is too much of it");
+            fail(phrase("there is too much of it"));
         AnsweredMesh answered;
         Mesh& mesh = answered.mesh;
         std::uint64_t first = 0;
@@ -30,7 +30,7 @@ public:
             MeshPart part{word(kMostMeshName), static_cast<std::uint32_t>(first), facts.triangles};
             first += facts.triangles;
             if (first > counts.triangles || facts.parent < -1 || facts.parent >= static_cast<std::int64_t>(i))
-                fail("it makes no sense");
+                fail(phrase("it makes no sense"));
             mesh.parts.push_back(std::move(part));
             answered.parents.push_back(facts.parent);
         }
@@ -45,11 +45,11 @@ public:
 
 private:
     void check(const Mesh& mesh) const {
-        if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_finite)) fail("a vertex is no number");
+        if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_finite)) fail(phrase("a vertex is no number"));
         for (const auto& triangle : mesh.triangles)
             for (const std::uint32_t vertex : triangle)
-                if (vertex >= mesh.vertices.size()) fail("a triangle has a vertex that is not there");
-        if (mesh.triangles.empty()) fail("it has no triangles");
+                if (vertex >= mesh.vertices.size()) fail(phrase("a triangle has a vertex that is not there"));
+        if (mesh.triangles.empty()) fail(phrase("it has no triangles"));
     }
     std::string word(std::size_t most) {
         std::string text;
@@ -57,12 +57,11 @@ private:
         return to_line(text);
     }
     void require(bool came) const {
-        if (!came) fail(answer_.why());
+        if (!came) fail(to_line(answer_.why()));
     }
-    [[noreturn]] void fail(std::string_view why) const {
+    [[noreturn]] void fail(const Phrase& why) const {
         throw Error(Fault::failed, name_,
-                    "cannot be read as " + std::string(format_) + ": " + to_line(why) +
-                        "; get a fresh copy or save the model as STL first");
+                    phrase("cannot be read as {0}: {1}; get a fresh copy or save the model as STL first", format_, why));
     }
 
     CagedAnswer& answer_;
@@ -72,7 +71,7 @@ private:
 
 }  // namespace
 
-AnsweredMesh mesh_in(CagedAnswer& answer, const std::string& name, std::string_view format, std::vector<std::string>& notes) {
+AnsweredMesh mesh_in(CagedAnswer& answer, const std::string& name, std::string_view format, std::vector<Phrase>& notes) {
     return MeshAnswer(answer, name, format).mesh(notes);
 }
 

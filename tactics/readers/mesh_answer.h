@@ -8,6 +8,7 @@
 
 #include "tactics/mesh.h"
 #include "tactics/readers/caged_answer.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -18,6 +19,6 @@ struct AnsweredMesh {
 
 /// A mesh as mesh.h has it, with a triangle at least; parts that are groups have none. `notes`: what was left out. Throws
 /// Error(failed) at `name`: a fault is told, or the answer makes no sense.
-AnsweredMesh mesh_in(CagedAnswer& answer, const std::string& name, std::string_view format, std::vector<std::string>& notes);
+AnsweredMesh mesh_in(CagedAnswer& answer, const std::string& name, std::string_view format, std::vector<Phrase>& notes);
 
 }  // namespace tactics

@@ -96,13 +96,14 @@ const Form* form_of(Source& source) {
     return found;
 }
 
-AnsweredMesh read_with_assimp(Source& source, const Form& form, std::vector<std::string>& notes) {
+AnsweredMesh read_with_assimp(Source& source, const Form& form, std::vector<Phrase>& notes) {
     std::FILE* file = source.file.get();
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy(nullptr, &std::fclose);
     if (fileno(file) < 0) {
         copy = with_descriptor(file);
         file = copy.get();
-        if (file == nullptr) throw Error(Fault::failed, source.name, "cannot be kept in a temporary file; make room for it");
+        if (file == nullptr)
+            throw Error(Fault::failed, source.name, phrase("cannot be kept in a temporary file; make room for it"));
     }
     CagedAnswer answer(source.name, CagedRequest{"mesh", form.extension, {}, fileno(file), &caged::kAssimp});
     return mesh_in(answer, source.name, form.name, notes);
@@ -115,10 +116,10 @@ std::string_view model_format(Source& source) {
     return form == nullptr ? std::string_view() : form->name;
 }
 
-Mesh read_mesh(Source& source, std::vector<std::string>& notes) {
+Mesh read_mesh(Source& source, std::vector<Phrase>& notes) {
     const Form* form = form_of(source);
     if (form == nullptr)
-        throw Error(Fault::failed, source.name, "is no model; take a file of VRML, X3D, STL, OBJ, PLY, glTF or COLLADA");
+        throw Error(Fault::failed, source.name, phrase("is no model; take a file of VRML, X3D, STL, OBJ, PLY, glTF or COLLADA"));
     if (is_world(form)) return mesh_of(read_vrml(source, notes), source.name);
     Mesh mesh;
     if (form != &kStl) {
@@ -129,7 +130,7 @@ Mesh read_mesh(Source& source, std::vector<std::string>& notes) {
     each_triangle(source, [&](const Triangle& triangle) {
         if (mesh.triangles.size() == kMostMeshTriangles)
             throw Error(Fault::failed, source.name,
-                        "has over " + std::to_string(kMostMeshTriangles) + " triangles; make it coarser first");
+                        phrase("has over {0} triangles; make it coarser first", std::to_string(kMostMeshTriangles)));
         const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
         for (const auto& corner : triangle.corners) mesh.vertices.push_back({corner[0], corner[1], corner[2]});
         mesh.triangles.push_back({first, first + 1, first + 2});
@@ -137,7 +138,7 @@ Mesh read_mesh(Source& source, std::vector<std::string>& notes) {
     return mesh;
 }
 
-Model read_model(Source& source, std::vector<std::string>& notes) {
+Model read_model(Source& source, std::vector<Phrase>& notes) {
     const Form* form = form_of(source);
     if (is_world(form)) return read_vrml(source, notes);
     if (form == nullptr || form == &kStl) return model_of(read_mesh(source, notes), true);
@@ -152,7 +153,7 @@ bool has_unit(std::string_view format) {
     return std::find(kWithout.begin(), kWithout.end(), format) == kWithout.end();
 }
 
-Triangles triangles_of(Source& source, std::vector<std::string>& notes) {
+Triangles triangles_of(Source& source, std::vector<Phrase>& notes) {
     if (form_of(source) == &kStl) return [&source](const auto& take) { each_triangle(source, take); };
     const auto mesh = std::make_shared<const Mesh>(read_mesh(source, notes));
     return [mesh](const auto& take) {

@@ -11,6 +11,7 @@
 #include "tactics/model.h"
 #include "tactics/readers/read.h"
 #include "tactics/readers/stl.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -21,10 +22,10 @@ std::string_view model_format(Source& source);
 /// STL, OBJ and PLY have no unit and are taken as mm, and z as upwards; the others are in metres with y upwards by their
 /// standards (COLLADA and X3D may say another unit), and are turned. Files referenced by the model are not read. `notes`: omitted
 /// parts. Throws Error(failed) for invalid format, invalid numbers, no triangles or too many, or if the program is missing.
-Mesh read_mesh(Source& source, std::vector<std::string>& notes);
+Mesh read_mesh(Source& source, std::vector<Phrase>& notes);
 
 /// The same with all object data of the file. For formats that have only triangles, these are the faces.
-Model read_model(Source& source, std::vector<std::string>& notes);
+Model read_model(Source& source, std::vector<Phrase>& notes);
 
 /// By its name, as `model_format` gives it: it says how large things are.
 bool has_unit(std::string_view format);
@@ -32,6 +33,6 @@ bool has_unit(std::string_view format);
 /// Visits all triangles, in the same order each time. Those of an STL are read anew each time and not stored.
 using Triangles = std::function<void(const std::function<void(const Triangle&)>& take)>;
 /// The source must outlive it.
-Triangles triangles_of(Source& source, std::vector<std::string>& notes);
+Triangles triangles_of(Source& source, std::vector<Phrase>& notes);
 
 }  // namespace tactics

@@ -155,7 +155,8 @@ public:
         if (fileno(file) < 0) {
             copy_ = with_descriptor(file);
             file = copy_.get();
-            if (file == nullptr) throw Error(Fault::failed, name_, "cannot be kept in a temporary file; make room for it");
+            if (file == nullptr)
+                throw Error(Fault::failed, name_, phrase("cannot be kept in a temporary file; make room for it"));
         }
         answer_.emplace(name_, CagedRequest{verb, form_.plugin, std::move(keys), fileno(file)});
         const bool opened = answer_->read(caged::Frame::facts, &facts_, sizeof facts_);
@@ -191,8 +192,8 @@ public:
         const long long count = static_cast<long long>(facts_.width) * facts_.height;
         if (count > most)
             throw Error(Fault::failed, name_,
-                        "has " + std::to_string(facts_.width) + " x " + std::to_string(facts_.height) + " samples; at most " +
-                            std::to_string(most / 1'000'000) + " million are read, make it smaller first");
+                        phrase("has {0} x {1} samples; at most {2} million are read, make it smaller first",
+                               std::to_string(facts_.width), std::to_string(facts_.height), std::to_string(most / 1'000'000)));
         for (const std::string_view key : keys) {
             std::string text;
             if (!answer_->read(caged::Frame::word, text, kMostWord)) throw_unreadable(why());
@@ -215,7 +216,7 @@ private:
         const std::size_t row = static_cast<std::size_t>(facts_.width) * channels;
         const int batch = std::clamp(facts_.batch, 1, facts_.height);
         if (static_cast<long long>(row) * batch > kMaxWholePixels)
-            throw Error(Fault::failed, name_, "has tiles that are too large to be read; save it without tiles");
+            throw Error(Fault::failed, name_, phrase("has tiles that are too large to be read; save it without tiles"));
         const auto samples = std::make_unique_for_overwrite<Sample[]>(row * static_cast<std::size_t>(batch));
         for (int y = 0; y < facts_.height; y += batch) {
             const int end = std::min(y + batch, facts_.height);
@@ -232,19 +233,19 @@ private:
         if (std::find(std::begin(kAskedFormats), std::end(kAskedFormats), format) == std::end(kAskedFormats)) return;
         if (std::find(source.allowed.begin(), source.allowed.end(), format) != source.allowed.end()) return;
         throw Error(Fault::failed, name_,
-                    "is of the format " + std::string(form_.name) +
-                        ", which is read only if it is asked for, as hostile files break its library; convert it to PNG first "
-                        "or, if you trust it, add " +
-                        spelled("allow") + " " + format);
+                    phrase("is of the format {0}, which is read only if it is asked for, as hostile files break its library; "
+                           "convert it to PNG first or, if you trust it, add {1} {2}",
+                           form_.name, spelled("allow"), format));
     }
 
     [[noreturn]] void throw_unreadable(const std::string& why) const {
-        throw Error(Fault::failed, name_,
-                    "cannot be read as " + std::string(form_.name) + ": " + why +
-                        "; it is damaged or of a rare kind, get a fresh copy or convert it to PNG first");
+        throw Error(
+            Fault::failed, name_,
+            phrase("cannot be read as {0}: {1}; it is damaged or of a rare kind, get a fresh copy or convert it to PNG first",
+                   form_.name, why));
     }
 
-    [[noreturn]] void throw_cut() const { throw Error(Fault::failed, name_, "is cut short; get a complete copy of it"); }
+    [[noreturn]] void throw_cut() const { throw Error(Fault::failed, name_, phrase("is cut short; get a complete copy of it")); }
 
     // After a failure: the file is shorter than it says, or OpenImageIO met its end (in its words for GIF, "at position 199,
     // asked for 3 bytes, got 1").
@@ -289,7 +290,7 @@ Image read(Source& source, const ReadRequest& request) {
 DecimalPicture read_exr(Source& source, std::span<const std::string_view> keys, long long most) {
     Picture picture(source, "read", {keys.begin(), keys.end()});
     if (!picture.linear())
-        throw Error(Fault::failed, source.name, "is an EXR of whole numbers; save it with 16 or 32-bit decimal numbers");
+        throw Error(Fault::failed, source.name, phrase("is an EXR of whole numbers; save it with 16 or 32-bit decimal numbers"));
     return picture.decimals(keys, most);
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr long long kHeaderBytes = 84, kTriangleBytes = 50;
 constexpr std::size_t kMostWord = 100;  // letters of a word or number of a text STL
 
-[[noreturn]] void fail(const Source& source, const std::string& why) { throw Error(Fault::failed, source.name, why); }
+[[noreturn]] void fail(const Source& source, const Phrase& why) { throw Error(Fault::failed, source.name, why); }
 
 std::uint32_t number(const unsigned char* bytes) {
     return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 | std::uint32_t{bytes[3]} << 24;
@@ -51,28 +51,29 @@ Head head_of(Source& source) {
 
 void each_binary(Source& source, const Head& head, const std::function<void(const Triangle&)>& take) {
     if (head.size < kHeaderBytes)
-        fail(source, "is cut short in its first " + std::to_string(kHeaderBytes) +
-                         " bytes, or is no STL model; get a complete copy of it");
+        fail(source, phrase("is cut short in its first {0} bytes, or is no STL model; get a complete copy of it",
+                            std::to_string(kHeaderBytes)));
     const std::uint32_t count = number(head.bytes.data() + 80);
     if (head.size < head.needed)
-        fail(source, "is cut short, or is no STL model: it says that it has " + std::to_string(count) + " triangles, which are " +
-                         std::to_string(head.needed) + " bytes, and has " + std::to_string(head.size) +
-                         "; get a complete copy of it");
+        fail(source, phrase("is cut short, or is no STL model: it says that it has {0} triangles, which are {1} bytes, and has "
+                            "{2}; get a complete copy of it",
+                            std::to_string(count), std::to_string(head.needed), std::to_string(head.size)));
     std::fseek(source.file.get(), kHeaderBytes, SEEK_SET);
     std::array<unsigned char, kTriangleBytes> bytes{};
     for (std::uint32_t i = 0; i < count; ++i) {
         if (std::fread(bytes.data(), 1, bytes.size(), source.file.get()) != bytes.size())
-            fail(source, "cannot be read to its end; get a fresh copy of it");
+            fail(source, phrase("cannot be read to its end; get a fresh copy of it"));
         Triangle triangle;
         for (std::size_t k = 0; k < 9; ++k) {
             const double value = std::bit_cast<float>(number(bytes.data() + 12 + 4 * k));
             if (!std::isfinite(value))
-                fail(source, "has a corner that is no number, in triangle " + std::to_string(i + 1) + "; save the model again");
+                fail(source,
+                     phrase("has a corner that is no number, in triangle {0}; save the model again", std::to_string(i + 1)));
             triangle.corners[k / 3][k % 3] = value;
         }
         take(triangle);
     }
-    if (count == 0) fail(source, "has no triangles; save the model again with its surface");
+    if (count == 0) fail(source, phrase("has no triangles; save the model again with its surface"));
 }
 
 // solid NAME, then facets: facet normal X Y Z, outer loop, three times vertex X Y Z, endloop, endfacet; endsolid NAME. Normals
@@ -94,20 +95,20 @@ public:
             } else if (word_ == "vertex") {
                 corner();
             } else if (word_ == "endfacet") {
-                if (count_ != 3) fail("a facet has " + std::to_string(count_) + " corners; save the model as triangles");
+                if (count_ != 3) fail(phrase("a facet has {0} corners; save the model as triangles", std::to_string(count_)));
                 take(triangle_);
                 any = true;
             } else if (word_ != "outer" && word_ != "loop" && word_ != "endloop") {
                 if (std::feof(source_.file.get()) != 0) break;  // cut in a word
-                fail("\"" + word_.substr(0, 40) + "\" is no word of an STL; save the model again");
+                fail(phrase("\"{0}\" is no word of an STL; save the model again", word_.substr(0, 40)));
             }
         }
-        if (open) fail("the file ends before \"endsolid\"; get a complete copy of it");
-        if (!any) tactics::fail(source_, "has no triangles; save the model again with its surface");
+        if (open) fail(phrase("the file ends before \"endsolid\"; get a complete copy of it"));
+        if (!any) tactics::fail(source_, phrase("has no triangles; save the model again with its surface"));
     }
 
 private:
-    [[noreturn]] void fail(const std::string& why) const {
+    [[noreturn]] void fail(const Phrase& why) const {
         throw Error(Fault::failed, source_.name + ":" + std::to_string(line_), why);
     }
 
@@ -120,7 +121,7 @@ private:
             if (c == '\n') ++line_;
         for (; c != EOF && c != ' ' && !(c >= '\t' && c <= '\r'); c = letter()) {
             if (word_.size() == kMostWord)
-                fail("there is a word of over " + std::to_string(kMostWord) + " letters; this is no STL model");
+                fail(phrase("there is a word of over {0} letters; this is no STL model", std::to_string(kMostWord)));
             word_ += static_cast<char>(c);
         }
         if (c != EOF) std::ungetc(c, source_.file.get());
@@ -137,9 +138,9 @@ private:
 
     void corner() {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (!next()) fail("the file ends in a corner; get a complete copy of it");
+            if (!next()) fail(phrase("the file ends in a corner; get a complete copy of it"));
             const auto value = parse_number(word_.starts_with('+') ? std::string_view(word_).substr(1) : std::string_view(word_));
-            if (!value) fail("\"" + word_.substr(0, 40) + "\" is no number; a corner is three numbers such as 1.5e+01");
+            if (!value) fail(phrase("\"{0}\" is no number; a corner is three numbers such as 1.5e+01", word_.substr(0, 40)));
             if (count_ < 3) triangle_.corners[static_cast<std::size_t>(count_)][k] = *value;
         }
         if (count_ < 1000) ++count_;

@@ -34,7 +34,7 @@ RowShape shape_of(const TiffTags& tags) {
 std::vector<std::uint8_t> palette_of(const TiffFile& file) {
     std::uint16_t* channels[3] = {};
     if (TIFFGetField(file.get(), TIFFTAG_COLORMAP, &channels[0], &channels[1], &channels[2]) == 0)
-        file.refuse("whose palette is missing");
+        file.refuse(phrase("whose palette is missing"));
     const std::size_t count = std::size_t{1} << file.tags().bits;
     // Some programs wrote 8-bit values into the 16-bit table.
     bool wide = false;
@@ -65,7 +65,7 @@ void interleave(const std::vector<const Sample*>& planes, std::size_t step, std:
 Image read_floats(TiffFile& file, const ReadRequest& request) {
     const TiffTags& tags = file.tags();
     if (tags.photometric != PHOTOMETRIC_MINISBLACK && tags.photometric != PHOTOMETRIC_RGB)
-        file.refuse("of decimal numbers that are neither grey nor RGB");
+        file.refuse(phrase("of decimal numbers that are neither grey nor RGB"));
     const auto shown = shown_samples(tags);
     TiffRows raw(file);
     RowReceiver<float> rows(shape_of(tags), request);
@@ -143,7 +143,7 @@ Image read_whole(TiffFile& file, const ReadRequest& request) {
     const TiffTags& tags = file.tags();
     check_whole_size(file.name(), "a TIFF in an unusual colour space", tags.width, tags.height);
     std::array<char, 1024> why{};
-    if (TIFFRGBAImageOK(file.get(), why.data()) == 0) file.refuse("in a colour space that cannot be read");
+    if (TIFFRGBAImageOK(file.get(), why.data()) == 0) file.refuse(phrase("in a colour space that cannot be read"));
     const std::size_t width = tags.width;
     const auto raster = std::make_unique_for_overwrite<std::uint32_t[]>(width * tags.height);
     // Asking for the orientation that the file has leaves the rows alone.
@@ -187,9 +187,9 @@ Image read(Source& source, const ReadRequest& request) {
     TiffFile file(source);
     file.open();
     TiffTags& tags = file.tags();
-    if (tags.preview) file.refuse("whose first page is only a preview (a camera's raw photo?)");
-    if (tags.compression == COMPRESSION_OJPEG) file.refuse("with the JPEG compression of 1992");
-    if (tags.samples < 1 || tags.samples > kMaxSamples) file.refuse("with " + std::to_string(tags.samples) + " channels");
+    if (tags.preview) file.refuse(phrase("whose first page is only a preview (a camera's raw photo?)"));
+    if (tags.compression == COMPRESSION_OJPEG) file.refuse(phrase("with the JPEG compression of 1992"));
+    if (tags.samples < 1 || tags.samples > kMaxSamples) file.refuse(phrase("with {0} channels", std::to_string(tags.samples)));
     const bool jpeg = tags.compression == COMPRESSION_JPEG;
     if (tags.photometric == PHOTOMETRIC_YCBCR && jpeg && !tags.separate()) {
         TIFFSetField(file.get(), TIFFTAG_JPEGCOLORMODE, JPEGCOLORMODE_RGB);
@@ -200,12 +200,12 @@ Image read(Source& source, const ReadRequest& request) {
         photometric == PHOTOMETRIC_LOGLUV)
         return read_whole(file, request);
     if (photometric > PHOTOMETRIC_PALETTE && !(tags.ink() && tags.ink_set == INKSET_CMYK))
-        file.refuse("in a colour space that cannot be read");
-    if (tags.samples < tags.stored_colours()) file.refuse("with fewer channels than it has colours");
+        file.refuse(phrase("in a colour space that cannot be read"));
+    if (tags.samples < tags.stored_colours()) file.refuse(phrase("with fewer channels than it has colours"));
     if (tags.format == SAMPLEFORMAT_IEEEFP && tags.bits == 32) return read_floats(file, request);
     const bool known = tags.bits == 1 || tags.bits == 2 || tags.bits == 4 || tags.bits == 8 || tags.bits == 16 || tags.bits == 32;
     if (!known || (tags.format != SAMPLEFORMAT_UINT && tags.format != SAMPLEFORMAT_VOID) || (tags.palette() && tags.bits > 8))
-        file.refuse("with " + std::to_string(tags.bits) + "-bit samples of an unusual kind");
+        file.refuse(phrase("with {0}-bit samples of an unusual kind", std::to_string(tags.bits)));
     return read_bytes(file, request);
 }
 

@@ -41,8 +41,8 @@ void TiffFile::require(bool good, long long line) const {
     if (!good || broken_) fail(line);
 }
 
-void TiffFile::refuse(const std::string& what) const {
-    throw Error(Fault::failed, name(), "is a TIFF " + what + "; save it as an ordinary TIFF or PNG of 8 or 16 bits");
+void TiffFile::refuse(const Phrase& what) const {
+    throw Error(Fault::failed, name(), phrase("is a TIFF {0}; save it as an ordinary TIFF or PNG of 8 or 16 bits", what));
 }
 
 void TiffFile::fail(long long line) const {

@@ -11,6 +11,7 @@
 
 #include "tactics/readers/read.h"
 #include "tactics/readers/rows.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -50,7 +51,7 @@ public:
     void require(bool good, long long line) const;
 
     /// `NAME: is a TIFF with what cannot be read; how to mend it`.
-    [[noreturn]] void refuse(const std::string& what) const;
+    [[noreturn]] void refuse(const Phrase& what) const;
 
 private:
     [[noreturn]] void fail(long long line) const;

@@ -22,23 +22,24 @@ struct Builder {
     std::vector<Element> open;  // the last one is the innermost; the first is a placeholder for the root
     std::size_t elements = 0;
     std::size_t bytes = 0;  // of text and attributes, entities written out
-    std::string fault;      // an exception must not pass through C
+    Phrase fault;           // an exception must not pass through C
 
-    void refuse(const std::string& why) {
+    void refuse(const Phrase& why) {
         if (fault.empty()) fault = why;
         XML_StopParser(parser, XML_FALSE);
     }
     bool takes(std::size_t more) {
         bytes += more;
-        if (bytes > kMostXmlBytes) refuse("its entities grow beyond 64 MB; save it without entities");
+        if (bytes > kMostXmlBytes) refuse(phrase("its entities grow beyond 64 MB; save it without entities"));
         return bytes <= kMostXmlBytes;
     }
 };
 
 void begin(void* user, const XML_Char* name, const XML_Char** attributes) {
     auto& builder = *static_cast<Builder*>(user);
-    if (++builder.elements > kMostElements) return builder.refuse("there are more than a million elements; divide the file");
-    if (builder.open.size() > kMostDepth) return builder.refuse("its groups are nested too deeply; ungroup some");
+    if (++builder.elements > kMostElements)
+        return builder.refuse(phrase("there are more than a million elements; divide the file"));
+    if (builder.open.size() > kMostDepth) return builder.refuse(phrase("its groups are nested too deeply; ungroup some"));
     Element element;
     element.name = without_prefix(name);
     element.after = builder.open.back().text.size();
@@ -79,7 +80,7 @@ std::string_view Element::attribute(std::string_view attribute_name) const {
 }
 
 Element parse_xml(std::string_view bytes, const std::string& file) {
-    if (bytes.size() > kMostXmlBytes) throw Error(Fault::failed, file, "this file is over 64 MB; simplify what is in it");
+    if (bytes.size() > kMostXmlBytes) throw Error(Fault::failed, file, phrase("this file is over 64 MB; simplify what is in it"));
     const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr), XML_ParserFree);
     if (parser == nullptr) throw std::bad_alloc();
     Builder builder;
@@ -95,8 +96,9 @@ Element parse_xml(std::string_view bytes, const std::string& file) {
         const std::string place = file + ":" + std::to_string(XML_GetCurrentLineNumber(parser.get()));
         if (!builder.fault.empty()) throw Error(Fault::failed, place, builder.fault);
         throw Error(Fault::failed, place,
-                    std::string("this is not well-formed XML (") + XML_ErrorString(XML_GetErrorCode(parser.get())) + ", column " +
-                        std::to_string(XML_GetCurrentColumnNumber(parser.get()) + 1) + "); save the file again");
+                    phrase("this is not well-formed XML ({0}, column {1}); save the file again",
+                           XML_ErrorString(XML_GetErrorCode(parser.get())),
+                           std::to_string(XML_GetCurrentColumnNumber(parser.get()) + 1)));
     }
     return std::move(builder.open.front().children.front());
 }

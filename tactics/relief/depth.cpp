@@ -67,9 +67,9 @@ private:
     void count(double visits) {
         visits_ += visits;
         if (visits_ > kMostVisits)
-            throw Error(
-                Fault::failed, name_,
-                "has so many triangles over each other that this would take minutes; take a larger pitch or a simpler model");
+            throw Error(Fault::failed, name_,
+                        phrase("has so many triangles over each other that this would take minutes; take a larger pitch or a "
+                               "simpler model"));
     }
 
     HeightMap& map_;

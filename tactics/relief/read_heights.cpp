@@ -33,7 +33,7 @@ struct Origin {
 
 Origin wished(std::string_view name) { return {spelled(name)}; }
 
-[[noreturn]] void refuse(const Origin& origin, const std::string& why) { throw Error(origin.fault, origin.place, why); }
+[[noreturn]] void refuse(const Origin& origin, const Phrase& why) { throw Error(origin.fault, origin.place, why); }
 
 std::string mm(double value) { return to_text(value) + " mm"; }
 
@@ -44,39 +44,38 @@ struct Range {
 void check_range(const Range& range, const HeightWish& wish, const std::string& name) {
     const Origin place = wish.high ? wished("high") : wish.low ? wished("low") : Origin{name, Fault::failed};
     if (!(range.high - range.low >= kLeastRange))
-        refuse(place, "the highest place, " + mm(range.high) + ", is not over the lowest, " + mm(range.low) + ", by " +
-                          mm(kLeastRange) + " or more; give " + spelled("low") + " and " + spelled("high") +
-                          " in that order, and " + spelled("invert") + " for a mould");
+        refuse(place, phrase("the highest place, {0}, is not over the lowest, {1}, by {2} or more; give {3} and {4} in that "
+                             "order, and {5} for a mould",
+                             mm(range.high), mm(range.low), mm(kLeastRange), spelled("low"), spelled("high"), spelled("invert")));
     const double most = std::max(std::abs(range.low), std::abs(range.high));
     if (most > kMostHeight)
-        refuse(place, "heights may be up to " + mm(kMostHeight) + " from zero, and these go to " + mm(most) +
-                          "; give a smaller " + spelled("low") + " and " + spelled("high"));
+        refuse(place, phrase("heights may be up to {0} from zero, and these go to {1}; give a smaller {2} and {3}",
+                             mm(kMostHeight), mm(most), spelled("low"), spelled("high")));
     if (most > kMostRanges * (range.high - range.low))
-        refuse(place, "heights from " + mm(range.low) + " to " + mm(range.high) +
-                          " are too near each other for so far from zero; give " + spelled("low") + " 0 and a " +
-                          spelled("high"));
+        refuse(place, phrase("heights from {0} to {1} are too near each other for so far from zero; give {2} 0 and a {3}",
+                             mm(range.low), mm(range.high), spelled("low"), spelled("high")));
 }
 
 void check_pitch(double pitch, const Origin& place) {
     if (!(pitch >= kLeastPitch && pitch <= kMostPitch))
-        refuse(place, "a pitch of " + mm(pitch) + " is not from " + mm(kLeastPitch) + " to " + mm(kMostPitch) + "; give " +
-                          spelled("pitch") + " or " + spelled("width") + " in these bounds");
+        refuse(place, phrase("a pitch of {0} is not from {1} to {2}; give {3} or {4} in these bounds", mm(pitch), mm(kLeastPitch),
+                             mm(kMostPitch), spelled("pitch"), spelled("width")));
 }
 
 double pitch_of(const HeightWish& wish, const HeightWords& words, int columns, HeightFile& file) {
     if (wish.pitch && wish.width)
-        refuse(wished("width"), "give this or " + spelled("pitch") + ": the samples are " + std::to_string(columns) +
-                                    " across, so one says the other");
+        refuse(wished("width"), phrase("give this or {0}: the samples are {1} across, so one says the other", spelled("pitch"),
+                                       std::to_string(columns)));
     if (wish.pitch) return *wish.pitch;
     if (wish.width) return *wish.width / columns;
     if (words.pitch) return *words.pitch;
     if (words.resolution_pitch > 0) {
-        file.notes.push_back("pitch " + mm(words.resolution_pitch) + " from the file's resolution; change with " +
-                             spelled("pitch") + " or " + spelled("width"));
+        file.notes.push_back(phrase("pitch {0} from the file's resolution; change with {1} or {2}", mm(words.resolution_pitch),
+                                    spelled("pitch"), spelled("width")));
         return words.resolution_pitch;
     }
-    file.notes.push_back("it tells no pitch: " + mm(kPixelPitch) + ", a pixel of a screen, is taken; say what it is with " +
-                         spelled("pitch") + " or " + spelled("width"));
+    file.notes.push_back(phrase("it tells no pitch: {0}, a pixel of a screen, is taken; say what it is with {1} or {2}",
+                                mm(kPixelPitch), spelled("pitch"), spelled("width")));
     return kPixelPitch;
 }
 
@@ -90,12 +89,11 @@ void check_decimals(FoundHeights& found, const std::string& name, HeightFile& fi
             ++wrong;
     }
     if (wrong == 0) return;
-    if (wrong == found.values.size()) throw Error(Fault::failed, name, "no sample is a number; write the map again");
+    if (wrong == found.values.size()) throw Error(Fault::failed, name, phrase("no sample is a number; write the map again"));
     for (float& value : found.values)
         if (!std::isfinite(value)) value = least;
-    file.notes.push_back(std::to_string(wrong) +
-                         (wrong == 1 ? " sample is no number and counts" : " samples are no numbers and count") +
-                         " as the lowest");
+    file.notes.push_back(
+        phrases(wrong, "{0} sample is no number and counts as the lowest", "{0} samples are no numbers and count as the lowest"));
 }
 
 // Converts the file's heights of black and white to those that the user wants.
@@ -109,17 +107,17 @@ void set_heights(FoundHeights& found, const HeightWish& wish, const std::string&
         // Level ground has no range of its own.
         if (!told && from.high - from.low < kLeastRange) from.high = from.low + 1;
         if (told && !(from.high - from.low >= kLeastRange))
-            throw Error(Fault::failed, name, "says that its highest place is not over its lowest; write the map again");
+            throw Error(Fault::failed, name, phrase("says that its highest place is not over its lowest; write the map again"));
         to = {wish.low.value_or(from.low), wish.high.value_or(from.high)};
         if (!told && !wish.low && !wish.high)
-            file.notes.push_back("it tells no unit: its numbers are taken as mm; say what they are with " + spelled("low") +
-                                 " and " + spelled("high"));
+            file.notes.push_back(phrase("it tells no unit: its numbers are taken as mm; say what they are with {0} and {1}",
+                                        spelled("low"), spelled("high")));
     } else {
         const double low = wish.low.value_or(told ? *found.words.black : 0);
         to = {low, wish.high.value_or(told ? *found.words.white : low + kPictureHeight)};
         if (!told && !wish.high)
-            file.notes.push_back("it tells no heights: black is " + mm(to.low) + " and white " + mm(to.high) +
-                                 "; say what they are with " + spelled("low") + " and " + spelled("high"));
+            file.notes.push_back(phrase("it tells no heights: black is {0} and white {1}; say what they are with {2} and {3}",
+                                        mm(to.low), mm(to.high), spelled("low"), spelled("high")));
     }
     check_range(to, wish, name);
     const double scale = (to.high - to.low) / (from.high - from.low);
@@ -142,7 +140,7 @@ FoundHeights picture_heights(Source& source, const HeightWords& words, HeightFil
     found.values.reserve(image.pixels.size());
     for (const std::uint8_t pixel : image.pixels) found.values.push_back(static_cast<float>(pixel) / 255);
     if (found.words.pitch && found.words.black)
-        file.notes.push_back("it was a height map of 16 bits and is none any more: 256 steps of height are left");
+        file.notes.push_back(phrase("it was a height map of 16 bits and is none any more: 256 steps of height are left"));
     return found;
 }
 
@@ -180,7 +178,7 @@ std::optional<FoundHeights> find_heights(Source& source, HeightWords& words, Hei
     DecimalPicture picture = read_exr(source, kKeys, kMostHeights);
     FoundHeights found{picture.width, picture.height, std::move(picture.samples), true, {}, "EXR"};
     for (const auto& [key, text] : picture.words) found.words.take(key, text);
-    if (!picture.grey) file.notes.push_back("it has several channels: the first is taken for heights");
+    if (!picture.grey) file.notes.push_back(phrase("it has several channels: the first is taken for heights"));
     return found;
 }
 
@@ -191,19 +189,23 @@ HeightFile model_heights(Source& source, std::string_view format, const ModelWis
     const ModelBox box = box_of(triangles);
     const HeightWish wish = model_wish(box);
     if (!(box.size(0) > 0 && box.size(1) > 0))
-        throw Error(Fault::failed, source.name, "stands on its edge: seen from above there is nothing of it; lay it down");
+        throw Error(Fault::failed, source.name,
+                    phrase("stands on its edge: seen from above there is nothing of it; lay it down"));
     const double pitch = wish.pitch.value_or(kModelPitch), scale = wish.width ? *wish.width / box.size(0) : 1;
-    if (!wish.pitch) file.notes.push_back("a model has no pitch: " + mm(pitch) + " is taken; change with " + spelled("pitch"));
+    if (!wish.pitch)
+        file.notes.push_back(phrase("a model has no pitch: {0} is taken; change with {1}", mm(pitch), spelled("pitch")));
     if (!wish.width)
-        file.notes.push_back((has_unit(format) ? "it is " : "a model has no unit: its numbers are taken as mm, so it is ") +
-                             mm(box.size(0)) + " wide; change with " + spelled("width"));
+        file.notes.push_back(has_unit(format)
+                                 ? phrase("it is {0} wide; change with {1}", mm(box.size(0)), spelled("width"))
+                                 : phrase("a model has no unit: its numbers are taken as mm, so it is {0} wide; change with {1}",
+                                          mm(box.size(0)), spelled("width")));
     check_pitch(pitch, wished("pitch"));
     const double columns = depth_columns(box, scale, pitch), rows = depth_rows(box, scale, pitch);
     if (!(columns * rows <= static_cast<double>(kMostHeights)))
         throw Error(Fault::failed, source.name,
-                    "would be " + to_text(columns) + " x " + to_text(rows) + " samples; at most " +
-                        std::to_string(kMostHeights / 1'000'000) + " million are made, take a larger " + spelled("pitch") +
-                        " or a smaller " + spelled("width"));
+                    phrase("would be {0} x {1} samples; at most {2} million are made, take a larger {3} or a smaller {4}",
+                           to_text(columns), to_text(rows), std::to_string(kMostHeights / 1'000'000), spelled("pitch"),
+                           spelled("width")));
     file.map = depth_of(triangles, box, scale, pitch, source.name);
     // A flat model has a single height, but the map needs a range.
     const double tall = box.size(2) * scale >= kLeastRange ? box.size(2) * scale : 1, low = wish.low.value_or(0);
@@ -224,16 +226,16 @@ HeightFile model_heights(Source& source, std::string_view format, const ModelWis
 void check_height_count(const std::string& name, long long width, long long height) {
     if (width * height > kMostHeights)
         throw Error(Fault::failed, name,
-                    "has " + std::to_string(width) + " x " + std::to_string(height) + " samples; at most " +
-                        std::to_string(kMostHeights / 1'000'000) + " million are read, make it smaller first");
+                    phrase("has {0} x {1} samples; at most {2} million are read, make it smaller first", std::to_string(width),
+                           std::to_string(height), std::to_string(kMostHeights / 1'000'000)));
 }
 
 namespace {
 
 std::optional<HeightFile> read(Source& source, const HeightWish& wish, bool any_picture) {
     if (wish.width && !(*wish.width > 0 && *wish.width <= kMostHeight))
-        refuse(wished("width"), mm(*wish.width) + " is not over 0 and at most " + mm(kMostHeight) + "; give another");
-    if (source.file == nullptr) throw Error(Fault::failed, source.name, "is empty; get a complete copy of it");
+        refuse(wished("width"), phrase("{0} is not over 0 and at most {1}; give another", mm(*wish.width), mm(kMostHeight)));
+    if (source.file == nullptr) throw Error(Fault::failed, source.name, phrase("is empty; get a complete copy of it"));
     if (const std::string_view model = model_format(source); !model.empty())
         return model_heights(source, model, [&wish](const ModelBox&) { return wish; });
     HeightFile file;

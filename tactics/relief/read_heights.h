@@ -9,6 +9,7 @@
 
 #include "tactics/readers/read.h"
 #include "tactics/relief/depth.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -33,9 +34,9 @@ struct HeightWish {
 
 struct HeightFile {
     HeightMap map;
-    double low = 0, high = 0;        ///< mm: what black and white stand for; all heights lie between them, and high is over low
-    std::string format;              ///< "16-bit PNG", "STL model", ...
-    std::vector<std::string> notes;  ///< defaults used and data lost: one sentence each, for the user
+    double low = 0, high = 0;   ///< mm: what black and white stand for; all heights lie between them, and high is over low
+    std::string format;         ///< "16-bit PNG", "STL model", ...
+    std::vector<Phrase> notes;  ///< defaults used and data lost: one sentence each, for the user
 };
 
 /// Throws Error(usage) for a wish that contradicts itself or the file, with the option's name as its place, and Error(failed),

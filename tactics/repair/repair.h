@@ -56,6 +56,6 @@ bool cut_dashes(Drawing& drawing, const Medium& medium);
 inline constexpr double kLegible = 2.0 / 3;
 
 /// Notes for a transcriber, one sentence each: "2 lines were moved by up to 0.8 mm." Nothing without changes.
-std::vector<std::string> notes_of(const Repaired& repaired);
+std::vector<Phrase> notes_of(const Repaired& repaired);
 
 }  // namespace tactics

@@ -43,7 +43,7 @@ std::vector<Symbol> symbols_of(const PageGeometry& geometry) {
         }
         symbol.middle = rect_of(box_of(points)).middle();
         symbol.size = greatest_extent(points) + widest;
-        symbol.kind = shape_of(points, closed).name;
+        symbol.kind = shape_of(points, closed).name.english();
         if (filled) symbol.kind = "filled " + symbol.kind;
         if (symbol.chains.size() > 1) symbol.kind += " of " + std::to_string(symbol.chains.size()) + " parts";
     }

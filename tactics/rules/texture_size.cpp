@@ -74,7 +74,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     for (const Component& c : components) {
         const double across = c.marks.empty() ? 0 : narrowest(c.marks) + c.width;
         if (across >= limit - kRounding) continue;
-        const std::string name(name_of_texture(c.area->texture));
+        const std::string name = name_of_texture(c.area->texture).english();
         findings.places.push_back(
             {across,
              c.marks.empty() ? c.area->rings[0][0] : c.marks[0],

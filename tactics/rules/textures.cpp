@@ -21,7 +21,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     return {{{count,
               areas[last.second].rings[0][0],
               {},
-              shown(count) + " textures, one of them here: " + std::string(name_of_texture(last.first))}}};
+              shown(count) + " textures, one of them here: " + name_of_texture(last.first).english()}}};
 }
 
 }  // namespace

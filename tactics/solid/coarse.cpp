@@ -139,7 +139,7 @@ std::size_t corners_of(const Model& model) {
     return corners;
 }
 
-Model coarse(const Model& model, std::vector<std::string>& notes) {
+Model coarse(const Model& model, std::vector<Phrase>& notes) {
     const Frame frame = frame_of(model);
     Model made;
     made.title = model.title;
@@ -150,14 +150,15 @@ Model coarse(const Model& model, std::vector<std::string>& notes) {
         take_faces(made, model, into);
         if (made.corners.size() > kMostWorkedCorners) continue;
         made.vertices = vertices_of(model, frame.size / cells, into, count);
-        notes.push_back("of " + std::to_string(model.faces.size()) + " faces " + std::to_string(made.faces.size()) +
-                        " are left, as corners nearer to each other than about 1/" + std::to_string(cells) +
-                        " of the model were put together; draw a part alone for more of it");
+        notes.push_back(
+            phrase("of {0} faces {1} are left, as corners nearer to each other than about 1/{2} of the model were put together; "
+                   "draw a part alone for more of it",
+                   std::to_string(model.faces.size()), std::to_string(made.faces.size()), std::to_string(cells)));
         return made;
     }
     throw Error(Fault::failed, "the model",
-                "its " + std::to_string(model.faces.size()) +
-                    " faces are too many to be folded out; simplify it in a program for models, or draw a part of it");
+                phrase("its {0} faces are too many to be folded out; simplify it in a program for models, or draw a part of it",
+                       std::to_string(model.faces.size())));
 }
 
 }  // namespace tactics

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tactics/model.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -21,6 +22,6 @@ std::size_t corners_of(const Model& model);
 /// Faces that then have no area are left out. Cells are 1/512 of the model's longest side, which is half a millimetre of a
 /// drawing as large as A4, or so much larger as it takes, up to 1/32. `notes` is told. Throws Error(failed): it has too many even
 /// so.
-Model coarse(const Model& model, std::vector<std::string>& notes);
+Model coarse(const Model& model, std::vector<Phrase>& notes);
 
 }  // namespace tactics

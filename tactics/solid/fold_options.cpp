@@ -93,9 +93,10 @@ void take_settings(FoldWish& wish, const Settings& settings, std::string_view pa
         for (const Option& option : settings.options())
             if (!settings.is_default(option.name) &&
                 std::find(std::begin(kOfObjects), std::end(kOfObjects), option.name) == std::end(kOfObjects))
-                throw Error(Fault::usage, std::string(place),
-                            std::string(option.name) +
-                                " is one for the whole drawing; of one object there are fold, simplify, flat, slender and hide");
+                throw Error(
+                    Fault::usage, std::string(place),
+                    phrase("{0} is one for the whole drawing; of one object there are fold, simplify, flat, slender and hide",
+                           option.name));
         ObjectWish one{std::string(path), wish.parts};
         take_parts(one.parts, settings);
         wish.objects.push_back(std::move(one));

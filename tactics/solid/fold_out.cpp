@@ -148,13 +148,13 @@ Fitted fit(const Model& model, const std::vector<ModelPart>& parts, double width
     return fitted;
 }
 
-std::vector<Name> names_of(const std::vector<FoldedObject>& objects, std::vector<std::string>& notes) {
+std::vector<Name> names_of(const std::vector<FoldedObject>& objects, std::vector<Phrase>& notes) {
     std::vector<const FoldedObject*> named;
     for (const FoldedObject& one : objects)
         if (one.fate == FoldedObject::Fate::drawn && !one.name.empty()) named.push_back(&one);
     if (named.size() > kMostNames) {
-        notes.push_back("only the " + std::to_string(kMostNames) + " largest of " + std::to_string(named.size()) +
-                        " objects have their names on the page, which has no room for more");
+        notes.push_back(phrase("only the {0} largest of {1} objects have their names on the page, which has no room for more",
+                               std::to_string(kMostNames), std::to_string(named.size())));
         std::stable_sort(named.begin(), named.end(),
                          [](const FoldedObject* a, const FoldedObject* b) { return a->size > b->size; });
         named.resize(kMostNames);
@@ -178,20 +178,20 @@ std::string_view name_of(FoldPlane plane) {
     return "";
 }
 
-std::string_view seen(FoldPlane plane) {
+Phrase seen(FoldPlane plane) {
     switch (plane) {
-        case FoldPlane::front: return "from the front";
-        case FoldPlane::side: return "from the side";
-        default: return "from above";
+        case FoldPlane::front: return phrase("from the front");
+        case FoldPlane::side: return phrase("from the side");
+        default: return phrase("from above");
     }
 }
 
 FoldOut fold_out(const Model& whole, double width, double height, const Medium& medium, const FoldWish& wish,
-                 std::vector<std::string>& notes) {
+                 std::vector<Phrase>& notes) {
     const Model alone = wish.part.empty() ? Model{} : part_named(whole, wish.part);
     const Model& model = wish.part.empty() ? whole : alone;
     const std::vector<ModelPart> parts = parts_of(model, wish.parts, wish.objects, notes);
-    if (parts.empty()) throw Error(Fault::failed, "the model", "it has no faces with an area, and nothing to draw");
+    if (parts.empty()) throw Error(Fault::failed, "the model", phrase("it has no faces with an area, and nothing to draw"));
     const Fitted fitted = fit(model, parts, width, height, medium, wish);
     const Laid& laid = fitted.laid;
     const Box box = box_of(laid.layout);

@@ -13,13 +13,14 @@
 #include "tactics/solid/folded_objects.h"
 #include "tactics/solid/layout.h"
 #include "tactics/solid/reach.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 /// The plane that faces are folded into.
 enum class FoldPlane : std::uint8_t { automatic, above, front, side };
 std::string_view name_of(FoldPlane plane);
-std::string_view seen(FoldPlane plane);  ///< "from above"
+Phrase seen(FoldPlane plane);  ///< "from above"
 
 struct FoldWish {
     FoldPlane plane = FoldPlane::automatic;  ///< automatic: whichever gives the better rating; above where both are as good
@@ -32,7 +33,8 @@ struct FoldWish {
     /// For several views: the position of the section, from the front (0) to the back (1). 0: where it cuts most parts, as near
     /// to the middle as possible.
     double section = 0;
-    bool move = true;  ///< things may be moved off each other
+    bool move = true;             ///< things may be moved off each other
+    std::string language = "en";  ///< of words that stand in the drawing (BCP 47)
 };
 
 struct FoldOut {
@@ -47,6 +49,6 @@ struct FoldOut {
 /// As large as the room allows. `notes` receives deviations from the model. Throws Error(usage) if there is no such part;
 /// Error(failed) if the model has no faces.
 FoldOut fold_out(const Model& model, double width, double height, const Medium& medium, const FoldWish& wish,
-                 std::vector<std::string>& notes);
+                 std::vector<Phrase>& notes);
 
 }  // namespace tactics

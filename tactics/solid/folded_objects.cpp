@@ -48,7 +48,7 @@ std::vector<FoldedObject> all_of(const Model& model, const std::vector<ModelPart
 
 }  // namespace
 
-std::string called(const FoldedObject& one) { return one.name.empty() ? "part without a name" : one.name; }
+Phrase called(const FoldedObject& one) { return one.name.empty() ? phrase("part without a name") : Phrase(one.name); }
 
 std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<ModelPart>& parts,
                                          const std::vector<char>& is_small, const std::vector<ModelPart>& felt,

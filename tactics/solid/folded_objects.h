@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tactics/solid/layout.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -26,7 +27,7 @@ struct FoldedObject {
 };
 
 /// Its name, or that it has none.
-std::string called(const FoldedObject& one);
+Phrase called(const FoldedObject& one);
 
 /// From a layout into a drawing.
 struct IntoDrawing {

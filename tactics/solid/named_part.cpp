@@ -60,9 +60,10 @@ Model part_named(const Model& model, const std::string& path) {
         std::string some;
         for (std::size_t i = 0; i < std::min<std::size_t>(paths.size(), 8); ++i) some += (i == 0 ? "" : ", ") + paths[i];
         throw Error(Fault::usage, path,
-                    "the model has no such part" + did_you_mean(path, names) +
-                        (paths.empty() ? "; none of its objects has a name"
-                                       : "; it has " + some + (paths.size() > 8 ? " and more" : "")));
+                    paths.empty() ? phrase("the model has no such part; none of its objects has a name")
+                    : paths.size() > 8
+                        ? phrase("the model has no such part{0}; it has {1} and more", did_you_mean(path, names), some)
+                        : phrase("the model has no such part{0}; it has {1}", did_you_mean(path, names), some));
     }
     // The shortest path is the thing itself, longer ones are parts of it.
     const std::uint32_t root = *std::min_element(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -8,7 +8,6 @@
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/region_place.h"
 #include "tactics/geometry/triangulate.h"
-#include "tactics/text/number.h"
 
 namespace tactics {
 
@@ -42,23 +41,31 @@ void add_strip(Region& region, Point from, Point to) {
                             {from.x + aside.x, from.y + aside.y}});
 }
 
-std::string what_was_done(const FoldedObject& one, int held, std::string_view seen) {
-    if (one.fate == FoldedObject::Fate::small) return "too small to be felt at this size";
-    if (one.fate == FoldedObject::Fate::hidden) return "under or behind other things";
-    std::string text;
-    const auto say = [&](const std::string& words) { text += (text.empty() ? "" : "; ") + words; };
-    const auto count = [&](int number, const std::string& one_of_it, const std::string& many) {
-        if (number > 0) say(number == 1 ? one_of_it : std::to_string(number) + " " + many);
+Phrase what_was_done(const FoldedObject& one, int held, const Phrase& seen) {
+    if (one.fate == FoldedObject::Fate::small) return phrase("too small to be felt at this size");
+    if (one.fate == FoldedObject::Fate::hidden) return phrase("under or behind other things");
+    Phrase text;
+    const auto say = [&](Phrase words) { text = text.empty() ? std::move(words) : phrase("{0}; {1}", text, std::move(words)); };
+    const auto count = [&](int number, auto words) {
+        if (number > 0) say(words(static_cast<std::size_t>(number)));
     };
-    if (one.kept > 0) say("seen " + std::string(seen));
-    count(one.straightened, "a face that leant, turned upright", "faces that leant, turned upright");
-    count(one.folded, one.kept > 0 ? "1 face folded out" : "a face folded out", "faces folded out");
-    count(one.lying, "an upright face laid down", "upright faces laid down");
-    count(one.flattened, "laid flat outward", "slender parts laid flat outward");
-    count(one.wedges, "a wedge, thick where it is near", "wedges, thick where they are near");
-    count(held, "1 slender part on it laid flat outward", "slender parts on it laid flat outward");
-    count(one.doubled, "1 side shown twice", "sides shown twice");
-    count(one.left_out, "1 face without room left out", "faces without room left out");
+    if (one.kept > 0) say(phrase("seen {0}", seen));
+    count(one.straightened,
+          [](std::size_t n) { return phrases(n, "a face that leant, turned upright", "{0} faces that leant, turned upright"); });
+    if (one.kept > 0)
+        count(one.folded, [](std::size_t n) { return phrases(n, "{0} face folded out", "{0} faces folded out"); });
+    else
+        count(one.folded, [](std::size_t n) { return phrases(n, "a face folded out", "{0} faces folded out"); });
+    count(one.lying, [](std::size_t n) { return phrases(n, "an upright face laid down", "{0} upright faces laid down"); });
+    count(one.flattened, [](std::size_t n) { return phrases(n, "laid flat outward", "{0} slender parts laid flat outward"); });
+    count(one.wedges,
+          [](std::size_t n) { return phrases(n, "a wedge, thick where it is near", "{0} wedges, thick where they are near"); });
+    count(held, [](std::size_t n) {
+        return phrases(n, "{0} slender part on it laid flat outward", "{0} slender parts on it laid flat outward");
+    });
+    count(one.doubled, [](std::size_t n) { return phrases(n, "{0} side shown twice", "{0} sides shown twice"); });
+    count(one.left_out,
+          [](std::size_t n) { return phrases(n, "{0} face without room left out", "{0} faces without room left out"); });
     return text;
 }
 
@@ -113,8 +120,7 @@ std::vector<Region> in_reading_order(std::vector<Region> regions, const std::vec
 }
 
 std::vector<Region> object_regions(const std::vector<FoldedObject>& objects, const std::vector<ModelPart>& felt,
-                                   const Panels& panels, const FlatLayout& layout, const IntoDrawing& into,
-                                   std::string_view seen) {
+                                   const Panels& panels, const FlatLayout& layout, const IntoDrawing& into, const Phrase& seen) {
     std::vector<std::size_t> place;  // of an object of the model in `objects`
     for (std::size_t i = 0; i < objects.size(); ++i) {
         if (objects[i].object >= place.size()) place.resize(objects[i].object + 1, 0);
@@ -146,18 +152,18 @@ std::vector<Region> object_regions(const std::vector<FoldedObject>& objects, con
     return in_reading_order(std::move(regions), height);
 }
 
-std::vector<std::string> fold_remarks(const Drawing& drawing, std::string_view seen, double spread) {
-    std::vector<std::string> remarks = {"It is drawn " + std::string(seen) +
-                                        " without perspective; what cannot be seen from there is folded out beside it."};
+std::vector<Phrase> fold_remarks(const Drawing& drawing, const Phrase& seen, double spread) {
+    std::vector<Phrase> remarks = {
+        phrase("It is drawn {0} without perspective; what cannot be seen from there is folded out beside it.", seen)};
     const auto any = [&](auto which) { return std::any_of(drawing.strokes.begin(), drawing.strokes.end(), which); };
     if (any([](const Stroke& stroke) { return stroke.line == LineClass::thick; }))
-        remarks.emplace_back("What lies on something has thick lines.");
+        remarks.push_back(phrase("What lies on something has thick lines."));
     if (any([](const Stroke& stroke) { return stroke.role == Role::dash; }))
-        remarks.emplace_back("A dashed line is a side that is shown twice.");
-    if (!drawing.areas.empty()) remarks.emplace_back("A wedge is a line towards you, thick where it is near.");
+        remarks.push_back(phrase("A dashed line is a side that is shown twice."));
+    if (!drawing.areas.empty()) remarks.push_back(phrase("A wedge is a line towards you, thick where it is near."));
     if (spread > 1)
-        remarks.push_back("Things are moved apart, " + to_text(spread) +
-                          " times as far from the middle, so that their faces have room.");
+        remarks.push_back(
+            phrase("Things are moved apart, {0} times as far from the middle, so that their faces have room.", numeral(spread)));
     return remarks;
 }
 

@@ -177,7 +177,7 @@ std::string_view name_of(PartForm form) {
 }
 
 std::vector<ModelPart> parts_of(const Model& whole, const PartWish& wish, const std::vector<ObjectWish>& objects,
-                                std::vector<std::string>& notes) {
+                                std::vector<Phrase>& notes) {
     const bool has_many = corners_of(whole) > kMostWorkedCorners;
     const Model fewer = has_many ? coarse(whole, notes) : Model{};
     const Model& model = has_many ? fewer : whole;
@@ -205,10 +205,14 @@ std::vector<ModelPart> parts_of(const Model& whole, const PartWish& wish, const 
         if (crowd.patches.empty()) continue;
         parts.push_back(part_of(std::move(crowd), object, place, wishes[place]));
         parts.back().form = PartForm::curved;
-        notes.push_back((object.name.empty() ? "an object" : path_of(model, place)) + " is made of " +
-                        std::to_string(shells.size()) + " pieces, too many to be told apart, and drawn by its outline");
+        notes.push_back(object.name.empty()
+                            ? phrase("an object is made of {0} pieces, too many to be told apart, and drawn by its outline",
+                                     std::to_string(shells.size()))
+                            : phrase("{0} is made of {1} pieces, too many to be told apart, and drawn by its outline",
+                                     path_of(model, place), std::to_string(shells.size())));
     }
-    if (dropped > 0) notes.push_back(std::to_string(dropped) + " faces without area, or that were there twice, are left out");
+    if (dropped > 0)
+        notes.push_back(phrase("{0} faces without area, or that were there twice, are left out", std::to_string(dropped)));
     return parts;
 }
 

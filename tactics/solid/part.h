@@ -11,6 +11,7 @@
 
 #include "tactics/model.h"
 #include "tactics/solid/solid.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -61,7 +62,7 @@ struct ObjectWish {
 /// of both, and of what has no area.
 /// `objects`: the last that fits an object holds for it. Throws Error(usage) where one fits none.
 std::vector<ModelPart> parts_of(const Model& model, const PartWish& wish, const std::vector<ObjectWish>& objects,
-                                std::vector<std::string>& notes);
+                                std::vector<Phrase>& notes);
 
 /// How far a solid reaches along a direction of length 1, mm.
 struct Stretch {

@@ -28,8 +28,10 @@ constexpr double kLater =
 
 // One of the four.
 struct View {
-    std::string_view title, seen;
+    SourceWords title;
+    SourceWords described;  // of what is in it: {0} is the title
     const ViewPlane* plane;
+    bool cuts = false;                 // shows what its plane cuts
     std::vector<DrawnSide> sides;      // mm of the model; thick before others
     std::vector<std::uint32_t> parts;  // of each side
     Box box = kNothing;                // of all parts, in that plane
@@ -100,7 +102,7 @@ std::vector<Stroke> lines_of(const View& view, double scale, double touching, co
 // The place of a part in a view: its outline; in the section, its cut.
 std::vector<std::vector<Point>> rings_of(const View& view, const ModelPart& part, std::uint32_t number, double touching) {
     std::vector<std::vector<Point>> rings;
-    if (view.title == "section") {
+    if (view.cuts) {
         std::vector<DrawnSide> own;
         for (std::size_t i = 0; i < view.sides.size(); ++i)
             if (view.parts[i] == number) own.push_back(view.sides[i]);
@@ -118,8 +120,9 @@ std::vector<std::vector<Point>> rings_of(const View& view, const ModelPart& part
 
 class Laying {
 public:
-    Laying(const Model& model, const std::vector<ModelPart>& parts, std::array<View, 4>& views, const Medium& medium)
-        : parts_(parts), views_(views), medium_(medium), touching_(touching_in(parts)) {
+    Laying(const Model& model, const std::vector<ModelPart>& parts, std::array<View, 4>& views, const Medium& medium,
+           const std::string& language)
+        : parts_(parts), views_(views), medium_(medium), language_(language), touching_(touching_in(parts)) {
         for (const ModelPart& part : parts) {
             if (made_.objects.empty() || made_.objects.back().object != part.object) {
                 FoldedObject& fresh = made_.objects.emplace_back();
@@ -144,15 +147,21 @@ public:
                 Region& region = regions_.emplace_back();
                 region.name = called(one);
                 region.path = one.path;
-                region.description = one.fate == FoldedObject::Fate::small ? "too small to be felt at this size"
-                                                                           : "behind other things or too close to them";
+                region.description = one.fate == FoldedObject::Fate::small ? phrase("too small to be felt at this size")
+                                                                           : phrase("behind other things or too close to them");
             } else if (!one.name.empty()) {
                 made_.drawing.names.push_back({one.at, one.name, "the model", kLater, true});
             }
         made_.drawing.regions = std::move(regions_);
-        std::string seen = "It is seen from above, called top; below that from the front; beside that from the right-hand side";
-        if (!views_[3].sides.empty()) seen += "; and above that, called section, cut through by a plane parallel to the front";
-        made_.drawing.remarks = {seen + "."};
+        const Phrase top = phrase(views_[0].title), section = phrase(views_[3].title);
+        made_.drawing.remarks = {
+            views_[3].sides.empty()
+                ? phrase("It is seen from above, called {0}; below that from the front; beside that from the right-hand side.",
+                         top)
+                : phrase(
+                      "It is seen from above, called {0}; below that from the front; beside that from the right-hand side; and "
+                      "above that, called {1}, cut through by a plane parallel to the front.",
+                      top, section)};
         return std::move(made_);
     }
 
@@ -168,7 +177,8 @@ private:
                      lower = std::max(front.box.height(), side.box.height());
         made_.scale = std::min((width - 2 * edge - kBetween) / std::max(left + right, 1e-9),
                                (height - 2 * edge - 2 * kTitle) / std::max(upper + lower, 1e-9));
-        if (!(made_.scale > 0)) throw Error(Fault::usage, "the model", "there is no room for four views; take larger paper");
+        if (!(made_.scale > 0))
+            throw Error(Fault::usage, "the model", phrase("there is no room for four views; take larger paper"));
         Drawing& drawing = made_.drawing;
         drawing.width = (left + right) * made_.scale + kBetween + 2 * edge;
         drawing.height = (upper + lower) * made_.scale + 2 * kTitle + 2 * edge;
@@ -209,7 +219,7 @@ private:
         if (strokes.empty()) return;
         Drawing& drawing = made_.drawing;
         drawing.names.push_back({{view.at.x + view.box.width() * made_.scale / 2, view.at.y - kTitle / 2},
-                                 std::string(view.title),
+                                 phrase(view.title).in(language_),
                                  "the views",
                                  0,
                                  true});
@@ -247,9 +257,7 @@ private:
         drawing.strokes.insert(drawing.strokes.end(), strokes.begin(), strokes.end());
     }
 
-    static std::string described(const View& view) {
-        return std::string(view.seen) + ", in the view called " + std::string(view.title);
-    }
+    static Phrase described(const View& view) { return phrase(view.described, phrase(view.title)); }
 
     static double nearest(const ModelPart& part, const ViewPlane& plane) {
         double toward = -kNowhere;
@@ -288,6 +296,7 @@ private:
     const std::vector<ModelPart>& parts_;
     std::array<View, 4>& views_;
     const Medium& medium_;
+    std::string language_;
     double touching_;
     FoldOut made_;
     std::vector<Region> regions_;
@@ -297,15 +306,24 @@ private:
 }  // namespace
 
 FoldOut views_of(const Model& whole, double width, double height, const Medium& medium, const FoldWish& wish,
-                 std::vector<std::string>& notes) {
+                 std::vector<Phrase>& notes) {
     const Model alone = wish.part.empty() ? Model{} : part_named(whole, wish.part);
     const Model& model = wish.part.empty() ? whole : alone;
     const std::vector<ModelPart> parts = parts_of(model, wish.parts, wish.objects, notes);
-    if (parts.empty()) throw Error(Fault::failed, "the model", "it has no faces with an area, and nothing to draw");
-    std::array<View, 4> views{View{"top", "seen from above", &kFromAbove, {}, {}, {}, {}},
-                              View{"front", "seen from the front", &kFromTheFront, {}, {}, {}, {}},
-                              View{"side", "seen from the side", &kFromTheSide, {}, {}, {}, {}},
-                              View{"section", "cut through", &kFromTheFront, {}, {}, {}, {}}};
+    if (parts.empty()) throw Error(Fault::failed, "the model", phrase("it has no faces with an area, and nothing to draw"));
+    std::array<View, 4> views{
+        View{SourceWords("top"), SourceWords("seen from above, in the view called {0}"), &kFromAbove, false, {}, {}, {}, {}},
+        View{SourceWords("front"),
+             SourceWords("seen from the front, in the view called {0}"),
+             &kFromTheFront,
+             false,
+             {},
+             {},
+             {},
+             {}},
+        View{
+            SourceWords("side"), SourceWords("seen from the side, in the view called {0}"), &kFromTheSide, false, {}, {}, {}, {}},
+        View{SourceWords("section"), SourceWords("cut through, in the view called {0}"), &kFromTheFront, true, {}, {}, {}, {}}};
     bool complete = true;
     for (std::size_t i = 0; i < 3; ++i) {
         SeenEdges seen = seen_edges(parts, *views[i].plane, touching_in(parts));
@@ -313,12 +331,12 @@ FoldOut views_of(const Model& whole, double width, double height, const Medium& 
         views[i].parts = std::move(seen.part);
         complete = complete && seen.complete;
     }
-    if (!complete) notes.push_back("there is so much in it that its smaller parts are left out of the views");
+    if (!complete) notes.push_back(phrase("there is so much in it that its smaller parts are left out of the views"));
     if (wish.section > 0)
         cut(views[3], parts, depth_at(parts, *views[3].plane, wish.section));
     else
         cut_best(views[3], parts);
-    return Laying(model, parts, views, medium).run(width, height);
+    return Laying(model, parts, views, medium, wish.language).run(width, height);
 }
 
 }  // namespace tactics

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tactics/solid/fold_out.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -12,6 +13,6 @@ namespace tactics {
 /// can be felt; an object has a region in each view. Outlines take precedence over creases where there is no room for both: lines
 /// keep the medium's gap, except where they meet. Errors as fold_out.
 FoldOut views_of(const Model& model, double width, double height, const Medium& medium, const FoldWish& wish,
-                 std::vector<std::string>& notes);
+                 std::vector<Phrase>& notes);
 
 }  // namespace tactics

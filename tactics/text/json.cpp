@@ -55,4 +55,6 @@ void JsonObject::add_raw(std::string_view name, std::string_view json) {
     members_ += (members_.empty() ? "" : ",") + json_text(name) + ":" + std::string(json);
 }
 
+std::string json_text_array(const std::vector<Phrase>& phrases) { return json_text_array(in_language(phrases, "en")); }
+
 }  // namespace tactics

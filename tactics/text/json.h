@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tactics/text/phrase.h"
+
 namespace tactics {
 
 /// A JSON string with its quotes. A byte that is not UTF-8 (possible in file names) becomes the lone surrogate \udc80 + (byte -
@@ -13,6 +15,7 @@ namespace tactics {
 std::string json_text(std::string_view bytes);
 std::string json_array(const std::vector<std::string>& values);      ///< of JSON
 std::string json_text_array(const std::vector<std::string>& texts);  ///< of bytes
+std::string json_text_array(const std::vector<Phrase>& phrases);     ///< the same in English, which programs read
 
 /// An object on one line; members keep the order of adding.
 class JsonObject {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "tactics/text/phrase.h"
+
 namespace tactics {
 
 struct Note {
@@ -13,22 +15,25 @@ struct Note {
     /// a person must look at it or act.
     enum class Kind { know, act };
 
-    std::string text;  ///< one line, without the name of the picture
+    Phrase words;  ///< one line, without the name of the picture
     Kind kind = Kind::know;
 
-    Note(std::string words, Kind what = Kind::know) : text(std::move(words)), kind(what) {}
-    Note(const char* words, Kind what = Kind::know) : text(words), kind(what) {}
+    Note(Phrase what_is_said, Kind what = Kind::know) : words(std::move(what_is_said)), kind(what) {}
+    Note(std::string what_is_said, Kind what = Kind::know) : words(std::move(what_is_said)), kind(what) {}
+    Note(const char* what_is_said, Kind what = Kind::know) : words(what_is_said), kind(what) {}
     bool asks() const { return kind == Kind::act; }
-    bool operator==(const Note& other) const { return text == other.text && kind == other.kind; }
+    std::string english() const { return words.english(); }
+    bool operator==(const Note& other) const = default;
 };
 
 using Notes = std::vector<Note>;
 
-inline Note to_act_on(std::string words) { return {std::move(words), Note::Kind::act}; }
+inline Note to_act_on(Phrase words) { return {std::move(words), Note::Kind::act}; }
 
+/// In English, for programs.
 inline std::vector<std::string> texts_of(const Notes& notes) {
     std::vector<std::string> texts;
-    for (const Note& note : notes) texts.push_back(note.text);
+    for (const Note& note : notes) texts.push_back(note.english());
     return texts;
 }
 

@@ -25,7 +25,8 @@ void take_line(Address& address, std::string_view text, const std::string& place
     if (!baud || *baud < 1 || *baud > 1e6 || (flow != "rtscts" && flow != "xonxoff" && flow != "none"))
         throw Error(
             Fault::usage, place,
-            "the speed is a number, and how the machine stops the line rtscts, xonxoff or none: /dev/ttyUSB0@9600,xonxoff");
+            phrase(
+                "the speed is a number, and how the machine stops the line rtscts, xonxoff or none: /dev/ttyUSB0@9600,xonxoff"));
     address.baud = static_cast<int>(*baud);
     address.flow = flow == "rtscts" ? Flow::rtscts : flow == "xonxoff" ? Flow::xonxoff : Flow::none;
 }
@@ -33,7 +34,7 @@ void take_line(Address& address, std::string_view text, const std::string& place
 // What stands behind "queue:"
 Address queue_address(const std::string& name, const std::string& place) {
     // lp would take it for an option.
-    if (name[0] == '-') throw Error(Fault::usage, place, "no queue has a name that begins with -; see tactics devices");
+    if (name[0] == '-') throw Error(Fault::usage, place, phrase("no queue has a name that begins with -; see tactics devices"));
     Address address;
     address.kind = Address::Kind::queue;
     address.name = name;
@@ -47,7 +48,7 @@ Address tcp_address(const std::string& host, const std::string& place) {
     address.name = host;
     if (host[0] == '[') {
         const auto end = host.find(']');
-        if (end == std::string::npos) throw Error(Fault::usage, place, "the ] of the address is missing");
+        if (end == std::string::npos) throw Error(Fault::usage, place, phrase("the ] of the address is missing"));
         if (host.size() > end + 2 && host[end + 1] == ':') address.port = host.substr(end + 2);
         address.name = host.substr(1, end - 1);
     } else if (const auto colon = host.find(':'); colon != std::string::npos && host.find(':', colon + 1) == std::string::npos) {
@@ -56,8 +57,8 @@ Address tcp_address(const std::string& host, const std::string& place) {
     }
     const auto number = parse_number(address.port);
     if (!number || *number < 1 || *number > 65535 || address.port.find_first_not_of("0123456789") != std::string::npos)
-        throw Error(Fault::usage, place, "a port is a number from 1 to 65535");
-    if (address.name.empty()) throw Error(Fault::usage, place, "the name of the machine is missing: tcp:HOST");
+        throw Error(Fault::usage, place, phrase("a port is a number from 1 to 65535"));
+    if (address.name.empty()) throw Error(Fault::usage, place, phrase("the name of the machine is missing: tcp:HOST"));
     return address;
 }
 
@@ -65,8 +66,8 @@ Address tcp_address(const std::string& host, const std::string& place) {
 Address usb_address(const std::string& choice, const std::string& place) {
     if (!is_usb_choice(choice))
         throw Error(Fault::usage, place,
-                    "a printer on USB is usb: if it is the only one, usb:VID:PID or usb:VID:PID:SERIAL (hexadecimal), or "
-                    "usb:BUS-PORT such as usb:1-2.3; see tactics devices");
+                    phrase("a printer on USB is usb: if it is the only one, usb:VID:PID or usb:VID:PID:SERIAL (hexadecimal), or "
+                           "usb:BUS-PORT such as usb:1-2.3; see tactics devices"));
     Address address;
     address.kind = Address::Kind::usb;
     address.name = choice;
@@ -84,9 +85,9 @@ Address device_address(const std::string& text, std::string_view device, const s
         address.kind = Address::Kind::serial;
         if (at != std::string::npos) take_line(address, std::string_view(text).substr(at + 1), place);
     } else {
-        throw Error(
-            Fault::usage, place,
-            address.name + " is no printer on USB (/dev/usb/lp0) and no serial line (/dev/ttyUSB0@9600); see tactics devices");
+        throw Error(Fault::usage, place,
+                    phrase("{0} is no printer on USB (/dev/usb/lp0) and no serial line (/dev/ttyUSB0@9600); see tactics devices",
+                           address.name));
     }
     return address;
 }
@@ -94,10 +95,10 @@ Address device_address(const std::string& text, std::string_view device, const s
 Address file_address(const std::string& text, const std::string& place) {
     if (const auto colon = text.find(':'); colon != std::string::npos && text.find('/') > colon)
         throw Error(Fault::usage, place,
-                    "\"" + text.substr(0, colon) +
-                        ":\" is no way to an embosser; there are queue:NAME, tcp:HOST and usb:; see tactics devices");
+                    phrase("\"{0}:\" is no way to an embosser; there are queue:NAME, tcp:HOST and usb:; see tactics devices",
+                           text.substr(0, colon)));
     if (text != "-" && text.find_first_of("./") == std::string::npos)
-        throw Error(Fault::usage, place, "say queue:" + text + " if that is a print queue, or ./" + text + " if it is a file");
+        throw Error(Fault::usage, place, phrase("say queue:{0} if that is a print queue, or ./{0} if it is a file", text));
     Address address;
     address.name = text;
     return address;
@@ -107,8 +108,9 @@ Address file_address(const std::string& text, const std::string& place) {
 
 Address parse_address(const std::string& text, const std::string& place) {
     if (text.empty() || text == "queue:" || text == "tcp:")
-        throw Error(Fault::usage, place,
-                    "say where to: queue:NAME, tcp:HOST, /dev/usb/lp0, usb:, /dev/ttyUSB0@9600, or a file; see tactics devices");
+        throw Error(
+            Fault::usage, place,
+            phrase("say where to: queue:NAME, tcp:HOST, /dev/usb/lp0, usb:, /dev/ttyUSB0@9600, or a file; see tactics devices"));
     if (text.starts_with("queue:")) return queue_address(text.substr(6), place);
     if (text.starts_with("tcp:")) return tcp_address(text.substr(4), place);
     if (text.starts_with("usb:")) return usb_address(text.substr(4), place);

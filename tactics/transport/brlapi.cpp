@@ -80,7 +80,7 @@ public:
         });
         if (opened.result < 0)
             throw Error(Fault::failed, kPlace,
-                        "no screen reader answers (" + opened.why + "); start BRLTTY, or name where it runs: brlapi:HOST:0");
+                        phrase("no screen reader answers ({0}); start BRLTTY, or name where it runs: brlapi:HOST:0", opened.why));
         const auto told = std::make_shared<std::pair<unsigned, unsigned>>();
         const Said sized = ask([size = library_.size, told] { return size(&told->first, &told->second); });
         if (sized.result < 0) fail("the size of the display is not told", sized.why);
@@ -113,7 +113,8 @@ public:
         const std::vector<unsigned char> dots(cells.begin(), cells.end());
         const Said taken = ask([write = library_.write, dots] { return write(dots.data()); });
         if (taken.result < 0)
-            throw Error(Fault::failed, kPlace, "the display took no picture: " + taken.why + "; look whether BRLTTY still runs");
+            throw Error(Fault::failed, kPlace,
+                        phrase("the display took no picture: {0}; look whether BRLTTY still runs", taken.why));
     }
 
     bool key_within(milliseconds time) override {
@@ -121,7 +122,7 @@ public:
         const int pressed = library_.read_key(static_cast<int>(time.count()), &key);
         if (pressed < 0)
             throw Error(Fault::failed, kPlace,
-                        "the screen reader is gone: " + library_.why() + "; look whether BRLTTY still runs");
+                        phrase("the screen reader is gone: {0}; look whether BRLTTY still runs", library_.why()));
         return pressed > 0;
     }
 
@@ -138,11 +139,11 @@ private:
         std::thread(std::move(task)).detach();
         if (answer.wait_for(patience_) == std::future_status::ready) return answer.get();
         silent_ = true;
-        throw Error(Fault::failed, kPlace, "the screen reader does not answer; start BRLTTY again");
+        throw Error(Fault::failed, kPlace, phrase("the screen reader does not answer; start BRLTTY again"));
     }
-    [[noreturn]] void fail(const std::string& what, const std::string& why) {
+    [[noreturn]] void fail(const Phrase& what, const std::string& why) {
         library_.close();
-        throw Error(Fault::failed, kPlace, what + (why.empty() ? "" : " (" + why + ")"));
+        throw Error(Fault::failed, kPlace, why.empty() ? what : phrase("{0} ({1})", what, why));
     }
     Library library_;
     milliseconds patience_;
@@ -163,7 +164,8 @@ std::unique_ptr<CellDisplay> open_brlapi(const std::string& host, milliseconds p
 namespace tactics {
 
 std::unique_ptr<CellDisplay> open_brlapi(const std::string&, std::chrono::milliseconds) {
-    throw Error(Fault::failed, "brlapi", "this program was built without BrlAPI; install libbrlapi-dev and build it again");
+    throw Error(Fault::failed, "brlapi",
+                phrase("this program was built without BrlAPI; install libbrlapi-dev and build it again"));
 }
 
 }  // namespace tactics

@@ -55,7 +55,7 @@ Descriptor open_device(const std::string& path) {
     Descriptor device(number);
     struct stat kind {};
     if (fstat(number, &kind) != 0 || !S_ISCHR(kind.st_mode))
-        throw Error(Fault::failed, path, "is no device; see tactics devices");
+        throw Error(Fault::failed, path, phrase("is no device; see tactics devices"));
     return device;
 }
 

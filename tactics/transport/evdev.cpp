@@ -34,17 +34,17 @@ Descriptor open_input(const std::string& path) {
     if (fault == EACCES || fault == EPERM) throw Error(Fault::failed, path, how_to_be_permitted_to_touch(path));
     if (fault == ENOENT || fault == ENODEV || fault == ENXIO)
         throw Error(Fault::failed, path,
-                    "there is no such device; plug it in, or find its name in /proc/bus/input/devices (event and a number, below "
-                    "/dev/input)");
-    throw Error(Fault::failed, path, std::string("cannot be opened: ") + std::strerror(fault));
+                    phrase("there is no such device; plug it in, or find its name in /proc/bus/input/devices (event and a "
+                           "number, below /dev/input)"));
+    throw Error(Fault::failed, path, phrase("cannot be opened: {0}", std::strerror(fault)));
 }
 
 TouchAxis axis_of(const libevdev* device, unsigned code, const std::string& path) {
     const input_absinfo* axis = libevdev_get_abs_info(device, code);
     if (axis == nullptr || axis->maximum <= axis->minimum)
         throw Error(Fault::failed, path,
-                    "its axes have no range, so its places cannot be told in mm; unplug it and plug it in again, or name another "
-                    "overlay");
+                    phrase("its axes have no range, so its places cannot be told in mm; unplug it and plug it in again, or name "
+                           "another overlay"));
     return {axis->minimum, axis->maximum, axis->resolution > 0 ? static_cast<double>(axis->resolution) : 0};
 }
 
@@ -55,19 +55,22 @@ public:
         libevdev_set_device_log_function(device_.get(), say_nothing, LIBEVDEV_LOG_ERROR, nullptr);
         if (libevdev_set_fd(device_.get(), descriptor_.number()) < 0)
             throw Error(Fault::failed, path,
-                        "is no input device; an overlay is one of /dev/input/event0, event1 ...; find its name in "
-                        "/proc/bus/input/devices");
+                        phrase("is no input device; an overlay is one of /dev/input/event0, event1 ...; find its name in "
+                               "/proc/bus/input/devices"));
         const auto has = [&](unsigned code) { return libevdev_has_event_code(device_.get(), EV_ABS, code) != 0; };
         by_slots_ = has(ABS_MT_POSITION_X) && has(ABS_MT_POSITION_Y) && libevdev_get_num_slots(device_.get()) > 0;
         if (!by_slots_ && !(has(ABS_X) && has(ABS_Y) && libevdev_has_event_code(device_.get(), EV_KEY, BTN_TOUCH) != 0))
-            throw Error(Fault::failed, path,
-                        std::string("is no touch device but \"") + libevdev_get_name(device_.get()) +
-                            "\"; name one that tells where it is touched; find it in /proc/bus/input/devices");
+            throw Error(
+                Fault::failed, path,
+                phrase(
+                    "is no touch device but \"{0}\"; name one that tells where it is touched; find it in /proc/bus/input/devices",
+                    libevdev_get_name(device_.get())));
         x_ = axis_of(device_.get(), by_slots_ ? ABS_MT_POSITION_X : ABS_X, path);
         y_ = axis_of(device_.get(), by_slots_ ? ABS_MT_POSITION_Y : ABS_Y, path);
         if (libevdev_set_clock_id(device_.get(), CLOCK_MONOTONIC) < 0)
-            throw Error(Fault::failed, path,
-                        "its events cannot be timed by CLOCK_MONOTONIC, to which a mouse is compared; use a kernel from 3.4 on");
+            throw Error(
+                Fault::failed, path,
+                phrase("its events cannot be timed by CLOCK_MONOTONIC, to which a mouse is compared; use a kernel from 3.4 on"));
         take_what_is_down();
         // Otherwise the hand on the mouse would move the pointer and click. If exclusive use is impossible, the device is shared;
         // if another program has grabbed it, only that program receives events until it lets go.

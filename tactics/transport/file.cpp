@@ -286,9 +286,9 @@ NewFiles::~NewFiles() = default;
 
 void NewFiles::add(const std::string& path, std::string_view bytes) {
     const SignalsAsErrors quiet;
-    if (path.empty()) throw Error(Fault::failed, "", "an output has no name; give one, or - for standard output");
+    if (path.empty()) throw Error(Fault::failed, "", phrase("an output has no name; give one, or - for standard output"));
     if (path.find('\0') != std::string::npos)
-        throw Error(Fault::failed, "", "the name of an output holds a zero byte; choose another");
+        throw Error(Fault::failed, "", phrase("the name of an output holds a zero byte; choose another"));
     struct stat old {};
     const bool standard = path == "-" || path == "/dev/stdout";
     const bool exists = !standard && stat(path.c_str(), &old) == 0;

@@ -72,7 +72,7 @@ public:
 
 private:
     [[noreturn]] void gone() const {
-        throw Error(Fault::failed, display_.path, "the braille display is gone; plug it in and switch it on");
+        throw Error(Fault::failed, display_.path, phrase("the braille display is gone; plug it in and switch it on"));
     }
 
     Device device_;
@@ -112,7 +112,7 @@ Device open_path(const std::string& path, const std::string& permission) {
     if (device == nullptr) {
         const bool forbidden =
             errno == EACCES || errno == EPERM || (access(path.c_str(), F_OK) == 0 && access(path.c_str(), R_OK | W_OK) != 0);
-        throw Error(Fault::failed, path, forbidden ? permission : "cannot be opened; unplug it and plug it in again");
+        throw Error(Fault::failed, path, forbidden ? permission : phrase("cannot be opened; unplug it and plug it in again"));
     }
     return device;
 }

@@ -107,13 +107,13 @@ HidDisplay hid_display(const std::string& path, const std::string& root) {
     }
     if (displays.empty() || !path.empty())
         throw Error(Fault::failed, place,
-                    "there is no braille display of the HID standard; plug it in, switch it on and choose HID in its menu; see "
-                    "tactics devices");
+                    phrase("there is no braille display of the HID standard; plug it in, switch it on and choose HID in its "
+                           "menu; see tactics devices"));
     if (displays.size() == 1) return displays.front();
     std::string all;
     for (const HidDisplay& display : displays)
         all += (all.empty() ? "" : ", ") + display.path + (display.name.empty() ? "" : " (" + display.name + ")");
-    throw Error(Fault::failed, place, "several braille displays are there: " + all + "; name one of them");
+    throw Error(Fault::failed, place, phrase("several braille displays are there: {0}; name one of them", all));
 }
 
 std::string udev_rule(std::string_view kernel_id) {

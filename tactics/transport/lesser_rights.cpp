@@ -13,8 +13,8 @@ void take_lesser_rights() {
     if (geteuid() != 0) return;
     const auto fail = [] {
         throw Error(Fault::failed, "",
-                    "this was started by root and cannot become the user lp or nobody; have CUPS run its filters as lp (User in "
-                    "cups-files.conf)");
+                    phrase("this was started by root and cannot become the user lp or nobody; have CUPS run its filters as lp "
+                           "(User in cups-files.conf)"));
     };
     const passwd* user = getpwnam("lp");
     if (user == nullptr) user = getpwnam("nobody");

@@ -67,10 +67,12 @@ std::unique_ptr<Channel> open_serial(const std::string& path, int baud, Flow flo
         known += (known.empty() ? "" : ", ") + std::to_string(number);
         if (number == baud) speed = value;
     }
-    if (speed == 0) throw Error(Fault::usage, path, "it cannot be set to " + std::to_string(baud) + " baud, but to " + known);
+    if (speed == 0)
+        throw Error(Fault::usage, path, phrase("it cannot be set to {0} baud, but to {1}", std::to_string(baud), known));
     Descriptor device = open_device(path);
     termios line{};
-    if (tcgetattr(device.number(), &line) != 0) throw Error(Fault::failed, path, "is no serial line; see tactics devices");
+    if (tcgetattr(device.number(), &line) != 0)
+        throw Error(Fault::failed, path, phrase("is no serial line; see tactics devices"));
     cfmakeraw(&line);
     line.c_cflag |= CLOCAL;
     line.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS);
@@ -81,7 +83,7 @@ std::unique_ptr<Channel> open_serial(const std::string& path, int baud, Flow flo
     // Two programs on one line would mix their bytes. Whoever may do everything is let in all the same.
     ioctl(device.number(), TIOCEXCL);
     if (tcsetattr(device.number(), TCSANOW, &line) != 0)
-        throw Error(Fault::failed, path, std::string("cannot be set up: ") + std::strerror(errno));
+        throw Error(Fault::failed, path, phrase("cannot be set up: {0}", std::strerror(errno)));
     return std::make_unique<Serial>(std::move(device));
 }
 

@@ -16,12 +16,12 @@ SharedLibrary::SharedLibrary(std::span<const std::string> names, std::string pla
         const char* fault = dlerror();
         if (why.empty() && fault != nullptr) why = fault;
     }
-    throw Error(Fault::failed, place_, advice_ + (why.empty() ? "" : " (" + why + ")"));
+    throw Error(Fault::failed, place_, why.empty() ? Phrase(advice_) : phrase("{0} ({1})", advice_, why));
 }
 
 void* SharedLibrary::symbol(const char* name) const {
     void* found = dlsym(handle_, name);
-    if (found == nullptr) throw Error(Fault::failed, place_, std::string("the library has no ") + name + "; " + advice_);
+    if (found == nullptr) throw Error(Fault::failed, place_, phrase("the library has no {0}; {1}", name, advice_));
     return found;
 }
 

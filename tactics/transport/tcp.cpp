@@ -66,7 +66,7 @@ std::unique_ptr<Channel> open_tcp(const std::string& host, const std::string& po
     addrinfo* found = nullptr;
     if (const int fault = getaddrinfo(host.c_str(), port.c_str(), &wish, &found); fault != 0)
         throw Error(Fault::failed, place,
-                    std::string("is not found in the network: ") + gai_strerror(fault) + "; look its address up on the machine");
+                    phrase("is not found in the network: {0}; look its address up on the machine", gai_strerror(fault)));
     const std::unique_ptr<addrinfo, void (*)(addrinfo*)> all(found, &freeaddrinfo);
     std::string why = "it does not answer";
     for (const addrinfo* one = all.get(); one != nullptr; one = one->ai_next) {
@@ -85,7 +85,7 @@ std::unique_ptr<Channel> open_tcp(const std::string& host, const std::string& po
         why = std::strerror(fault);
     }
     throw Error(Fault::failed, place,
-                "no connection: " + why + "; switch the machine on, and see that it takes raw bytes at this port");
+                phrase("no connection: {0}; switch the machine on, and see that it takes raw bytes at this port", why));
 }
 
 }  // namespace tactics

@@ -19,8 +19,9 @@ bool is_binary(std::string_view bytes) {
 void check_terminal(std::string_view bytes) {
     if (isatty(STDOUT_FILENO) == 1 && is_binary(bytes))
         throw Error(Fault::usage, "standard output",
-                    "this is no text, and a terminal would take it for commands; write it to a file with " + spelled("output") +
-                        " FILE, or send it into a pipe");
+                    phrase("this is no text, and a terminal would take it for commands; write it to a file with {0} FILE, or "
+                           "send it into a pipe",
+                           spelled("output")));
 }
 
 }  // namespace tactics

@@ -159,27 +159,28 @@ void refuse_if_open(const UsbPrinter& printer, const std::string& place) {
     const Descriptor device(printer.path.empty() ? -1 : open(printer.path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
     if (!printer.path.empty() && device.number() < 0 && errno == EBUSY)
         throw Error(Fault::failed, place,
-                    "is busy: another program sends to " + printer.path + "; wait until it is done, or print to its queue (" +
-                        spelled("to") + " queue:NAME)");
+                    phrase("is busy: another program sends to {0}; wait until it is done, or print to its queue ({1} queue:NAME)",
+                           printer.path, spelled("to")));
 }
 
 [[noreturn]] void fail(const std::string& place, int fault) {
     switch (fault) {
         case LIBUSB_ERROR_NO_DEVICE:
         case LIBUSB_ERROR_NOT_FOUND:
-            throw Error(Fault::failed, place, "the printer is gone; plug it in and switch it on; see tactics devices");
+            throw Error(Fault::failed, place, phrase("the printer is gone; plug it in and switch it on; see tactics devices"));
         case LIBUSB_ERROR_BUSY:
-            throw Error(Fault::failed, place,
-                        "is busy: another program has claimed it, perhaps CUPS; print to its queue instead (" + spelled("to") +
-                            " queue:NAME)");
-        case LIBUSB_ERROR_ACCESS:
-            throw Error(Fault::failed, place,
-                        "you are not permitted to use it; become a member of the group lp (sudo adduser $USER lp, then log in "
-                        "again), and install lib/udev/rules.d/70-tactics.rules of this program in /etc/udev/rules.d");
-        default:
             throw Error(
                 Fault::failed, place,
-                std::string("cannot be opened: libusb says ") + libusb_error_name(fault) + "; unplug it and plug it in again");
+                phrase("is busy: another program has claimed it, perhaps CUPS; print to its queue instead ({0} queue:NAME)",
+                       spelled("to")));
+        case LIBUSB_ERROR_ACCESS:
+            throw Error(
+                Fault::failed, place,
+                phrase("you are not permitted to use it; become a member of the group lp (sudo adduser $USER lp, then log in "
+                       "again), and install lib/udev/rules.d/70-tactics.rules of this program in /etc/udev/rules.d"));
+        default:
+            throw Error(Fault::failed, place,
+                        phrase("cannot be opened: libusb says {0}; unplug it and plug it in again", libusb_error_name(fault)));
     }
 }
 
@@ -192,7 +193,8 @@ Handle open_at(libusb_context* context, const UsbPrinter& printer, const std::st
     for (ssize_t i = 0; i < count; ++i) {
         if (libusb_get_bus_number(list[i]) != printer.bus || libusb_get_device_address(list[i]) != printer.number) continue;
         way = way_into(list[i]);
-        if (way.interface < 0) throw Error(Fault::failed, place, "has no way in for plain bytes (bulk); use its print queue");
+        if (way.interface < 0)
+            throw Error(Fault::failed, place, phrase("has no way in for plain bytes (bulk); use its print queue"));
         libusb_device_handle* handle = nullptr;
         if (const int fault = libusb_open(list[i], &handle); fault != 0) fail(place, fault);
         return Handle(handle);

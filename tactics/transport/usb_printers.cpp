@@ -91,12 +91,13 @@ UsbPrinter usb_printer(const std::string& choice, const std::string& root) {
     meant.erase(std::remove_if(meant.begin(), meant.end(), [&](const UsbPrinter& printer) { return !is_meant(printer, choice); }),
                 meant.end());
     if (meant.empty())
-        throw Error(Fault::failed, place, "there is no such printer on USB; plug it in and switch it on; see tactics devices");
+        throw Error(Fault::failed, place,
+                    phrase("there is no such printer on USB; plug it in and switch it on; see tactics devices"));
     if (meant.size() == 1) return meant.front();
     std::string all;
     for (const UsbPrinter& printer : meant)
         all += (all.empty() ? "" : ", ") + ("usb:" + printer.place) + (printer.name.empty() ? "" : " (" + printer.name + ")");
-    throw Error(Fault::failed, place, "several printers could be meant: " + all + "; name one of them");
+    throw Error(Fault::failed, place, phrase("several printers could be meant: {0}; name one of them", all));
 }
 
 }  // namespace tactics

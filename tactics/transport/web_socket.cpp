@@ -27,7 +27,7 @@ class LocalWebSocket : public WebSocket {
 public:
     LocalWebSocket(unsigned short port, std::size_t most, milliseconds time, const std::string& place) {
         if (!connect(asio::ip::address_v4::loopback(), port, time) && !connect(asio::ip::address_v6::loopback(), port, time))
-            throw Error(Fault::failed, place, "nobody listens at port " + std::to_string(port) + " of this machine");
+            throw Error(Fault::failed, place, phrase("nobody listens at port {0} of this machine", std::to_string(port)));
         beast::error_code unheeded;
         beast::get_lowest_layer(*stream_).socket().set_option(asio::ip::tcp::no_delay(true), unheeded);
         stream_->read_message_max(most);
@@ -35,8 +35,9 @@ public:
         stream_->async_handshake("localhost:" + std::to_string(port), "/", [&](beast::error_code error) { fate = error; });
         if (!finish(fate, time) || *fate)
             throw Error(Fault::failed, place,
-                        "who listens at port " + std::to_string(port) + " of this machine is no WebSocket" +
-                            (fate && *fate ? " (" + fate->message() + ")" : ""));
+                        fate && *fate ? phrase("who listens at port {0} of this machine is no WebSocket ({1})",
+                                               std::to_string(port), fate->message())
+                                      : phrase("who listens at port {0} of this machine is no WebSocket", std::to_string(port)));
     }
     ~LocalWebSocket() override {
         try {

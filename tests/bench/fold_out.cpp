@@ -144,7 +144,7 @@ void find_overlaps(Scores& scores, const std::vector<Face>& faces, double touchi
 
 Scores plain(const Model& model, std::size_t& count, const Geos& geos) {
     Scores scores;
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const PartWish whole{.simplify = false};
     std::vector<ModelPart> parts;
     std::vector<Face> faces;
@@ -176,7 +176,7 @@ Scores plain(const Model& model, std::size_t& count, const Geos& geos) {
 // All that a layout from above is made of.
 struct Flattening {
     explicit Flattening(const Model& model) {
-        std::vector<std::string> notes;
+        std::vector<Phrase> notes;
         parts = parts_of(model, {}, {}, notes);
         thing = things_of(model, parts);
         panels = panels_of(parts, thing, kFromAbove);
@@ -192,7 +192,7 @@ struct Flattening {
 
 Scores ours(const Model& model, const Geos& geos) {
     Scores scores;
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const Medium& medium = find_medium("swell", "");
     scores.ms = milliseconds([&] { fold_out(model, kWidth, kHeight, medium, {}, notes); });
     const Flattening flat(model);
@@ -248,7 +248,7 @@ void add(Scores& sum, const Scores& one) {
 // One that cannot be read is told, and left out.
 bool read(const std::string& path, Model& model) {
     try {
-        std::vector<std::string> notes;
+        std::vector<Phrase> notes;
         Source source = open_source(path);
         model = read_model(source, notes);
         return true;
@@ -285,7 +285,7 @@ void efforts(const std::vector<std::pair<std::string, Model>>& models) {
     const Medium& medium = find_medium("swell", "");
     std::vector<Flattening> all;
     for (const auto& [name, model] : models) {
-        std::vector<std::string> notes;
+        std::vector<Phrase> notes;
         Flattening& one = all.emplace_back(model);
         one.gap = least_apart(medium, medium.line, medium.line) / fold_out(model, kWidth, kHeight, medium, {}, notes).scale;
     }

@@ -61,6 +61,10 @@ inline pid_t start(const Folder& folder, std::vector<std::string> words, const s
     // What the person who runs the tests keeps is none of theirs; a test of that names its own folders with env.
     setenv("XDG_CONFIG_HOME", "/nonexistent", 1);
     setenv("XDG_CONFIG_DIRS", "/nonexistent", 1);
+    // Nor is the language of their locale.
+    unsetenv("LANGUAGE");
+    setenv("LC_MESSAGES", "C", 1);
+    unsetenv("LC_ALL");
     std::vector<char*> pointers;
     for (auto& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);

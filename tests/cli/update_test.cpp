@@ -139,7 +139,7 @@ TEST(PageChoices, NoOptionIsForgotten) {
     for (const Flag& flag : command.flags) {
         Words words{std::string(flag.name)};
         if (!flag.value.empty()) words.push_back("value");
-        const std::vector<std::string> told = differences(choices({}), choices(words));
+        const std::vector<Phrase> told = differences(choices({}), choices(words));
         EXPECT_EQ(told.empty(), !changes_pages(flag.name)) << flag.name;
         counted += told.size();
     }

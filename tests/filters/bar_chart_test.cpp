@@ -203,7 +203,7 @@ TEST(BarChart, ErrorsReachFromLeastToLargestAndSmallOnesAreTold) {
             << "an end and both sides of its cap";
     EXPECT_EQ(ends.size(), 8u);
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_NE(notes[0].text.find("1 error is smaller"), std::string::npos);
+    EXPECT_NE(notes[0].english().find("1 error is smaller"), std::string::npos);
 }
 
 TEST(BarChart, NothingIsDrawnForWhatIsNotKnownAndThatIsTold) {
@@ -213,7 +213,7 @@ TEST(BarChart, NothingIsDrawnForWhatIsNotKnownAndThatIsTold) {
         std::count_if(chart.strokes.begin(), chart.strokes.end(), [](const Stroke& stroke) { return stroke.role == Role::line; }),
         1);
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_NE(notes[0].text.find("1 value is not known"), std::string::npos);
+    EXPECT_NE(notes[0].english().find("1 value is not known"), std::string::npos);
     EXPECT_NO_THROW(draw_chart(bars_of({{0, 0}}), sheet_of("svg")));
 }
 

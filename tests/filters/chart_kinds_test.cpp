@@ -215,8 +215,8 @@ TEST(ChartKinds, AsManySymbolsAsPointsAndOneInTheKeyForEachGroup) {
     const Drawing merged = draw_chart(twice, sheet_of("svg"), {}, &notes);
     EXPECT_EQ(symbols(merged), symbols(chart));
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_NE(notes[0].text.find("20 of 40 points"), std::string::npos) << notes[0].text;
-    EXPECT_NE(notes[0].text.find("20 at its very place"), std::string::npos) << notes[0].text;
+    EXPECT_NE(notes[0].english().find("20 of 40 points"), std::string::npos) << notes[0].english();
+    EXPECT_NE(notes[0].english().find("20 at its very place"), std::string::npos) << notes[0].english();
 }
 
 TEST(ChartKinds, TheKeyShowsTheStylesOfTheCurves) {
@@ -307,7 +307,7 @@ TEST(ChartKinds, NoiseIsToldAndKeepsTheGap) {
     const Sheet sheet = sheet_of("svg");
     const Page page = lay_out(draw_chart(plot, sheet, {}, &notes), sheet);
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_NE(notes[0].text.find("faster than a finger can follow"), std::string::npos) << notes[0].text;
+    EXPECT_NE(notes[0].english().find("faster than a finger can follow"), std::string::npos) << notes[0].english();
     const Demand gap{find_rule("gap"), 3.2};
     EXPECT_TRUE(check_page(page, {&gap, 1})[0].findings.places.empty());
     // Bars that narrow have nothing between them.

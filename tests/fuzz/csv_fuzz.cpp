@@ -34,7 +34,7 @@ void read_whole(Source& source) {
 }
 
 void plot_whole(Source& source) {
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const Plot plot = plot_of(source, {}, notes);
     for (const PlotCurve& curve : plot.curves) {
         if (curve.points.size() < 2) std::abort();

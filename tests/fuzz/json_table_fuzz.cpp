@@ -29,7 +29,7 @@ void read_whole(Source& source) {
 }
 
 void plot_whole(Source& source, const TableWish& wish) {
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const Plot plot = plot_of(source, wish, notes);
     for (const PlotCurve& curve : plot.curves) {
         const auto finite = [](const PlotPoint& point) { return std::isfinite(point.x) && std::isfinite(point.y); };

@@ -30,7 +30,7 @@ int descriptor_of(const std::uint8_t* data, std::size_t size) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace tactics;
     CagedAnswer answer(descriptor_of(data, size));
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     try {
         const Mesh mesh = mesh_in(answer, "model", "PLY model", notes).mesh;
         require(!mesh.triangles.empty() && mesh.triangles.size() <= kMostMeshTriangles && mesh.parts.size() <= kMostMeshParts);

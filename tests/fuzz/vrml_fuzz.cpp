@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     vrml_format({reinterpret_cast<const char*>(data), size});
     try {
         Source source = memory_source({data, size}, "fuzz.wrl");
-        std::vector<std::string> notes;
+        std::vector<Phrase> notes;
         const Model model = read_vrml(source, notes);
         for (const Point3& vertex : model.vertices)
             if (!is_finite(vertex)) std::abort();
@@ -32,8 +32,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         }
         if (faces != model.faces.size() || faces == 0) std::abort();
         if (triangles < 100'000 && mesh_of(model, "fuzz.wrl").triangles.size() != triangles) std::abort();
-        for (const std::string& note : notes)
-            if (note.empty() || note.find('\n') != std::string::npos) std::abort();
+        for (const Phrase& note : notes)
+            if (note.empty() || note.english().find('\n') != std::string::npos) std::abort();
     } catch (const Error& error) {
         const std::string what = error.what();
         if (!what.starts_with("fuzz.wrl") || what.find('\n') != std::string::npos) std::abort();

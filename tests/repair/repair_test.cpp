@@ -130,7 +130,8 @@ TEST(Repair, OfTwoLinesAlongEachOtherTheStrongerStays) {
     EXPECT_EQ(length_of(repaired.drawing.strokes[0]), 140);
     EXPECT_EQ(count(repaired, Mend::Kind::left_out), 1u);
     EXPECT_NEAR(repaired.kept, 240.0 / 340, 1e-9);
-    EXPECT_EQ(notes_of(repaired), std::vector<std::string>{"1 line or area too close to others was left out, 100 mm."});
+    EXPECT_EQ(in_language(notes_of(repaired), "en"),
+              std::vector<std::string>{"1 line or area too close to others was left out, 100 mm."});
     // Only where it runs along: the rest of it stays.
     drawing.strokes[0].points = {{20, 21.5}, {60, 21.5}, {60, 80}};
     const Repaired part = repair(drawing, swell());

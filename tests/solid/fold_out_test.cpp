@@ -115,7 +115,7 @@ TEST(FoldOut, IsTheSameHoweverTheModelIsWritten) {
     add_box(plain, "Cupboard", -1, {0, 0, 400}, {600, 500, 800});
     add_box(plain, "Table", -1, {1500, 200, 350}, {900, 700, 700});
     const auto drawn = [](const Model& model) {
-        std::vector<std::string> notes;
+        std::vector<Phrase> notes;
         FoldOut made = fold_out(model, 170, 240, find_medium("swell", ""), {}, notes);
         return made.drawing;
     };
@@ -139,7 +139,7 @@ TEST(FoldOut, IsTheSameHoweverTheModelIsWritten) {
     expect_same(reordered);
     Model small = plain;
     for (Point3& at : small.vertices) at = 0.01 * at;
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     FoldWish wish;
     wish.reach.hand = 0.5;
     EXPECT_EQ(fold_out(small, 170, 240, find_medium("swell", ""), wish, notes).drawing.strokes.size(), first.strokes.size());
@@ -168,7 +168,7 @@ TEST(FoldOut, EveryObjectIsDrawnOrTold) {
     add_cylinder(model, "Bottle", -1, {100, 0, 840}, 40, 200);
     add_box(model, "Crumb", -1, {-300, 100, 741}, {2, 2, 2});
     add_box(model, "Box", -1, {-300, -100, 790}, {200, 120, 100});
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const FoldOut made = fold_out(model, 170, 240, find_medium("swell", ""), {}, notes);
     std::map<std::string, FoldedObject::Fate> fate;
     for (const FoldedObject& one : made.objects) fate[one.path] = one.fate;
@@ -214,7 +214,7 @@ TEST(FoldOut, ARodTowardsTheReaderHasTheScaleOfItsLength) {
     add_box(model, "Rod", -1, {0, 0, 500}, {20, 20, 1000});
     FoldWish wish;
     wish.plane = FoldPlane::above;
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const FoldOut made = fold_out(model, 170, 240, find_medium("swell", ""), wish, notes);
     EXPECT_LE(made.scale, 0.17);
     EXPECT_GE(made.scale, 0.1);
@@ -243,7 +243,7 @@ TEST(FoldOut, ObjectsAndReadersHaveTheirOwnSettings) {
     Settings settings(fold_options());
     settings.set("fold", "no", "", "");
     take_settings(wish, settings, "Left", "");
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const FoldOut made = fold_out(model, 170, 240, find_medium("swell", ""), wish, notes);
     EXPECT_EQ(made.objects[0].folded, 0);
     EXPECT_GE(made.objects[1].folded, 3);
@@ -262,11 +262,11 @@ TEST(FoldOut, BadFacesAreLeftOutAndTold) {
     add_face(model, {{0, 0, 0}, {100, 0, 0}, {100, 100, 0}, {0, 100, 0}});
     add_face(model, {{0, 0, 0}, {100, 0, 0}, {100, 100, 0}, {0, 100, 0}});
     add_face(model, {{0, 0, 0}, {50, 0, 0}, {100, 0, 0}});
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const FoldOut made = fold_out(model, 170, 240, find_medium("swell", ""), {}, notes);
     EXPECT_FALSE(made.drawing.strokes.empty());
     ASSERT_FALSE(notes.empty());
-    EXPECT_NE(notes.front().find("faces without area"), std::string::npos) << notes.front();
+    EXPECT_NE(notes.front().english().find("faces without area"), std::string::npos) << notes.front().english();
     Model none;
     add_object(none, "None");
     add_face(none, {{0, 0, 0}, {50, 0, 0}, {100, 0, 0}});

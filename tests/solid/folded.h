@@ -27,7 +27,7 @@ struct Folded {
 
 inline Folded folded(const Model& model, const ViewPlane& view = kFromAbove, bool floor = true) {
     Folded made;
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     made.parts = parts_of(model, {}, {}, notes);
     made.thing = things_of(model, made.parts);
     made.panels = panels_of(made.parts, made.thing, view);

@@ -32,7 +32,7 @@ struct Hung {
 
 Hung hung(const Model& model) {
     Hung made;
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     made.parts = parts_of(model, {}, {}, notes);
     const auto thing = things_of(model, made.parts);
     made.panels = panels_of(made.parts, thing, kFromAbove);

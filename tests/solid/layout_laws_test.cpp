@@ -133,7 +133,7 @@ TEST(LayoutLaws, VeryLongBordersAreMadeOfFewerCorners) {
         ring.push_back({500 * std::cos(angle), 500 * std::sin(angle), 0});
     }
     add_face(model, ring);
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const std::vector<ModelPart> parts = parts_of(model, {}, {}, notes);
     ASSERT_EQ(parts.size(), 1u);
     const std::vector<Point3>& made = parts.front().solid.patches.front().rings.front();
@@ -192,7 +192,7 @@ TEST(Spread, MovesTogetherWhatTouches) {
         for (int i = 0; i < 60; ++i)
             add_box(model, "Box", -1, {chance.between(0, 4000), chance.between(0, 4000), 100},
                     {chance.between(50, 500), chance.between(50, 500), 200});
-        std::vector<std::string> notes;
+        std::vector<Phrase> notes;
         const std::vector<ModelPart> parts = parts_of(model, {}, {}, notes);
         const std::vector<std::uint32_t> thing = things_of(model, parts);
         std::vector<Box> group;

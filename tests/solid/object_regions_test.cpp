@@ -18,7 +18,7 @@ namespace {
 using namespace tests;
 
 FoldOut folded(const Model& model, const FoldWish& wish = {}) {
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     return fold_out(model, 180, 250, find_medium("swell", "test"), wish, notes);
 }
 
@@ -101,7 +101,7 @@ TEST(ObjectRegions, WhatWasDoneIsSaidAndCounted) {
     Model cube;
     add_box(cube, "Cube", -1, {0, 0, 50}, {100, 100, 100});
     const FoldOut cross = folded(cube);
-    EXPECT_EQ(cross.drawing.regions.front().description.substr(0, 35), "seen from above; 4 faces folded out");
+    EXPECT_EQ(cross.drawing.regions.front().description.english().substr(0, 35), "seen from above; 4 faces folded out");
     const bool dashed = std::any_of(cross.drawing.strokes.begin(), cross.drawing.strokes.end(),
                                     [](const Stroke& stroke) { return stroke.role == Role::dash; });
     EXPECT_EQ(cross.objects.front().doubled > 0, dashed);
@@ -126,7 +126,7 @@ TEST(ObjectRegions, TheyAreReadFromTheTopButWhatLiesOnOthersLater) {
                                                        square("left", 0, 0)},
                                                       {0, 0, 5, 9, 1});
     std::string names;
-    for (const Region& region : read) names += region.name + ", ";
+    for (const Region& region : read) names += region.name.english() + ", ";
     EXPECT_EQ(names, "left, right, low, on it, gone, ");
 }
 

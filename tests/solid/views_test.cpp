@@ -20,7 +20,7 @@ namespace {
 using namespace tests;
 
 std::vector<ModelPart> parts_in(const Model& model) {
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     return parts_of(model, {}, {}, notes);
 }
 
@@ -31,7 +31,7 @@ double length_of(const SeenEdges& seen, LineClass line) {
 }
 
 FoldOut views(const Model& model, double width = 190, double height = 270, const FoldWish& wish = {}) {
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     return views_of(model, width, height, find_medium("swell", "test"), wish, notes);
 }
 
@@ -139,7 +139,7 @@ TEST(Views, EveryObjectHasItsRegionWhereItIsDrawnOrItIsTold) {
     std::set<std::string> drawn, told;
     for (const Region& region : made.drawing.regions) {
         (region.rings.empty() ? told : drawn).insert(region.path);
-        EXPECT_TRUE(region.rings.empty() || holds(region, region.at)) << region.name;
+        EXPECT_TRUE(region.rings.empty() || holds(region, region.at)) << region.name.english();
     }
     for (const FoldedObject& one : made.objects) {
         const bool is_drawn = one.fate == FoldedObject::Fate::drawn;
@@ -172,7 +172,7 @@ TEST(Views, TheSectionIsWhereItIsAskedFor) {
     const auto cut = [&](const FoldOut& made) {
         std::set<std::string> names;
         for (const Region& region : made.drawing.regions)
-            if (region.description.find("section") != std::string::npos) names.insert(region.name);
+            if (region.description.english().find("section") != std::string::npos) names.insert(region.name.english());
         return names;
     };
     EXPECT_EQ(cut(views(model, 190, 270, wish)), std::set<std::string>{"Front"});

@@ -39,9 +39,9 @@ private:
 
     [[noreturn]] void unexpected(const WorldToken& token, const std::string& wanted) const {
         if (token.kind == Kind::end)
-            lexer_.fail(token.line, "the file ends where " + wanted + " should stand; get a complete copy of it");
-        lexer_.fail(token.line, "\"" + beginning_of(to_line(token.text)) + "\" stands where " + wanted +
-                                    " should; save the model again, or take this out");
+            lexer_.fail(token.line, phrase("the file ends where {0} should stand; get a complete copy of it", wanted));
+        lexer_.fail(token.line, phrase("\"{0}\" stands where {1} should; save the model again, or take this out",
+                                       beginning_of(to_line(token.text)), wanted));
     }
     void expect(char mark) {
         const WorldToken token = lexer_.next();
@@ -151,7 +151,8 @@ private:
         if (first.is('[')) {
             while (!lexer_.peek().is(']')) {
                 const WorldToken token = lexer_.next();
-                if (token.kind == Kind::end) lexer_.fail(first.line, "\"[\" is never closed; get a complete copy of the file");
+                if (token.kind == Kind::end)
+                    lexer_.fail(first.line, phrase("\"[\" is never closed; get a complete copy of the file"));
                 element(to, token, kept);
             }
             lexer_.next();

@@ -30,9 +30,7 @@ bool may_begin_number(char c) { return (c >= '0' && c <= '9') || c == '-' || c =
 WorldLexer::WorldLexer(std::string_view bytes, bool masks, std::string file)
     : bytes_(bytes), masks_(masks), file_(std::move(file)) {}
 
-void WorldLexer::fail(int line, const std::string& why) const {
-    throw Error(Fault::failed, file_ + ":" + std::to_string(line), why);
-}
+void WorldLexer::fail(int line, const Phrase& why) const { throw Error(Fault::failed, file_ + ":" + std::to_string(line), why); }
 
 const WorldToken& WorldLexer::peek() {
     if (!peeked_) ahead_ = read();
@@ -104,7 +102,8 @@ WorldToken WorldLexer::read_text() {
             if (bytes_[at_] == '\n') ++line_;
         }
     }
-    if (at_ == bytes_.size()) fail(token.line, "a text begins with \" here and never ends; get a complete copy of the file");
+    if (at_ == bytes_.size())
+        fail(token.line, phrase("a text begins with \" here and never ends; get a complete copy of the file"));
     token.text = bytes_.substr(first, at_++ - first);
     return token;
 }

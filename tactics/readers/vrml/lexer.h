@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "tactics/text/phrase.h"
+
 namespace tactics {
 
 struct WorldToken {
@@ -29,7 +31,7 @@ public:
     const WorldToken& peek();
     WorldToken next();  ///< at the end it keeps returning the end token
 
-    [[noreturn]] void fail(int line, const std::string& why) const;
+    [[noreturn]] void fail(int line, const Phrase& why) const;
 
 private:
     WorldToken read();

@@ -36,14 +36,12 @@ std::string cut_to(std::string text, std::size_t most) {
 
 }  // namespace
 
-void ModelMaker::fail(int line, const std::string& why) const {
-    throw Error(Fault::failed, file_ + ":" + std::to_string(line), why);
-}
+void ModelMaker::fail(int line, const Phrase& why) const { throw Error(Fault::failed, file_ + ":" + std::to_string(line), why); }
 
 void ModelMaker::spend(std::size_t steps, int line) {
     steps_ += steps;
     if (steps_ > kMostSteps)
-        fail(line, "what is used again and again (USE, PROTO) grows beyond all bounds; save the model with less of it");
+        fail(line, phrase("what is used again and again (USE, PROTO) grows beyond all bounds; save the model with less of it"));
 }
 
 void ModelMaker::leave_out(const std::string& what, int line, std::size_t times) {
@@ -78,7 +76,7 @@ std::string ModelMaker::name_of(std::string_view bytes, int line) {
 
 ModelObject& ModelMaker::add_object(std::string name, int line) {
     if (model_.objects.size() >= kMostModelObjects)
-        fail(line, "the model has over " + std::to_string(kMostModelObjects) + " parts; join some, or save a part of it");
+        fail(line, phrase("the model has over {0} parts; join some, or save a part of it", std::to_string(kMostModelObjects)));
     ModelObject& object = model_.objects.emplace_back();
     object.name = std::move(name);
     object.line = line;
@@ -123,14 +121,15 @@ void ModelMaker::add_shape(const WorldShape& shape, const Placing& placing, std:
     if (shape.faces.empty()) return;
     if (model_.corners.size() + shape.corners.size() > kMostModelCorners ||
         model_.vertices.size() + shape.vertices.size() > kMostModelCorners)
-        fail(line, "the model has over " + std::to_string(kMostModelCorners) + " corners of faces; save a coarser one");
+        fail(line, phrase("the model has over {0} corners of faces; save a coarser one", std::to_string(kMostModelCorners)));
     ModelObject& object = add_object(name_of(name, line), line);
     weak_.back() = weak;
     const auto first_vertex = static_cast<std::uint32_t>(model_.vertices.size()),
                first_corner = static_cast<std::uint32_t>(model_.corners.size());
     for (const Point3& vertex : shape.vertices) {
         model_.vertices.push_back(placing(vertex));
-        if (!is_finite(model_.vertices.back())) fail(line, "a corner is too far away to be a number; save the model again");
+        if (!is_finite(model_.vertices.back()))
+            fail(line, phrase("a corner is too far away to be a number; save the model again"));
     }
     for (const std::uint32_t corner : shape.corners) model_.corners.push_back(first_vertex + corner);
     for (const ModelFace& face : shape.faces) {
@@ -149,17 +148,19 @@ void ModelMaker::add_shape(const WorldShape& shape, const Placing& placing, std:
                         placing.direction(shape.frame.c)};
 }
 
-Model ModelMaker::finish(std::vector<std::string>& notes) {
-    std::string all;
+Model ModelMaker::finish(std::vector<Phrase>& notes) {
+    Phrase all;
     for (const Left& left : left_) {
-        const std::string where = "line " + std::to_string(left.line);
-        notes.push_back("left out: " + left.what + " (" +
-                        (left.times == 1 ? where : std::to_string(left.times) + " times, first in " + where) + ")");
-        all += "; " + notes.back();
+        const Phrase where = phrase("line {0}", std::to_string(left.line));
+        notes.push_back(phrases(left.times, "left out: {1} ({2})", "left out: {1} ({0} times, first in {2})", left.what, where));
+        all = all.empty() ? notes.back() : phrase("{0}; {1}", std::move(all), notes.back());
     }
-    if (others_ > 0) notes.push_back("left out: " + std::to_string(others_) + " more of other kinds");
-    if (latin1_ > 0) notes.push_back("names that are not UTF-8 are taken as Latin-1 (line " + std::to_string(latin1_) + ")");
-    if (model_.faces.empty()) throw Error(Fault::failed, file_, "has no faces; save the model again with its surface" + all);
+    if (others_ > 0) notes.push_back(phrase("left out: {0} more of other kinds", std::to_string(others_)));
+    if (latin1_ > 0) notes.push_back(phrase("names that are not UTF-8 are taken as Latin-1 (line {0})", std::to_string(latin1_)));
+    if (model_.faces.empty())
+        throw Error(Fault::failed, file_,
+                    all.empty() ? phrase("has no faces; save the model again with its surface")
+                                : phrase("has no faces; save the model again with its surface; {0}", all));
     return std::move(model_);
 }
 

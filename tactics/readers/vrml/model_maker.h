@@ -11,6 +11,7 @@
 #include "tactics/model.h"
 #include "tactics/readers/vrml/placing.h"
 #include "tactics/readers/vrml/shape.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -39,10 +40,10 @@ public:
 
     /// Each step costs; a small file may ask for endless ones. Throws Error(failed) when they are too many.
     void spend(std::size_t steps, int line);
-    [[noreturn]] void fail(int line, const std::string& why) const;
+    [[noreturn]] void fail(int line, const Phrase& why) const;
 
     /// Throws Error(failed) if nothing was made.
-    Model finish(std::vector<std::string>& notes);
+    Model finish(std::vector<Phrase>& notes);
 
 private:
     struct Left {

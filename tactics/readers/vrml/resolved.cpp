@@ -34,8 +34,8 @@ std::optional<WorldPlace> ResolvedWorld::resolve(std::uint32_t place, const Worl
             if (proto.body.empty()) return std::nullopt;
             const int depth = at.frame == nullptr ? 1 : at.frame->depth + 1;
             if (depth > kMostWorldDepth)
-                maker_.fail(node.line, "PROTOs are made of each other over " + std::to_string(kMostWorldDepth) +
-                                           " deep; save the model without them");
+                maker_.fail(node.line, phrase("PROTOs are made of each other over {0} deep; save the model without them",
+                                              std::to_string(kMostWorldDepth)));
             at.frame = &frames_.emplace_back(WorldFrame{&proto, &node, at.frame, depth});
             at.node = &world_.nodes[proto.body[0]];
             if (at.name.empty()) at.name = at.node->name.empty() ? std::string_view(proto.name) : at.node->name;
@@ -73,16 +73,16 @@ std::span<const double> ResolvedWorld::numbers(const WorldPlace& at, std::string
     const Found found = find(at, field);
     if (found.value == nullptr) return {};
     if (!found.value->words.empty())
-        maker_.fail(found.value->line, '"' + beginning_of(to_line(found.value->words[0])) + "\" is no number, and " +
-                                           std::string(field) + " takes numbers; save the model again");
+        maker_.fail(found.value->line, phrase("\"{0}\" is no number, and {1} takes numbers; save the model again",
+                                              beginning_of(to_line(found.value->words[0])), field));
     return found.value->numbers;
 }
 
 std::span<const double> ResolvedWorld::several(const WorldPlace& at, std::string_view field, std::size_t count) const {
     const std::span<const double> all = numbers(at, field);
     if (!all.empty() && all.size() < count)
-        maker_.fail(find(at, field).value->line, std::string(field) + " takes " + std::to_string(count) + " numbers and has " +
-                                                     std::to_string(all.size()) + "; save the model again");
+        maker_.fail(find(at, field).value->line, phrase("{0} takes {1} numbers and has {2}; save the model again", field,
+                                                        std::to_string(count), std::to_string(all.size())));
     return all;
 }
 

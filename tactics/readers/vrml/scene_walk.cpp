@@ -86,8 +86,8 @@ private:
         if (!at) return;
         const int line = at->node->line;
         if (depth > kMostWorldDepth)
-            maker_.fail(line, "groups are nested over " + std::to_string(kMostWorldDepth) +
-                                  " deep; save the model with fewer groups in groups");
+            maker_.fail(line, phrase("groups are nested over {0} deep; save the model with fewer groups in groups",
+                                     std::to_string(kMostWorldDepth)));
         const Part part = part_of(at->node->type);
         if (at->node->type == "WorldInfo") maker_.set_title(world_.text(*at, "title"), line);
         if (part == Part::nothing) return;

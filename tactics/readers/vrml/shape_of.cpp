@@ -132,9 +132,9 @@ std::optional<WorldShape> elevation(ResolvedWorld& world, const WorldPlace& at, 
     fields.along_step = world.number(at, "zSpacing", 1);
     fields.heights = world.numbers(at, "height");
     if (fields.across * fields.along != fields.heights.size())
-        maker.fail(at.node->line, "ElevationGrid has " + std::to_string(fields.heights.size()) + " heights for " +
-                                      std::to_string(fields.across) + " x " + std::to_string(fields.along) +
-                                      " places; save the model again");
+        maker.fail(at.node->line,
+                   phrase("ElevationGrid has {0} heights for {1} x {2} places; save the model again",
+                          std::to_string(fields.heights.size()), std::to_string(fields.across), std::to_string(fields.along)));
     maker.spend(10 * fields.heights.size(), at.node->line);
     WorldShape shape = make_elevation(fields);
     set_sides(world, at, shape);
@@ -158,7 +158,8 @@ std::optional<WorldShape> extrusion(ResolvedWorld& world, const WorldPlace& at, 
     fields.end_cap = world.flag(at, "endCap", true);
     const std::size_t quads = fields.section.size() / 2 * (fields.spine.size() / 3);
     if (quads > kMostModelCorners / 4)
-        maker.fail(at.node->line, "Extrusion has over " + std::to_string(kMostModelCorners / 4) + " faces; save a coarser model");
+        maker.fail(at.node->line,
+                   phrase("Extrusion has over {0} faces; save a coarser model", std::to_string(kMostModelCorners / 4)));
     maker.spend(10 * quads, at.node->line);
     WorldShape shape = make_extrusion(fields);
     set_sides(world, at, shape);

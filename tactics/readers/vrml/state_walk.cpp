@@ -167,7 +167,7 @@ private:
         const double count = static_cast<double>(points(at).size() / 3);
         std::vector<double> indices;
         double next = world_.number(at, "startIndex", 0);
-        if (!(next >= 0)) maker_.fail(at.node->line, "startIndex is below 0; save the model again");
+        if (!(next >= 0)) maker_.fail(at.node->line, phrase("startIndex is below 0; save the model again"));
         for (double corners : world_.numbers(at, "numVertices")) {
             if (corners < 0) corners = count - next;
             for (; corners >= 1 && next < count; --corners) indices.push_back(next++);
@@ -267,8 +267,8 @@ void StateWalk::visit(std::uint32_t node, const WorldFrame* frame, int depth) {
     const auto at = world_.resolve(node, frame);
     if (!at) return;
     if (depth > kMostWorldDepth)
-        maker_.fail(at->node->line, "groups are nested over " + std::to_string(kMostWorldDepth) +
-                                        " deep; save the model with fewer groups in groups");
+        maker_.fail(at->node->line, phrase("groups are nested over {0} deep; save the model with fewer groups in groups",
+                                           std::to_string(kMostWorldDepth)));
     (this->*visit_of(at->node->type))(*at, depth);
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kHead = 4096;
 
 std::string bytes_of(Source& source) {
-    if (source.file == nullptr) throw Error(Fault::failed, source.name, "is empty; get a complete copy of it");
+    if (source.file == nullptr) throw Error(Fault::failed, source.name, phrase("is empty; get a complete copy of it"));
     std::string bytes;
     std::rewind(source.file.get());
     for (std::size_t step = 1u << 16; bytes.size() <= kMostWorldBytes; step = std::min<std::size_t>(2 * step, 16u << 20)) {
@@ -31,7 +31,7 @@ std::string bytes_of(Source& source) {
     if (is_gzip(bytes)) bytes = gunzip(bytes, kMostWorldBytes + 1, source.name);
     if (bytes.size() > kMostWorldBytes)
         throw Error(Fault::failed, source.name,
-                    "has over " + std::to_string(kMostWorldBytes >> 20) + " MB of text; save a coarser model");
+                    phrase("has over {0} MB of text; save a coarser model", std::to_string(kMostWorldBytes >> 20)));
     return bytes;
 }
 
@@ -64,7 +64,7 @@ std::string_view vrml_format(std::string_view head) {
     return is_gzip(head) ? plain_format(gunzip_beginning(head, kHead)) : plain_format(head);
 }
 
-Model read_vrml(Source& source, std::vector<std::string>& notes) {
+Model read_vrml(Source& source, std::vector<Phrase>& notes) {
     const std::string bytes = bytes_of(source);
     const bool classic = bytes.find('#') < bytes.find('<');  // of which one is the first letter
     const World world = classic ? read_classic_world(bytes, source.name) : read_xml_world(bytes, source.name);

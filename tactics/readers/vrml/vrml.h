@@ -8,6 +8,7 @@
 
 #include "tactics/model.h"
 #include "tactics/readers/read.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -19,6 +20,6 @@ std::string_view vrml_format(std::string_view head);
 /// child. Scripts, lights, appearance and movements are ignored; `notes` list omitted things that matter: lines and texts, other
 /// files (never opened), unknown nodes, broken faces. Throws Error(failed) at FILE:LINE for invalid format, a truncated file, a
 /// passed limit (vrml/world.h, vrml/model_maker.cpp), or no faces.
-Model read_vrml(Source& source, std::vector<std::string>& notes);
+Model read_vrml(Source& source, std::vector<Phrase>& notes);
 
 }  // namespace tactics

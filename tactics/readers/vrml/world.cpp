@@ -31,20 +31,20 @@ bool is_for_eyes(std::string_view type, std::string_view field) {
            std::find(kFields.begin(), kFields.end(), field) != kFields.end();
 }
 
-void WorldBuilder::fail(int line, const std::string& why) const {
+void WorldBuilder::fail(int line, const Phrase& why) const {
     throw Error(Fault::failed, world_.file + ":" + std::to_string(line), why);
 }
 
 void WorldBuilder::count(int line) {
     if (++world_.items > kMostWorldItems)
-        fail(line, "the file has over " + millions(kMostWorldItems) + " nodes, fields and texts; save a simpler model");
+        fail(line, phrase("the file has over {0} nodes, fields and texts; save a simpler model", millions(kMostWorldItems)));
 }
 
 std::uint32_t WorldBuilder::begin(std::string_view type, std::string_view name, int line) {
     count(line);
     if (open_.size() >= static_cast<std::size_t>(kMostWorldDepth))
-        fail(line,
-             "nodes are nested over " + std::to_string(kMostWorldDepth) + " deep; save the model with fewer groups in groups");
+        fail(line, phrase("nodes are nested over {0} deep; save the model with fewer groups in groups",
+                          std::to_string(kMostWorldDepth)));
     const auto place = static_cast<std::uint32_t>(world_.nodes.size());
     WorldNode& made = world_.nodes.emplace_back();
     made.type = type;
@@ -76,7 +76,7 @@ std::uint32_t WorldBuilder::use(std::string_view name, int line) {
 
 void WorldBuilder::add_number(WorldValue& value, double number) {
     if (++world_.numbers > kMostWorldNumbers)
-        fail(value.line, "the file has over " + millions(kMostWorldNumbers) + " numbers; save a coarser model");
+        fail(value.line, phrase("the file has over {0} numbers; save a coarser model", millions(kMostWorldNumbers)));
     value.numbers.push_back(number);
 }
 
@@ -95,7 +95,7 @@ WorldField WorldBuilder::field(std::string name, int line) {
 std::uint32_t WorldBuilder::begin_proto(std::string_view name, int line) {
     count(line);
     if (scopes_.size() > static_cast<std::size_t>(kMostWorldDepth))
-        fail(line, "PROTOs are nested over " + std::to_string(kMostWorldDepth) + " deep; save the model without them");
+        fail(line, phrase("PROTOs are nested over {0} deep; save the model without them", std::to_string(kMostWorldDepth)));
     world_.protos.push_back({std::string(name), line, false, {}, {}});
     scopes_.emplace_back();
     return static_cast<std::uint32_t>(world_.protos.size() - 1);

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tactics/text/phrase.h"
+
 namespace tactics {
 
 // Limits of a file. Each node, each field and each word of text is an item.
@@ -90,7 +92,7 @@ public:
     std::uint32_t begin_proto(std::string_view name, int line);
     void end_proto(std::uint32_t place);
 
-    [[noreturn]] void fail(int line, const std::string& why) const;
+    [[noreturn]] void fail(int line, const Phrase& why) const;
 
 private:
     struct Scope {

@@ -46,12 +46,12 @@ private:
     void unit(const Element& element) {
         if (element.name != "unit") return;
         const auto factor = parse_number(element.attribute("conversionFactor"));
-        if (!factor || !(*factor > 0)) fail(element, "a unit has no conversionFactor over 0; say how many metres it is");
+        if (!factor || !(*factor > 0)) fail(element, phrase("a unit has no conversionFactor over 0; say how many metres it is"));
         if (element.attribute("category") == "length") world_.metre = *factor;
         if (element.attribute("category") == "angle") world_.radian = *factor;
     }
 
-    [[noreturn]] void fail(const Element& element, const std::string& why) const {
+    [[noreturn]] void fail(const Element& element, const Phrase& why) const {
         builder_.fail(static_cast<int>(element.line), why);
     }
 
@@ -188,7 +188,7 @@ private:
 
 World read_xml_world(std::string_view bytes, const std::string& file) {
     const Element root = parse_xml(bytes, file);
-    if (root.name != "X3D") throw Error(Fault::failed, file, "is XML, and no X3D; save the model as X3D or VRML97");
+    if (root.name != "X3D") throw Error(Fault::failed, file, phrase("is XML, and no X3D; save the model as X3D or VRML97"));
     World world;
     world.file = file;
     XmlReader(world).read(root);

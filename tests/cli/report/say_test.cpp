@@ -27,11 +27,11 @@ TEST(Say, NothingOfANameSteersATerminal) {
 }
 
 TEST(Report, ProgressTellsWhatIsLeft) {
-    EXPECT_EQ(progress_line(0, 200, 3), "0 of 200 done");
-    EXPECT_EQ(progress_line(50, 200, 13.3), "50 of 200 done, about 40 s left");
-    EXPECT_EQ(progress_line(199, 200, 4), "199 of 200 done, about 1 s left");
-    EXPECT_EQ(progress_line(10, 200, 60), "10 of 200 done, about 19 minutes left");
-    EXPECT_EQ(progress_line(200, 200, 60), "200 of 200 done");
+    EXPECT_EQ(progress_line(0, 200, 3).english(), "0 of 200 done");
+    EXPECT_EQ(progress_line(50, 200, 13.3).english(), "50 of 200 done, about 40 s left");
+    EXPECT_EQ(progress_line(199, 200, 4).english(), "199 of 200 done, about 1 s left");
+    EXPECT_EQ(progress_line(10, 200, 60).english(), "10 of 200 done, about 19 minutes left");
+    EXPECT_EQ(progress_line(200, 200, 60).english(), "200 of 200 done");
 }
 
 }  // namespace

@@ -74,8 +74,8 @@ TEST(Description, AThingAloneIsToldByItsPlaceOnThePage) {
         page.strokes.push_back(circle(ninth(page, i), 20));
         const Description description = describe(page);
         ASSERT_EQ(description.things.size(), 1u);
-        EXPECT_EQ(description.things[0].what, "A circle, 4 cm across");
-        EXPECT_EQ(description.things[0].place, "in the " + kPlaces[i]);
+        EXPECT_EQ(description.things[0].what.english(), "A circle, 4 cm across");
+        EXPECT_EQ(description.things[0].place.english(), "in the " + kPlaces[i]);
     }
 }
 
@@ -88,11 +88,12 @@ TEST(Description, EveryMainThingIsToldOnceFromTopToBottom) {
     ASSERT_EQ(description.things.size(), 7u);
     std::vector<std::size_t> left{0, 1, 2, 4, 6, 7, 8};
     for (std::size_t i = 0; i < 7; ++i) {
-        EXPECT_EQ(description.things[i].place, "in the " + kPlaces[left[i]]);
+        EXPECT_EQ(description.things[i].place.english(), "in the " + kPlaces[left[i]]);
         EXPECT_EQ(order[description.things[i].index], left[i]);
     }
-    EXPECT_TRUE(has(description.rest, "There are 2 more lines, ")) << description.rest;
-    EXPECT_TRUE(has(description.rest, "most of them in the middle left and the middle right.")) << description.rest;
+    EXPECT_TRUE(has(description.rest.english(), "There are 2 more lines, ")) << description.rest.english();
+    EXPECT_TRUE(has(description.rest.english(), "most of them in the middle left and the middle right."))
+        << description.rest.english();
 }
 
 TEST(Description, TheLongestAreTheMainOnesAndTheSumIsRight) {
@@ -112,7 +113,8 @@ TEST(Description, TheLongestAreTheMainOnesAndTheSumIsRight) {
     for (const Thing& thing : description.things) told.insert(thing.index);
     EXPECT_EQ(told, naive);
     const double sum = std::accumulate(lengths.begin(), lengths.end(), 0.0);
-    EXPECT_TRUE(has(all_of(description), "On it: 100000 lines, " + spoken_length(sum) + " together.")) << all_of(description);
+    EXPECT_TRUE(has(all_of(description), "On it: 100000 lines, " + spoken_length(sum).english() + " together."))
+        << all_of(description);
     EXPECT_EQ(all_of(description), all_of(describe(page)));
 }
 
@@ -132,7 +134,8 @@ TEST(Description, RelationsAreTold) {
     std::vector<std::string> what(6);
     for (std::size_t i = 0; i < description.things.size(); ++i) {
         const Thing& thing = description.things[i];
-        what[thing.area ? 5 : thing.index] = std::to_string(i + 1) + ". " + thing.what + "; " + thing.relations;
+        what[thing.area ? 5 : thing.index] =
+            std::to_string(i + 1) + ". " + thing.what.english() + "; " + thing.relations.english();
     }
     const auto number = [&](std::size_t i) { return what[i].substr(0, 1); };
     EXPECT_TRUE(has(what[1], "A circle, 1.5 cm across; It lies inside number " + number(0))) << what[1];
@@ -173,10 +176,11 @@ TEST(Description, TurningThePageTurnsThePlaces) {
     for (const Thing& thing : before.things)
         for (const Thing& other : after.things) {
             if (thing.area != other.area || thing.index != other.index) continue;
-            const std::string place = thing.place.substr(std::min(thing.place.size(), std::string("in the ").size()));
+            const std::string words = thing.place.english();
+            const std::string place = words.substr(std::min(words.size(), std::string("in the ").size()));
             const auto at = std::find(kPlaces.begin(), kPlaces.end(), place);
             if (at == kPlaces.end()) continue;
-            EXPECT_EQ(other.place, "in the " + kPlaces[8 - static_cast<std::size_t>(at - kPlaces.begin())]);
+            EXPECT_EQ(other.place.english(), "in the " + kPlaces[8 - static_cast<std::size_t>(at - kPlaces.begin())]);
             ++in_ninths;
         }
     EXPECT_GE(in_ninths, 3);
@@ -221,6 +225,35 @@ TEST(Description, APersonsWordsWin) {
     const Page own = lay_out(rendered::hard_drawing(), sheet);
     EXPECT_TRUE(alternative_text(own, describe(own)).starts_with("Page: A4 "));
     EXPECT_EQ(alternative_language(own), "en");
+}
+
+// Whole sentences with their plurals and marks; not a word of English is left.
+TEST(Description, IsInTheLanguageOfThePage) {
+    Page page = composed();
+    page.title = "Haus";
+    page.print.push_back({{20, 270}, 5, "Tor"});
+    page.textured.push_back({{ring({60, 250}, 15, 60)}, Role::line, 1});
+    page.language = "de-AT";
+    const std::string german = all_of(describe(page));
+    EXPECT_TRUE(has(german, "Titel: Haus.\nBlatt: A4 Hochformat, 21 cm breit und 29,7 cm hoch.\n")) << german;
+    EXPECT_TRUE(has(german, "Darauf: 5 Linien (zusammen ")) << german;
+    EXPECT_TRUE(has(german, "1 Fl\u00e4che mit der Textur \u201egrobe Punkte\u201c.\n")) << german;
+    EXPECT_TRUE(has(german, "\u201eTor\u201c unten links")) << german;
+    EXPECT_TRUE(has(german, "Kreis, ausgef\u00fcllt, mit 1 Loch, 2,5 cm Durchmesser, ")) << german;
+    EXPECT_TRUE(has(german, "Gerade, nach rechts ansteigende Linie, dick, 4,5 cm lang, ")) << german;
+    EXPECT_TRUE(has(german, "Liegt innerhalb von Nummer ")) << german;
+    page.language = "fr";
+    const std::string french = all_of(describe(page));
+    EXPECT_TRUE(has(french, "Page\u00a0: A4 portrait, 21 cm de large et 29,7 cm de haut.\n")) << french;
+    EXPECT_TRUE(has(french, "\u00ab\u00a0Tor\u00a0\u00bb en bas \u00e0 gauche")) << french;
+    EXPECT_TRUE(has(french, "Cercle, surface pleine, avec 1 trou, 2,5 cm de diam\u00e8tre, ")) << french;
+    page.language = "pl";
+    EXPECT_TRUE(has(all_of(describe(page)), "Page: A4 portrait, 21 cm wide and 29.7 cm high.\n"));
+    EXPECT_EQ(alternative_language(page), "en") << "there are no Polish words";
+    for (const char* word : {" the ", " and ", " wide", " high", "number", "Page:", "filled", "across"}) {
+        EXPECT_FALSE(has(german, word)) << word << "\n" << german;
+        EXPECT_FALSE(has(french, word)) << word << "\n" << french;
+    }
 }
 
 }  // namespace

@@ -47,9 +47,9 @@ TEST(DashedLine, IsToldAsOne) {
     const Description description = describe(page_with_dashes());
     ASSERT_EQ(description.things.size(), 4u);
     EXPECT_EQ(std::count_if(description.things.begin(), description.things.end(),
-                            [](const Thing& thing) { return thing.what.starts_with("A dashed straight "); }),
+                            [](const Thing& thing) { return thing.what.english().starts_with("A dashed straight "); }),
               2);
-    EXPECT_EQ(description.amounts[0].substr(0, 14), "On it: 4 lines");
+    EXPECT_EQ(description.amounts[0].english().substr(0, 14), "On it: 4 lines");
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ TEST_F(FigurePictures, WhatIsNoPictureOrATinyOneIsTold) {
         const Outcome outcome = make_pages({{(folder / "e.svg").string(), {output_to((folder / "e.pdf").string())}}, {}});
         EXPECT_EQ(outcome.error, "");
         EXPECT_TRUE(std::any_of(outcome.notes.begin(), outcome.notes.end(), [](const Note& note) {
-            return note.text.find("1 picture is left out") != std::string::npos;
+            return note.english().find("1 picture is left out") != std::string::npos;
         })) << more;
     }
 }

@@ -32,7 +32,7 @@ std::string advice(const Sheet& sheet, bool finer) {
     Mended mended = mend_for(*sheet.medium, place_on(sheet, hatched().width / hatched().height).drawing.width, hatched(), false);
     EXPECT_LT(mended.told.kept, kLegible);
     advise(sheet, mended, finer);
-    return mended.told.advice;
+    return mended.told.advice.english();
 }
 
 TEST(Advice, OfADrawingThatIsScaledIsWhatMendingItThereKeeps) {

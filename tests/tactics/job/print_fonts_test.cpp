@@ -39,7 +39,7 @@ Image picture_of(const std::vector<Label>& labels, const std::vector<PageStroke>
 std::vector<std::string> words_in(const Image& image, const std::string& program = "tesseract") {
     const Lettering lettering = read_lettering(image, "en", kSureEnough, each_print_font, program);
     std::vector<std::string> words;
-    if (!lettering.trouble.empty()) words.push_back("trouble: " + lettering.trouble);
+    if (!lettering.trouble.empty()) words.push_back("trouble: " + lettering.trouble.english());
     for (const PrintedWords& one : lettering.words) words.push_back(one.sure ? one.text : "(" + one.text + ")");
     std::sort(words.begin(), words.end());
     return words;
@@ -57,7 +57,7 @@ protected:
         });
         if (!any) GTEST_SKIP() << "no font is installed";
         const Lettering asked = read_lettering(picture_of({{20, 20, 5, "Water"}}), "en", kSureEnough);
-        if (!asked.trouble.empty()) GTEST_SKIP() << asked.trouble;
+        if (!asked.trouble.empty()) GTEST_SKIP() << asked.trouble.english();
     }
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 struct BarReading {
     Plot plot;
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
 };
 
 BarReading bars(std::string_view text, TableWish wish = {}) {
@@ -99,7 +99,7 @@ TEST(TableBars, APieIsSharesAndSaysWhyItIsBars) {
     EXPECT_EQ(told(read.plot), ": a 25 b 75");
     EXPECT_EQ(read.plot.y.name, "percent");
     ASSERT_EQ(read.notes.size(), 1u);
-    EXPECT_NE(read.notes[0].find("lengths and not angles"), std::string::npos);
+    EXPECT_NE(read.notes[0].english().find("lengths and not angles"), std::string::npos);
     EXPECT_NE(why_not("n,v\na,1\nb,-3\n", wish).find("less than 0"), std::string::npos);
     EXPECT_NE(why_not("n,v\na,0\n", wish).find("add up to 0"), std::string::npos);
 }
@@ -137,7 +137,7 @@ TEST(TableBars, SeveralColumnsAreSeveralCurves) {
     wish.other_y = {"b"};
     const std::string table = "t,a (mm),b (mm)\n1,2,3\n2,,5\n3,4,6\n";
     Source source = memory_source({reinterpret_cast<const unsigned char*>(table.data()), table.size()}, "t");
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const Plot plot = plot_of(source, wish, notes);
     ASSERT_EQ(plot.curves.size(), 2u);
     EXPECT_EQ(plot.curves[0].name, "a (mm)");

@@ -19,7 +19,7 @@ namespace {
 
 struct Read {
     Plot plot;
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
 };
 
 Read read(std::string_view text, const TableWish& wish = {}) {
@@ -68,8 +68,8 @@ TEST(Table, GapsAreGapsAndPointsBetweenThemAreRings) {
     const Read gaps = read("x,y\n0,1\n1,2\n2,\n3,NaN\n4,5\n5,na\n6,7\n7,8\n,9\n8,9\n");
     EXPECT_EQ(told(gaps.plot), "y against x|x|y|\ncurve  (0 1) (1 2) gap (4 5) gap (6 7) (7 8) (8 9)\nmark  4 5 0");
     ASSERT_EQ(gaps.notes.size(), 2u);
-    EXPECT_EQ(gaps.notes[0], "1 row has no number for the chart and is left out");
-    EXPECT_EQ(gaps.notes[1], "3 rows have no number in y; the curve has a gap there");
+    EXPECT_EQ(gaps.notes[0].english(), "1 row has no number for the chart and is left out");
+    EXPECT_EQ(gaps.notes[1].english(), "3 rows have no number in y; the curve has a gap there");
     EXPECT_EQ(shown("x,y,g\n0,1,a\n0,2,b\n1,,a\n1,3,b\n2,4,a\n3,5,a\n", {.group = "g"}),
               "y against x|x|y|\ncurve a (0 1) gap (2 4) (3 5)\ncurve b (0 2) (1 3)\nmark  0 1 0");
     EXPECT_EQ(shown("x y\n0 1\n1 2\n\n2 3\n3 4\n"), "y against x|x|y|\ncurve  (0 1) (1 2) gap (2 3) (3 4)")
@@ -82,7 +82,7 @@ TEST(Table, GapsAreGapsAndPointsBetweenThemAreRings) {
 TEST(Table, ColumnsThatAreNotShownAreTold) {
     const auto left_out = [](std::string_view text, const TableWish& wish = {}) {
         std::string all;
-        for (const std::string& note : read(text, wish).notes)
+        for (const std::string& note : in_language(read(text, wish).notes, "en"))
             if (note.find(" is shown, and not ") != std::string::npos) all += note.substr(0, note.find(';'));
         return all;
     };
@@ -212,7 +212,7 @@ TEST(Table, PointsOfAGridAreASurfaceInAnyOrder) {
                 else
                     EXPECT_EQ(found.at(column, row), 10 * y + x);
             }
-        EXPECT_EQ(surface.notes.back(), "nothing is known of 1 of the 35 places of the surface");
+        EXPECT_EQ(surface.notes.back().english(), "nothing is known of 1 of the 35 places of the surface");
     }
     EXPECT_TRUE(read("x,y,h\n0,0,1\n1,0,2\n0,1,3\n1,1,4\n0,0,5\n", {.z = "h"}).plot.spatial) << "a place twice";
 }

@@ -103,14 +103,14 @@ TEST(ScaleBar, IsNotTakenForBraille) {
 }
 
 TEST(ScaleBar, WordsAreShort) {
-    EXPECT_EQ(real_length(1000), "1 m");
-    EXPECT_EQ(real_length(999.9999999), "1 m");
-    EXPECT_EQ(real_length(250), "25 cm");
-    EXPECT_EQ(real_length(2), "2 mm");
-    EXPECT_EQ(real_length(0.05), "0.05 mm");
-    EXPECT_EQ(real_length(2.5e6), "2.5 km");
-    EXPECT_EQ(real_length(123456), "123 m");
-    EXPECT_EQ(real_length(5e9), "5000 km");
+    EXPECT_EQ(real_length(1000).english(), "1 m");
+    EXPECT_EQ(real_length(999.9999999).english(), "1 m");
+    EXPECT_EQ(real_length(250).english(), "25 cm");
+    EXPECT_EQ(real_length(2).english(), "2 mm");
+    EXPECT_EQ(real_length(0.05).english(), "0.05 mm");
+    EXPECT_EQ(real_length(2.5e6).english(), "2.5 km");
+    EXPECT_EQ(real_length(123456).english(), "123 m");
+    EXPECT_EQ(real_length(5e9).english(), "5000 km");
 }
 
 // No rule that a page must keep is broken by it, and it stands clear of the drawing.

@@ -166,7 +166,7 @@ TEST(TextPages, AHeadingNeverEndsAPage) {
 TEST(TextPages, LettersWithoutCellsAreToldAndNothingElseIsLost) {
     const TextPages made = text_pages({{Kind::paragraph, "one \U0001F600 two x\U0001F600y"}}, sheet());
     ASSERT_EQ(made.unknown, std::vector<std::string>{"\U0001F600"});
-    EXPECT_NE(note_of_unknown(made.unknown).find("\U0001F600"), std::string::npos);
+    EXPECT_NE(note_of_unknown(made.unknown).english().find("\U0001F600"), std::string::npos);
     const Cells all = read(made.pages);
     const auto holds = [&](const Cells& part) {
         return std::search(all.begin(), all.end(), part.begin(), part.end()) != all.end();
@@ -204,7 +204,7 @@ TEST(TextPages, RememberAHundredUnknownLettersOfMany) {
     }
     const TextPages made = text_pages({{Kind::paragraph, text}}, sheet());
     EXPECT_EQ(made.unknown.size(), 100u);
-    EXPECT_NE(note_of_unknown(made.unknown).find("or more others"), std::string::npos);
+    EXPECT_NE(note_of_unknown(made.unknown).english().find("or more others"), std::string::npos);
     const Cells all = read(made.pages);
     EXPECT_EQ(std::count(all.begin(), all.end(), 0x3F), 3000);
 }

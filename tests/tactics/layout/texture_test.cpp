@@ -61,20 +61,20 @@ std::vector<std::string> broken(const Page& page, const Medium& on, bool only_ha
 TEST(Texture, TheListIsWhatItSays) {
     std::vector<std::string_view> names;
     for (const Texture& texture : textures()) {
-        names.push_back(texture.name);
-        EXPECT_LT(share_black(static_cast<int>(names.size())), 0.26) << texture.name;
+        names.push_back(texture.name.text);
+        EXPECT_LT(share_black(static_cast<int>(names.size())), 0.26) << texture.name.text;
         // More than a fingertip tells, less than parts two things, but for dots that are meant to be felt one by one.
-        EXPECT_GT(texture.between_rows, 1.0) << texture.name;
+        EXPECT_GT(texture.between_rows, 1.0) << texture.name.text;
         const std::size_t width = texture.tile.find('/');
         for (std::size_t row = 0; width != std::string_view::npos && row + width <= texture.tile.size(); row += width + 1)
-            EXPECT_TRUE(row + width == texture.tile.size() || texture.tile[row + width] == '/') << texture.name;
+            EXPECT_TRUE(row + width == texture.tile.size() || texture.tile[row + width] == '/') << texture.name.text;
         EXPECT_EQ(texture.tile.find_first_not_of("#./"), std::string_view::npos);
     }
     EXPECT_EQ(names,
               (std::vector<std::string_view>{"coarse dots", "level lines", "upright lines", "slanting dashes", "fine dots"}));
-    EXPECT_EQ(name_of_texture(2), "level lines");
-    EXPECT_EQ(name_of_texture(0), "a texture");
-    EXPECT_EQ(name_of_texture(9), "a texture");
+    EXPECT_EQ(name_of_texture(2).english(), "level lines");
+    EXPECT_EQ(name_of_texture(0).english(), "a texture");
+    EXPECT_EQ(name_of_texture(9).english(), "a texture");
 }
 
 TEST(Texture, BlankDiffersMostAndNoneFromItself) {

@@ -193,7 +193,7 @@ TEST(Lettering, NothingIsAskedWhereThereIsNone) {
     for (int y = 20; y < 80; ++y) image.row(y)[50] = 0;
     const Lettering lettering = read_lettering(image, "en", kSureEnough, {}, "no-such-program");
     EXPECT_FALSE(lettering.found_any);
-    EXPECT_EQ(lettering.trouble, "");
+    EXPECT_EQ(lettering.trouble.english(), "");
 }
 
 TEST(Lettering, OfHostilePicturesIsBounded) {
@@ -224,7 +224,7 @@ TEST(Lettering, IsReadByTesseract) {
     const std::string bytes = png.encode(page, settings);
     Source source = memory_source({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "page.png");
     const Lettering lettering = read_lettering(read_picture(source, {kLookForWords, false}), "en", kSureEnough);
-    if (!lettering.trouble.empty()) GTEST_SKIP() << lettering.trouble;
+    if (!lettering.trouble.empty()) GTEST_SKIP() << lettering.trouble.english();
     std::vector<std::string> texts;
     for (const PrintedWords& words : lettering.words)
         if (words.sure) texts.push_back(words.text);

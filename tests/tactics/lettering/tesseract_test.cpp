@@ -62,15 +62,16 @@ protected:
 };
 
 TEST_F(StandIn, WhatCannotBeReadIsToldWithItsMending) {
-    EXPECT_EQ(read("[ \"$1\" = --list-langs ] && echo deu && exit; exit 1").trouble,
+    EXPECT_EQ(read("[ \"$1\" = --list-langs ] && echo deu && exit; exit 1").trouble.english(),
               "tesseract has no data to read \"eng\"; install tesseract-ocr-eng");
-    EXPECT_EQ(read("[ \"$1\" = --list-langs ] && echo eng && exit; exit 1").trouble,
-              "tesseract failed; read it with --words leave");
-    EXPECT_EQ(read("kill -SEGV $$").trouble.substr(0, 9), "tesseract");
-    EXPECT_EQ(read("", "tlh").trouble, "what tesseract calls the language \"tlh\" is not known; name another with --language");
-    EXPECT_EQ(read_strips({make_image(40, 20, 1, 0, 255)}, "de", "no-such-program").trouble,
+    EXPECT_EQ(read("[ \"$1\" = --list-langs ] && echo eng && exit; exit 1").trouble.english(),
+              "tesseract failed; read it with words leave");
+    EXPECT_EQ(read("kill -SEGV $$").trouble.english().substr(0, 9), "tesseract");
+    EXPECT_EQ(read("", "tlh").trouble.english(),
+              "what tesseract calls the language \"tlh\" is not known; name another with language");
+    EXPECT_EQ(read_strips({make_image(40, 20, 1, 0, 255)}, "de", "no-such-program").trouble.english(),
               "to read it the program tesseract is needed and missing; install tesseract-ocr and tesseract-ocr-deu");
-    EXPECT_EQ(read("exec head -c 100000 /dev/urandom").trouble, "");  // says nothing that can be understood
+    EXPECT_EQ(read("exec head -c 100000 /dev/urandom").trouble.english(), "");  // says nothing that can be understood
     EXPECT_EQ(read("exec head -c 100000 /dev/urandom").guesses.size(), 1u);
 }
 
@@ -83,7 +84,7 @@ TEST_F(StandIn, GetsAllStripsAsOnePicture) {
     // Shut in, a stand-in sees what lies beside it and writes nothing.
     tests::write_bytes(folder_ / "copy.tif", tiff_of(strips));
     const std::string compare = "exec cmp -s - '" + (folder_ / "copy.tif").string() + "'";
-    EXPECT_EQ(read_strips(strips, "en", program(compare)).trouble, "");
+    EXPECT_EQ(read_strips(strips, "en", program(compare)).trouble.english(), "");
     // Read by libtiff, which takes the first page.
     Source source = open_source((folder_ / "copy.tif").string());
     const Image first = read_picture(source, {0, false});
@@ -91,7 +92,7 @@ TEST_F(StandIn, GetsAllStripsAsOnePicture) {
     EXPECT_EQ(first.height, 5);
     EXPECT_EQ(first.pixels, strips[0].pixels);
     strips[1].row(0)[0] = 1;
-    EXPECT_NE(read_strips(strips, "en", program(compare)).trouble, "");
+    EXPECT_NE(read_strips(strips, "en", program(compare)).trouble.english(), "");
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ std::string whole_gltf() { return gltf("data:application/octet-stream;base64," +
 Source source_of(std::string_view bytes, std::string name) {
     return memory_source({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, std::move(name));
 }
-Mesh read(std::string_view bytes, std::vector<std::string>& notes, const std::string& name = "model") {
+Mesh read(std::string_view bytes, std::vector<Phrase>& notes, const std::string& name = "model") {
     Source source = source_of(bytes, name);
     return read_mesh(source, notes);
 }
@@ -62,7 +62,7 @@ protected:
     void SetUp() override {
         if (own_program(caged::kAssimp.name).empty()) GTEST_SKIP() << "tactics-assimp was not built (libassimp-dev)";
     }
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
 };
 
 TEST(ModelFormat, IsKnownByBytesAndNotByName) {
@@ -92,7 +92,7 @@ TEST_F(Model, ObjHasItsPartsByName) {
     for (const Point3& vertex : mesh.vertices) tallest = std::max(tallest, vertex.z);
     EXPECT_EQ(tallest, 5);
     ASSERT_EQ(notes.size(), 1u);
-    EXPECT_NE(notes[0].find("colours.mtl"), std::string::npos) << notes[0];
+    EXPECT_NE(notes[0].english().find("colours.mtl"), std::string::npos) << notes[0].english();
 }
 
 TEST_F(Model, PlyOfSquaresIsCutIntoTriangles) {

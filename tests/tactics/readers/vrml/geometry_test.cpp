@@ -107,7 +107,7 @@ TEST(VrmlGeometry, BrokenFacesAreLeftOutAndCounted) {
     for (const ModelFace& face : world.model.faces) EXPECT_EQ(face.count, 4u);
     ASSERT_EQ(world.notes.size(), 1u);
     EXPECT_EQ(
-        world.notes[0],
+        world.notes[0].english(),
         "left out: faces without area, with fewer than 3 corners or with a corner that is not there (5 times, first in line 2)");
 }
 
@@ -217,7 +217,7 @@ TEST(VrmlGeometry, LinesAndTextsAreNamedAsLeftOut) {
         read_world(kVrml97 +
                    "Shape { geometry Box {} }\nShape { geometry IndexedLineSet {} }\nShape { geometry PointSet {} }\n"
                    "Shape { geometry Text { string \"sink\" } }\nShape { geometry IndexedLineSet {} }");
-    EXPECT_EQ(world.notes,
+    EXPECT_EQ(in_language(world.notes, "en"),
               (std::vector<std::string>{"left out: IndexedLineSet, which has no faces (2 times, first in line 3)",
                                         "left out: PointSet, which has no faces (line 4)", "left out: Text (line 5)"}));
 }

@@ -130,13 +130,15 @@ TEST(VrmlHostile, SyntaxIsRefusedWithItsLine) {
 TEST(VrmlHostile, WithinItselfIsNoEnd) {
     const ReadWorld world = read_world(kVrml97 + "DEF A Group { children [ Shape { geometry Box { } }\nUSE A ] }");
     EXPECT_EQ(world.model.faces.size(), 6u);
-    EXPECT_EQ(world.notes, std::vector<std::string>{"left out: USE of \"A\" within itself, which would have no end (line 3)"});
+    EXPECT_EQ(in_language(world.notes, "en"),
+              std::vector<std::string>{"left out: USE of \"A\" within itself, which would have no end (line 3)"});
     const ReadWorld nobody = read_world(kVrml97 + "Shape { geometry Box { } } USE B DEF B Group { }");
-    EXPECT_EQ(nobody.notes, std::vector<std::string>{"left out: USE of \"B\", which is not defined before (line 2)"});
+    EXPECT_EQ(in_language(nobody.notes, "en"),
+              std::vector<std::string>{"left out: USE of \"B\", which is not defined before (line 2)"});
     // A PROTO is not known within itself.
     const ReadWorld proto = read_world(kVrml97 + "PROTO P [ ] { Group { children [ Shape { geometry Box { } } P { } ] } } P { }");
     EXPECT_EQ(proto.model.faces.size(), 6u);
-    EXPECT_EQ(proto.notes, std::vector<std::string>{"left out: P, a node that is not known here (line 2)"});
+    EXPECT_EQ(in_language(proto.notes, "en"), std::vector<std::string>{"left out: P, a node that is not known here (line 2)"});
     EXPECT_TRUE(has(refusal_of("#VRML V1.0 ascii\nDEF A Separator { USE A }"), "within itself"));
 }
 
@@ -267,14 +269,14 @@ TEST(VrmlHostile, KindsOfFilesAreKnownByTheirBeginnings) {
     for (const char c : kAllXml.substr(kAllXml.find("<X3D"))) wide += std::string{c, '\0'};
     Source source = memory_source({reinterpret_cast<const unsigned char*>(wide.data()), wide.size()}, "x");
     EXPECT_EQ(model_format(source), "X3D model");
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     EXPECT_EQ(names_of(read_model(source, notes)), names_of(read_world(kAllXml).model));
 }
 
 // The triangles of a model are its faces, cut.
 TEST(VrmlHostile, AModelIsAlsoAMesh) {
     Source source = memory_source({reinterpret_cast<const unsigned char*>(kAll.data()), kAll.size()}, "x.wrl");
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     const Mesh mesh = read_mesh(source, notes);
     const Model model = read_world(kAll).model;
     double volume = 0;

@@ -36,7 +36,7 @@ TEST(VrmlScene, ANameInAnotherEncodingIsTurnedAndNoted) {
         "DEF K\xfc"
         "che Group { children Shape { geometry Box {} } }");
     EXPECT_EQ(world.model.objects[0].name, "Küche");
-    EXPECT_EQ(world.notes, std::vector<std::string>{"names that are not UTF-8 are taken as Latin-1 (line 2)"});
+    EXPECT_EQ(in_language(world.notes, "en"), std::vector<std::string>{"names that are not UTF-8 are taken as Latin-1 (line 2)"});
 }
 
 TEST(VrmlScene, ALongNameIsCutBetweenLetters) {
@@ -106,7 +106,7 @@ TEST(VrmlScene, SwitchAndLodShowOne) {
     EXPECT_EQ(names("LOD { range [ 1, 2 ] level " + three + " }"), "a") << "the finest";
     const ReadWorld hidden = scene("DEF d Shape { geometry Box {} } Switch { choice " + three + " }");
     EXPECT_EQ(names_of(hidden.model), "d");
-    EXPECT_EQ(hidden.notes, std::vector<std::string>{"left out: what a Switch does not show (line 2)"});
+    EXPECT_EQ(in_language(hidden.notes, "en"), std::vector<std::string>{"left out: what a Switch does not show (line 2)"});
     EXPECT_EQ(names("Collision { proxy Shape { geometry Sphere {} } children DEF x Shape { geometry Box {} } }"), "x");
     EXPECT_EQ(names("Billboard { children DEF x Shape { geometry Box {} } }"), "x");
 }
@@ -144,7 +144,7 @@ TEST(VrmlScene, WhatIsNotOfItsSurfaceIsReadOver) {
         "ROUTE T.fraction_changed TO I.set_fraction\n"
         "Shape { appearance Appearance { material Material { diffuseColor 1 0 0 } texture PixelTexture { image 1 1 1 0xFF } }\n"
         "geometry Box { size 1, 1, 1 } } # the end");
-    EXPECT_TRUE(world.notes.empty()) << world.notes[0];
+    EXPECT_TRUE(world.notes.empty()) << world.notes[0].english();
     EXPECT_EQ(world.model.title, "t");
     EXPECT_EQ(world.model.objects.size(), 1u);
 }
@@ -155,7 +155,7 @@ TEST(VrmlScene, UnknownNodesDoNotHarmTheRest) {
         "DEF f Flower { children [ DEF x Shape { geometry Box {} } ] }\n"
         "Viewpoint { centerOfRotation 0 0 0 } Shape { geometry Knot { turns 3 } }");
     EXPECT_EQ(names_of(world.model), "f(x)");
-    EXPECT_EQ(world.notes,
+    EXPECT_EQ(in_language(world.notes, "en"),
               (std::vector<std::string>{"left out: Fancy, a node that is not known here (line 2)",
                                         "left out: Flower, a node that is not known here; what is in it is kept (line 3)",
                                         "left out: Knot, a geometry that is not known here (line 4)"}));
@@ -179,7 +179,7 @@ TEST(VrmlScene, NotesAreFew) {
     for (int i = 0; i < 100; ++i) text += " Fancy" + std::to_string(i) + " {}";
     const ReadWorld world = scene(text);
     ASSERT_EQ(world.notes.size(), 21u);
-    EXPECT_EQ(world.notes.back(), "left out: 80 more of other kinds");
+    EXPECT_EQ(world.notes.back().english(), "left out: 80 more of other kinds");
 }
 
 TEST(VrmlScene, NoOtherFileIsOpened) {
@@ -187,8 +187,8 @@ TEST(VrmlScene, NoOtherFileIsOpened) {
         "Shape { geometry Box {} } Inline { url \"/etc/passwd\" } Inline { url [ \"test.wrl\" ] }\n"
         "EXTERNPROTO Lamp [ field SFFloat x ] [ \"lamps.wrl#Lamp\" ] Lamp { x 1 }");
     ASSERT_EQ(world.notes.size(), 3u);
-    EXPECT_NE(world.notes[0].find("/etc/passwd"), std::string::npos);
-    EXPECT_NE(world.notes[2].find("Lamp"), std::string::npos);
+    EXPECT_NE(world.notes[0].english().find("/etc/passwd"), std::string::npos);
+    EXPECT_NE(world.notes[2].english().find("Lamp"), std::string::npos);
     // A file of such alone says why there is nothing.
     EXPECT_NE(refusal_of(kVrml97 + "Inline { url \"desk.wrl\" }").find("desk.wrl"), std::string::npos);
 }

@@ -20,7 +20,7 @@ inline const std::string kVrml97 = "#VRML V2.0 utf8\n";
 
 struct ReadWorld {
     Model model;
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
 };
 inline ReadWorld read_world(std::string_view text, const std::string& name = "test.wrl") {
     Source source = memory_source({reinterpret_cast<const unsigned char*>(text.data()), text.size()}, name);

@@ -114,11 +114,11 @@ TEST(X3d, WhatIsLeftOutHasItsLine) {
             "<Fancy/><Viewpoint/><DirectionalLight/>");
     EXPECT_EQ(read.model.faces.size(), 12u);
     ASSERT_EQ(read.notes.size(), 5u);
-    EXPECT_EQ(read.notes[0], "left out: Inline of \"engine.x3d\": no other file is read; take it by itself (line 5)");
-    EXPECT_NE(read.notes[1].find("Lamp"), std::string::npos);
-    EXPECT_EQ(read.notes[2], "left out: Text (line 7)");
-    EXPECT_EQ(read.notes[3], "left out: what is not visible (line 9)");
-    EXPECT_EQ(read.notes[4], "left out: Fancy, a node that is not known here (line 10)");
+    EXPECT_EQ(read.notes[0].english(), "left out: Inline of \"engine.x3d\": no other file is read; take it by itself (line 5)");
+    EXPECT_NE(read.notes[1].english().find("Lamp"), std::string::npos);
+    EXPECT_EQ(read.notes[2].english(), "left out: Text (line 7)");
+    EXPECT_EQ(read.notes[3].english(), "left out: what is not visible (line 9)");
+    EXPECT_EQ(read.notes[4].english(), "left out: Fancy, a node that is not known here (line 10)");
 }
 
 TEST(X3d, EntitiesDoNotGrowAndDepthIsBounded) {
