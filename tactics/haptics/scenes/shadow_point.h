@@ -49,7 +49,7 @@ public:
 
     static constexpr int kMostMoves = 60;
     static constexpr int kMostWork = 30'000;  ///< in an update, at most
-    static constexpr int kTickWork = 1'000;   ///< no further move is begun after that
+    static constexpr int kTickWork = 3'000;   ///< no further move is begun after that
     static constexpr int kMoveWork = 30;      ///< of a move itself, beside what it looks at
 
 private:
