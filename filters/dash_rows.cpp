@@ -11,6 +11,7 @@ namespace tactics {
 namespace {
 
 constexpr std::size_t kLeast = 4;          // dashes of a line; three in a row are dots after a word
+constexpr std::size_t kLeastLeading = 2;   // of a line from one thing to another
 constexpr double kOnCourse = 0.86;         // cosine of what a line may turn from dash to dash: 30 degrees
 constexpr std::size_t kMostDashes = 4000;  // of a picture; more is a pattern or noise
 
@@ -88,7 +89,7 @@ public:
                 seen[end / 2] = true;
                 chain.push_back(end);
             }
-            if (chain.size() >= kLeast) all.push_back(std::move(chain));
+            if (chain.size() >= kLeastLeading) all.push_back(std::move(chain));
         }
         return all;
     }
@@ -147,6 +148,40 @@ bool are_alike(std::vector<double> gaps) {
     return static_cast<double>(longer) <= kMostLonger * static_cast<double>(gaps.size());
 }
 
+// From the end of a row straight on, the first ink within `reach` of it.
+std::optional<Point> met_from(const Image& ink, Point before, Point end, double width, double reach) {
+    const double length = distance(before, end);
+    if (!(length > 0)) return std::nullopt;
+    for (double t = width / 2 + 1.5; t <= reach; t += 0.5) {
+        const Point at{end.x + (end.x - before.x) * t / length, end.y + (end.y - before.y) * t / length};
+        const int x = static_cast<int>(std::floor(at.x)), y = static_cast<int>(std::floor(at.y));
+        if (x < 0 || y < 0 || x >= ink.width || y >= ink.height) return std::nullopt;
+        if (ink.row(y)[x] < 128) return at;
+    }
+    return std::nullopt;
+}
+
+// What a row stops close before it leads to: a gap there would be one that a finger feels. Gives how many ends that are.
+int lead_on(const Image& ink, DashRow& row, double widest_gap) {
+    constexpr double kReach = 1.6;
+    const double reach = kReach * widest_gap + row.width;
+    const auto from = met_from(ink, row.points[1], row.points.front(), row.width, reach);
+    const auto to = met_from(ink, row.points[row.points.size() - 2], row.points.back(), row.width, reach);
+    if (from) row.points.front() = *from;
+    if (to) row.points.back() = *to;
+    return (from ? 1 : 0) + (to ? 1 : 0);
+}
+
+// Straight, and of clear dashes.
+bool is_straight(const DashRow& row) {
+    constexpr double kLonger = 2, kStraight = 0.985;
+    double way = 0;
+    for (std::size_t i = 1; i < row.points.size(); ++i) way += distance(row.points[i - 1], row.points[i]);
+    for (std::size_t i = 0; i < row.points.size(); i += 2)
+        if (distance(row.points[i], row.points[i + 1]) < kLonger * row.width) return false;
+    return distance(row.points.front(), row.points.back()) >= kStraight * way;
+}
+
 }  // namespace
 
 std::vector<DashRow> dash_rows_in(const Image& ink, const DashLimits& limits) {
@@ -169,7 +204,8 @@ std::vector<DashRow> dash_rows_in(const Image& ink, const DashLimits& limits) {
     const Rows found(std::move(dashes), limits.gap);
     std::vector<DashRow> rows;
     for (const std::vector<std::size_t>& chain : found.chains()) {
-        if (!are_alike(found.gaps(chain))) continue;
+        const std::vector<double> gaps = found.gaps(chain);
+        if (!are_alike(gaps)) continue;
         DashRow row;
         std::vector<double> widths;
         for (const std::size_t end : chain) {
@@ -182,6 +218,9 @@ std::vector<DashRow> dash_rows_in(const Image& ink, const DashLimits& limits) {
         const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
         std::nth_element(widths.begin(), middle, widths.end());
         row.width = *middle;
+        row.leads = chain.size() < kLeast;
+        if (row.leads && !is_straight(row)) continue;
+        if (lead_on(ink, row, *std::max_element(gaps.begin(), gaps.end())) < 2 && row.leads) continue;
         rows.push_back(std::move(row));
     }
     return rows;

@@ -39,7 +39,8 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     cv::Mat ink = view_of(image);
     const int thick = std::max(1, static_cast<int>(std::lround(0.3 / mm)));
     for (const DashRow& row : rows)
-        for (std::size_t i = 1; i + 1 < row.points.size(); i += 2) {
+        for (std::size_t i = 0; i + 1 < row.points.size(); ++i) {
+            if (i % 2 == 0 && i > 0 && i + 2 < row.points.size()) continue;  // a dash
             const Point a = row.points[i], b = row.points[i + 1];
             cv::line(ink, cv::Point(static_cast<int>(a.x), static_cast<int>(a.y)),
                      cv::Point(static_cast<int>(b.x), static_cast<int>(b.y)), cv::Scalar(0), thick);

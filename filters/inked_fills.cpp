@@ -44,10 +44,19 @@ struct Part {
     Kind kind;
 };
 
-cv::Mat disc(double radius) {
-    const int r = std::max(1, static_cast<int>(std::lround(radius)));
-    return cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * r + 1, 2 * r + 1));
+// By distances: the time does not grow with the radius. Beyond the picture is nothing.
+cv::Mat shrunk(const cv::Mat& mask, double radius) {
+    cv::Mat deep;
+    cv::copyMakeBorder(mask, deep, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+    cv::distanceTransform(deep, deep, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    return deep(cv::Rect(1, 1, mask.cols, mask.rows)) > radius;
 }
+cv::Mat grown(const cv::Mat& mask, double radius) {
+    cv::Mat away;
+    cv::distanceTransform(~mask, away, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    return away <= radius;
+}
+cv::Mat opened(const cv::Mat& mask, double radius) { return grown(shrunk(mask, radius), radius) & mask; }
 
 double widest(const cv::Mat& mask) {
     cv::Mat deep;
@@ -148,28 +157,21 @@ void find_direction(const Image& ink, const cv::Mat& mask, Kind& kind) {
 
 // Nearly all of its border is a line: a row of things beside each other has none around it.
 bool is_bounded(const Image& ink, const cv::Mat& mask) {
-    cv::Mat inner, near;
-    cv::erode(mask, inner, disc(2));
-    cv::dilate(view_of(ink) < 160, near, disc(3));
+    const cv::Mat inner = shrunk(mask, 2), near = grown(view_of(ink) < 160, 3);
     const cv::Mat border = mask & ~inner;
     const int all = cv::countNonZero(border);
     return all > 0 && cv::countNonZero(border & ~near) <= kMostOpen * all;
 }
 
 std::vector<Part> hatches_of(const cv::Mat& pixels, const Image& ink, const Found& found, double mm) {
-    cv::Mat open, busy, core;
-    cv::dilate(found.open, open, disc(2));
-    busy = ~open;
-    cv::morphologyEx(busy, core, cv::MORPH_OPEN, disc(kHatchPart / 2 / mm));
+    const cv::Mat busy = ~grown(found.open, 2), core = opened(busy, kHatchPart / 2 / mm);
     std::vector<Part> parts;
     cv::Mat labels;
     const int count = cv::connectedComponents(core, labels, 8, CV_32S);
     for (int i = 1; i < count && parts.size() < kMostParts; ++i) {
         Part part;
         // The corners that a disc does not reach into.
-        cv::dilate(labels == i, part.mask, disc(kHatchPart / 4 / mm));
-        part.mask &= busy;
-        cv::morphologyEx(part.mask, part.mask, cv::MORPH_OPEN, disc(std::max(2.0, 1 / mm)));
+        part.mask = opened(grown(labels == i, kHatchPart / 4 / mm) & busy, std::max(2.0, 1 / mm));
         if (cv::countNonZero(part.mask) == 0 || widest(part.mask) * mm < kNarrowest) continue;
         const double black =
             static_cast<double>(cv::countNonZero(part.mask & (view_of(ink) < 160))) / cv::countNonZero(part.mask);
@@ -212,8 +214,7 @@ std::vector<Area> take_fills(Image& picture) {
     Found found = flats_of(pixels, mm);
     std::vector<Part> parts = hatches_of(pixels, ink, found, mm);
     for (const Part& hatch : parts) {
-        cv::Mat inner;
-        cv::erode(hatch.mask, inner, disc(2));
+        const cv::Mat inner = shrunk(hatch.mask, 2);
         pixels.setTo(cv::Scalar(hatch.kind.colour[0], hatch.kind.colour[1], hatch.kind.colour[2]), inner);
     }
     const bool any_hatch = !parts.empty();

@@ -96,11 +96,30 @@ void paint_over(Image& picture, const Image& all_ink, const std::vector<Run>& in
                 std::copy_n(from, picture.channels, picture.row(y) + x * picture.channels);
 }
 
+// A short line between two things is no less a line for being dashed.
+void join(Image& picture, const DashRow& row) {
+    const auto pixel = [](Point p) { return cv::Point(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))); };
+    const cv::Point on = pixel({0.2 * row.points[0].x + 0.8 * row.points[1].x, 0.2 * row.points[0].y + 0.8 * row.points[1].y});
+    const std::uint8_t* own =
+        picture.row(std::clamp(on.y, 0, picture.height - 1)) + std::clamp(on.x, 0, picture.width - 1) * picture.channels;
+    const cv::Scalar colour(own[0], picture.channels == 3 ? own[1] : 0, picture.channels == 3 ? own[2] : 0);
+    cv::Mat pixels = view_of(picture);
+    cv::line(pixels, pixel(row.points.front()), pixel(row.points.back()), colour,
+             std::max(1, static_cast<int>(std::lround(row.width))));
+}
+
 void take_dashes(Image& picture, KnownParts& parts) {
-    const Image ink = ink_on_white(picture);
+    // Dashes of half a pixel are pale, but darker than the grids of plotting tools (b0b0b0).
+    constexpr std::uint8_t kPalest = 0xb0;
+    Image ink = ink_on_white(picture);
+    for (std::uint8_t& sample : ink.pixels) sample = sample < kPalest ? 0 : 255;
     std::vector<Run> ink_of_all;
     const double mm = picture.mm_per_pixel;
     for (const DashRow& row : dash_rows_in(ink, {kLongestDash / mm, std::max(2.0, kWidestDash / mm), kMostGap / mm})) {
+        if (row.leads) {
+            join(picture, row);
+            continue;
+        }
         Stroke stroke{{}, false, LineClass::normal, kStrength, Role::dash};
         for (const Point& p : row.points) stroke.points.push_back({p.x * mm, p.y * mm});
         parts.strokes.push_back(std::move(stroke));
