@@ -10,7 +10,7 @@ int main(int count, char** words) {
     job.input = words[1];
     job.outputs = {tactics::output_to(words[2])};
     const tactics::Outcome outcome = tactics::make_pages(job);
-    for (const tactics::Note& note : outcome.notes) std::cerr << note.text << "\n";
-    if (!outcome.error.empty()) std::cerr << outcome.error << "\n";
+    for (const tactics::Note& note : outcome.notes) std::cerr << note.english() << "\n";
+    if (!outcome.error.empty()) std::cerr << outcome.error.english() << "\n";
     return outcome.error.empty() ? 0 : 1;
 }

@@ -114,7 +114,7 @@ std::vector<Seen> by_coin(const char* path) {
     return shapes;
 }
 
-std::vector<Seen> by_us(const char* path, std::vector<Phrase>& notes) {
+std::vector<Seen> by_us(const char* path, std::vector<tactics::Phrase>& notes) {
     tactics::Source source = tactics::open_source(path);
     const tactics::Model model = tactics::read_vrml(source, notes);
     std::vector<Seen> shapes;
@@ -146,7 +146,7 @@ std::vector<Seen> by_us(const char* path, std::vector<Phrase>& notes) {
 }
 
 bool compare(const char* path) {
-    std::vector<Phrase> notes;
+    std::vector<tactics::Phrase> notes;
     std::vector<Seen> ours;
     std::string fault;
     try {
@@ -188,7 +188,7 @@ bool compare(const char* path) {
         "%.*s: %zu shapes, %zu with the same name; of %zu face sets %zu polygons, by Coin %zu; boxes within %.1e, areas %.1e%s\n",
         static_cast<int>(name.size()), name.data(), ours.size(), names, counted, polygons, coin_polygons, box, area,
         alike ? "" : "  DIFFERS");
-    for (const Phrase& note : notes) std::printf("  %s\n", note.english().c_str());
+    for (const tactics::Phrase& note : notes) std::printf("  %s\n", note.english().c_str());
     return alike;
 }
 

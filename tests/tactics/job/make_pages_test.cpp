@@ -52,23 +52,24 @@ TEST_F(MakePages, WhatIsGivenUpLeavesNothing) {
     for (const JobStep last : {JobStep::reading, JobStep::drawing, JobStep::laying_out, JobStep::writing}) {
         const Watch watch{.goes_on = [&](JobStep step) { return step != last; }};
         const Outcome outcome = make_pages(job("a.svg"), watch);
-        EXPECT_TRUE(outcome.error.ends_with("disc.tif: given up; nothing was written")) << outcome.error;
+        EXPECT_TRUE(outcome.error.english().ends_with("disc.tif: given up; nothing was written")) << outcome.error.english();
         EXPECT_FALSE(std::filesystem::exists(folder / "a.svg"));
     }
 }
 
 TEST_F(MakePages, FaultsNeedNoCommandLine) {
-    EXPECT_TRUE(
-        make_pages({{(folder / "disc.tif").string(), {}}, {}}).error.ends_with("no output is named, so nothing would be made"));
-    EXPECT_TRUE(make_pages({{"missing.png", job("a.pdf").outputs}, {}}).error.starts_with("missing.png: "));
+    EXPECT_TRUE(make_pages({{(folder / "disc.tif").string(), {}}, {}})
+                    .error.english()
+                    .ends_with("no output is named, so nothing would be made"));
+    EXPECT_TRUE(make_pages({{"missing.png", job("a.pdf").outputs}, {}}).error.english().starts_with("missing.png: "));
     EXPECT_THROW(output_to("page.xyz"), Error);
     Job alone = job("a.pdf");
     alone.wish.only = true;
-    EXPECT_NE(make_pages(alone).error.find("no subject is named"), std::string::npos);
+    EXPECT_NE(make_pages(alone).error.english().find("no subject is named"), std::string::npos);
     Job with_subject = job("a.pdf");
     with_subject.chain.base = find_recipe("map", "recipe");
     with_subject.wish.subject = {{0.2, 0.2, 0.8, 0.8}};
-    EXPECT_NE(make_pages(with_subject).error.find("recipe map has no filter outlines"), std::string::npos);
+    EXPECT_NE(make_pages(with_subject).error.english().find("recipe map has no filter outlines"), std::string::npos);
 }
 
 TEST_F(MakePages, ManyAtATimeAreAsOneAlone) {

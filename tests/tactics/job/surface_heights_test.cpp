@@ -44,7 +44,7 @@ TEST(SurfaceHeights, WhatIsNotKnownIsLowAndTold) {
     surface.z[5] = NAN;
     const HeightFile file = surface_heights(surface, {});
     ASSERT_EQ(file.notes.size(), 1u);
-    EXPECT_EQ(file.notes[0].substr(0, 18), "1 of its heights a");
+    EXPECT_EQ(file.notes[0].english().substr(0, 18), "1 of its heights a");
     for (const float height : file.map.heights) EXPECT_TRUE(height >= 0 && height <= 10);
     surface.z.assign(surface.z.size(), NAN);
     EXPECT_THROW(surface_heights(surface, {}), Error);

@@ -34,13 +34,14 @@ TEST(Workers, WhatIsThrownReachesTheCallerAndNoMoreIsBegun) {
 }
 
 TEST(Workers, AFailureNamesWhatWasWorkedOnOnce) {
-    EXPECT_EQ(failure_of("a.jpg", [] {}).text, "");
-    EXPECT_EQ(failure_of("a.jpg", [] { throw Error(Fault::usage, "a.jpg", "no"); }).text, "a.jpg: no");
-    EXPECT_EQ(failure_of("a.jpg", [] { throw Error(Fault::usage, "--paper", "no"); }).text, "a.jpg: --paper: no");
+    EXPECT_EQ(failure_of("a.jpg", [] {}).text.english(), "");
+    EXPECT_EQ(failure_of("a.jpg", [] { throw Error(Fault::usage, "a.jpg", "no"); }).text.english(), "a.jpg: no");
+    EXPECT_EQ(failure_of("a.jpg", [] { throw Error(Fault::usage, "--paper", "no"); }).text.english(), "a.jpg: --paper: no");
     EXPECT_EQ(failure_of("a.jpg", [] { throw Error(Fault::usage, "", "no"); }).fault, Fault::usage);
-    EXPECT_NE(failure_of("a.jpg", [] { throw std::bad_alloc(); }).text.find("a.jpg: there is not enough memory"),
+    EXPECT_NE(failure_of("a.jpg", [] { throw std::bad_alloc(); }).text.english().find("a.jpg: there is not enough memory"),
               std::string::npos);
-    EXPECT_NE(failure_of("a.jpg", [] { throw std::logic_error("x"); }).text.find("please report it: x"), std::string::npos);
+    EXPECT_NE(failure_of("a.jpg", [] { throw std::logic_error("x"); }).text.english().find("please report it: x"),
+              std::string::npos);
 }
 
 }  // namespace

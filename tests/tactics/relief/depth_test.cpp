@@ -177,8 +177,8 @@ TEST(Depth, WidthAndHeightsAsTheUserWants) {
     EXPECT_NEAR(mould.map.at(50, 50), 8 - 10 * 0.99, 1e-4);
     const HeightFile silent = read(bytes);
     ASSERT_EQ(silent.notes.size(), 2u);
-    EXPECT_TRUE(has(silent.notes[0], "0.1 mm is taken; change with --pitch"));
-    EXPECT_TRUE(has(silent.notes[1], "0.4 mm wide; change with --width"));
+    EXPECT_TRUE(has(silent.notes[0].english(), "0.1 mm is taken; change with --pitch"));
+    EXPECT_TRUE(has(silent.notes[1].english(), "0.4 mm wide; change with --width"));
     EXPECT_EQ(silent.map.columns, 4);
 }
 

@@ -76,9 +76,9 @@ TEST(ReadHeights, ABitmapIsHighWhereItIsWhite) {
 TEST(ReadHeights, WhatIsNotToldIsTakenAndSaid) {
     const HeightFile file = heights(bmp_of(make_image(96, 4, 3, 0, 255)));
     ASSERT_EQ(file.notes.size(), 2u);
-    EXPECT_EQ(file.notes[0],
+    EXPECT_EQ(file.notes[0].english(),
               "it tells no pitch: 0.264583 mm, a pixel of a screen, is taken; say what it is with --pitch or --width");
-    EXPECT_EQ(file.notes[1], "it tells no heights: black is 0 mm and white 10 mm; say what they are with --low and --high");
+    EXPECT_EQ(file.notes[1].english(), "it tells no heights: black is 0 mm and white 10 mm; say what they are with --low and --high");
     EXPECT_NEAR(file.map.width(), 25.4, 1e-9);
     EXPECT_EQ(file.map.at(5, 2), 10.0f);
     EXPECT_NEAR(heights(bmp_of(make_image(96, 4, 3, 0, 255)), {.width = 48}).map.pitch, 0.5, 1e-12);
@@ -105,8 +105,8 @@ TEST(ReadHeights, DecimalNumbersOfOthersAreMillimetresUnlessTheUserSaysWhatTheyA
     const HeightFile file = heights(tiff, {.pitch = 1});
     EXPECT_EQ(file.map.heights, (std::vector<float>{100, 150, 100, 200}));
     ASSERT_EQ(file.notes.size(), 2u);
-    EXPECT_EQ(file.notes[0], "1 sample is no number and counts as the lowest");
-    EXPECT_EQ(file.notes[1], "it tells no unit: its numbers are taken as mm; say what they are with --low and --high");
+    EXPECT_EQ(file.notes[0].english(), "1 sample is no number and counts as the lowest");
+    EXPECT_EQ(file.notes[1].english(), "it tells no unit: its numbers are taken as mm; say what they are with --low and --high");
     EXPECT_EQ(heights(tiff, {.pitch = 1, .low = 0, .high = 8}).map.heights, (std::vector<float>{0, 4, 0, 8}));
 }
 
@@ -160,7 +160,7 @@ TEST(ReadHeights, AMapThatLostItsDepthIsToldOf) {
     EXPECT_EQ(file.map.pitch, 0.5);
     EXPECT_NEAR(file.map.at(3, 3), 4 * 128 / 255.0, 1e-5);
     ASSERT_EQ(file.notes.size(), 1u);
-    EXPECT_TRUE(has(file.notes[0], "256 steps of height are left"));
+    EXPECT_TRUE(has(file.notes[0].english(), "256 steps of height are left"));
 }
 
 TEST(ReadHeights, HostileMapsAreRefused) {
