@@ -40,7 +40,8 @@ struct Kind {
 };
 
 struct Part {
-    cv::Mat mask;  // of the whole picture
+    cv::Rect box;
+    cv::Mat mask;  // of the box
     Kind kind;
 };
 
@@ -121,11 +122,9 @@ Found flats_of(const cv::Mat& pixels, double mm) {
         const cv::Mat own = labels(box) == i;
         const double width = widest(own);
         if (width < least) continue;
-        Part part;
-        part.mask = cv::Mat::zeros(pixels.size(), CV_8U);
-        own.copyTo(part.mask(box));
-        part.kind.colour = mean_of(pixels, part.mask);
-        found.open |= part.mask;
+        Part part{box, own, {}};
+        part.kind.colour = mean_of(pixels(box), own);
+        cv::Mat(found.open(box)) |= own;
         if (width * mm < kNarrowest && stats.at<int>(i, cv::CC_STAT_AREA) < 0.1 * static_cast<double>(pixels.total())) continue;
         parts.push_back(std::move(part));
         sizes.push_back(stats.at<int>(i, cv::CC_STAT_AREA));
@@ -146,46 +145,53 @@ Found flats_of(const cv::Mat& pixels, double mm) {
 }
 
 // Which way the lines run, from the products of the slopes.
-void find_direction(const Image& ink, const cv::Mat& mask, Kind& kind) {
+void find_direction(const cv::Mat& ink, const cv::Mat& mask, Kind& kind) {
     cv::Mat dx, dy;
-    cv::Sobel(view_of(ink), dx, CV_32F, 1, 0);
-    cv::Sobel(view_of(ink), dy, CV_32F, 0, 1);
+    cv::Sobel(ink, dx, CV_32F, 1, 0);
+    cv::Sobel(ink, dy, CV_32F, 0, 1);
     const double xx = cv::mean(dx.mul(dx), mask)[0], yy = cv::mean(dy.mul(dy), mask)[0], xy = cv::mean(dx.mul(dy), mask)[0];
     kind.angle = std::atan2(2 * xy, xx - yy);
     kind.order = xx + yy > 0 ? std::hypot(xx - yy, 2 * xy) / (xx + yy) : 0;
 }
 
 // Nearly all of its border is a line: a row of things beside each other has none around it.
-bool is_bounded(const Image& ink, const cv::Mat& mask) {
-    const cv::Mat inner = shrunk(mask, 2), near = grown(view_of(ink) < 160, 3);
-    const cv::Mat border = mask & ~inner;
+bool is_bounded(const cv::Mat& near_ink, const cv::Mat& mask) {
+    const cv::Mat border = mask & ~shrunk(mask, 2);
     const int all = cv::countNonZero(border);
-    return all > 0 && cv::countNonZero(border & ~near) <= kMostOpen * all;
+    return all > 0 && cv::countNonZero(border & ~near_ink) <= kMostOpen * all;
 }
 
+// Each part is looked at within its own box, so that the time grows with the picture, and hardly with the number of parts.
 std::vector<Part> hatches_of(const cv::Mat& pixels, const Image& ink, const Found& found, double mm) {
-    const cv::Mat busy = ~grown(found.open, 2), core = opened(busy, kHatchPart / 2 / mm);
+    const double reach = kHatchPart / 4 / mm, round = std::max(2.0, 1 / mm);
+    const int margin = static_cast<int>(reach + round) + 3;
+    const cv::Mat busy = ~grown(found.open, 2), core = opened(busy, kHatchPart / 2 / mm), black = view_of(ink) < 160,
+                  near_ink = grown(black, 3);
     std::vector<Part> parts;
-    cv::Mat labels;
-    const int count = cv::connectedComponents(core, labels, 8, CV_32S);
+    cv::Mat labels, stats, middles;
+    const int count = cv::connectedComponentsWithStats(core, labels, stats, middles, 8, CV_32S);
     for (int i = 1; i < count && parts.size() < kMostParts; ++i) {
-        Part part;
+        const cv::Rect box =
+            cv::Rect(stats.at<int>(i, cv::CC_STAT_LEFT) - margin, stats.at<int>(i, cv::CC_STAT_TOP) - margin,
+                     stats.at<int>(i, cv::CC_STAT_WIDTH) + 2 * margin, stats.at<int>(i, cv::CC_STAT_HEIGHT) + 2 * margin) &
+            cv::Rect(0, 0, pixels.cols, pixels.rows);
         // The corners that a disc does not reach into.
-        part.mask = opened(grown(labels == i, kHatchPart / 4 / mm) & busy, std::max(2.0, 1 / mm));
-        if (cv::countNonZero(part.mask) == 0 || widest(part.mask) * mm < kNarrowest) continue;
-        const double black =
-            static_cast<double>(cv::countNonZero(part.mask & (view_of(ink) < 160))) / cv::countNonZero(part.mask);
-        if (black < 0.05 || black > 0.8 || !is_bounded(ink, part.mask)) continue;
+        Part part{box, opened(grown(labels(box) == i, reach) & busy(box), round), {}};
+        const int size = cv::countNonZero(part.mask);
+        if (size == 0 || widest(part.mask) * mm < kNarrowest) continue;
+        const double share = static_cast<double>(cv::countNonZero(part.mask & black(box))) / size;
+        if (share < 0.05 || share > 0.8 || !is_bounded(near_ink(box), part.mask)) continue;
         part.kind.hatch = true;
-        part.kind.colour = mean_of(pixels, part.mask);
-        find_direction(ink, part.mask, part.kind);
+        part.kind.colour = mean_of(pixels(box), part.mask);
+        find_direction(view_of(ink)(box), part.mask, part.kind);
         parts.push_back(std::move(part));
     }
     return parts;
 }
 
 // Its rings in mm.
-Area area_of(const cv::Mat& mask, double mm) {
+Area area_of(const Part& part, double mm) {
+    const cv::Mat& mask = part.mask;
     InkMap map(mask.cols, mask.rows);
     for (int y = 0; y < mask.rows; ++y)
         for (int x = 0; x < mask.cols; ++x) map.row(y)[x] = mask.at<std::uint8_t>(y, x) != 0 ? 1 : 0;
@@ -198,7 +204,7 @@ Area area_of(const cv::Mat& mask, double mm) {
             points = course_of(points, 0.2 / mm);
             points.pop_back();
             if (points.size() < 3) continue;
-            for (Point& p : points) p = {p.x * mm, p.y * mm};
+            for (Point& p : points) p = {(p.x + part.box.x) * mm, (p.y + part.box.y) * mm};
             area.rings.push_back(std::move(points));
         }
     return area;
@@ -215,7 +221,7 @@ std::vector<Area> take_fills(Image& picture) {
     std::vector<Part> parts = hatches_of(pixels, ink, found, mm);
     for (const Part& hatch : parts) {
         const cv::Mat inner = shrunk(hatch.mask, 2);
-        pixels.setTo(cv::Scalar(hatch.kind.colour[0], hatch.kind.colour[1], hatch.kind.colour[2]), inner);
+        pixels(hatch.box).setTo(cv::Scalar(hatch.kind.colour[0], hatch.kind.colour[1], hatch.kind.colour[2]), inner);
     }
     const bool any_hatch = !parts.empty();
     parts.insert(parts.end(), std::make_move_iterator(found.flats.begin()), std::make_move_iterator(found.flats.end()));
@@ -235,7 +241,7 @@ std::vector<Area> take_fills(Image& picture) {
     const std::vector<int> chosen = choose_textures(beside, grey);
     std::vector<Area> areas;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        Area area = area_of(parts[i].mask, mm);
+        Area area = area_of(parts[i], mm);
         area.texture = chosen[kind_of[i] + 1];
         if (area.texture > 0 && !area.rings.empty()) areas.push_back(std::move(area));
     }
@@ -258,7 +264,7 @@ std::optional<Point> hatched_place(const Image& picture) {
         cv::minMaxLoc(deep, nullptr, &own, nullptr, &at);
         if (own > most) {
             most = own;
-            place = Point{at.x + 0.5, at.y + 0.5};
+            place = Point{part.box.x + at.x + 0.5, part.box.y + at.y + 0.5};
         }
     }
     return place;

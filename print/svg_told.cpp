@@ -55,11 +55,11 @@ std::string left_out_told(const Name& name, std::size_t number) {
     return text + "/>\n";
 }
 
-std::string undrawn_told(const Region& region, std::size_t number) {
+std::string undrawn_told(const Region& region, std::size_t number, std::string_view language) {
     std::string text = "<g" + region_told(region, number);
-    append_told(text, marks::kText, region.name);
+    append_told(text, marks::kText, region.name.in(language));
     append_unless_empty(text, marks::kPath, region.path);
-    append_unless_empty(text, marks::kDescription, region.description);
+    append_unless_empty(text, marks::kDescription, region.description.in(language));
     return text + "/>\n";
 }
 
@@ -132,10 +132,10 @@ std::string rest_told(const Page& page) {
     for (std::size_t i = 0; i < page.names.size(); ++i) text += name_told(page.names[i], i);
     for (std::size_t i = 0; i < page.left_out.size(); ++i) text += left_out_told(page.left_out[i], i);
     for (std::size_t i = 0; i < page.regions.size(); ++i)
-        if (page.regions[i].rings.empty()) text += undrawn_told(page.regions[i], i);
-    for (const std::string& remark : page.remarks) {
+        if (page.regions[i].rings.empty()) text += undrawn_told(page.regions[i], i, page.language);
+    for (const Phrase& remark : page.remarks) {
         text += "<g";
-        append_told(text, marks::kRemark, remark);
+        append_told(text, marks::kRemark, remark.in(page.language));
         text += "/>\n";
     }
     return text.empty() ? text : "<g id=\"told\" style=\"display:none\">\n" + text + "</g>\n";

@@ -115,7 +115,7 @@ struct Drawing {
     /// In reading order, except that regions on top of others come after them. They may reach half a line width out of the
     /// drawing.
     std::vector<Region> regions = {};
-    std::vector<Phrase> remarks = {};  ///< on the whole drawing, for its description: one English sentence each
+    std::vector<Phrase> remarks = {};  ///< on the whole drawing, for its description: one sentence each
     std::optional<Trust> trust = {};   ///< nothing: no estimate
 };
 

@@ -40,6 +40,16 @@ Recipe recipe_for(Reading& reading, const Job& job, std::string& reason) {
     return with_subject(finish(job.chain, find_recipe(choice.recipe, "auto")), job.wish);
 }
 
+// It draws what is no wider than a line by its middle, so that its outlines are those of surfaces, which a texture may fill.
+bool outlines_surfaces(const Recipe& recipe) {
+    constexpr std::string_view kWidestLine = "lines";
+    return std::any_of(recipe.steps.begin(), recipe.steps.end(), [&](const Step& step) {
+        const auto options = step.filter->options;
+        return std::any_of(options.begin(), options.end(), [&](const Option& option) { return option.name == kWidestLine; }) &&
+               step.settings.number(kWidestLine) > 0;
+    });
+}
+
 // Pixels from any source. `words` says what to do with print in them.
 Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& reading, WordsWish words, const Job& job,
                             const Sheet& sheet) {
@@ -63,7 +73,7 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
         print.take_from(picture);
         if (chooses) way.detail = choose_detail(fitting, picture, on, place, as_drawn);
         KnownParts parts;
-        if (fitting.has_words && picture.mm_per_pixel > 0) parts = take_known_parts(picture, fitting.name == "diagram");
+        if (fitting.has_words && picture.mm_per_pixel > 0) parts = take_known_parts(picture, outlines_surfaces(fitting));
         Drawing drawing = drawing_of(run_settling(fitting, std::move(picture), way.chosen));
         if (!drawing.picture) std::move(parts).add_to(drawing);
         if (way.detail) drawing.remarks.push_back(remark_on(*way.detail));

@@ -52,7 +52,7 @@ public:
         page_.words = std::move(rest.words);
         page_.names = std::move(rest.names);
         page_.left_out = std::move(rest.left_out);
-        page_.remarks = std::move(rest.remarks);
+        page_.remarks = {rest.remarks.begin(), rest.remarks.end()};  // in the language of the page already
         for (auto& [number, region] : rest.undrawn) regions_.add(number, std::move(region));
         for (const FoundMark& mark : marks_) take(mark);
         take_strays();
