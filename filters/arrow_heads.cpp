@@ -68,6 +68,11 @@ public:
         ahead_ = ahead;
         side_ = {-ahead.y, ahead.x};
         shaft_ = shaft;
+        for (std::size_t i = 0; i < kAngles.size(); ++i) {
+            const double angle = kAngles[i] * std::numbers::pi / 180;
+            const Point back{-ahead.x, -ahead.y};
+            spreads_[i] = {turned(back, angle), turned(back, -angle), std::sin(angle), std::cos(angle)};
+        }
         // The thinned line may stop before the tip of a filled head, or go on into what the head touches.
         const double back = std::min(longest_, 6.0 + shaft), on = longest_;
         for (double along = -back; along <= on; along += 1) {
@@ -151,19 +156,19 @@ private:
         return on > 0.8 * all;
     }
 
+    bool both_on_ink(Point tip, Point left, Point right, double length) const {
+        return ink_.off(moved(tip, left, length)) < 1.2 && ink_.off(moved(tip, right, length)) < 1.2;
+    }
+
     void try_tip(Point tip) {
         if (ink_.off(tip) >= 1.5) return;
-        for (const double degrees : kAngles) {
-            const double angle = degrees * std::numbers::pi / 180;
-            const Point back{-ahead_.x, -ahead_.y};
-            const Point left = turned(back, angle), right = turned(back, -angle);
+        for (const auto& [left, right, sine, cosine] : spreads_) {
+            if (!both_on_ink(tip, left, right, kShortest)) continue;  // as nearly all are, at once
             // How far both barbs go: they end at the same length.
             double length = 0;
-            while (length < longest_ && ink_.off(moved(tip, left, length + 1)) < 1.2 &&
-                   ink_.off(moved(tip, right, length + 1)) < 1.2)
-                length += 1;
+            while (length < longest_ && both_on_ink(tip, left, right, length + 1)) length += 1;
             if (length < kShortest || length >= longest_) continue;
-            const double half = length * std::sin(angle), neck = length * std::cos(angle);
+            const double half = length * sine, neck = length * cosine;
             if (half < std::max(2.5, shaft_ / 2 + 1.8) || length < 1.6 * shaft_) continue;
             if (goes_on_from(moved(tip, left, length), left) || goes_on_from(moved(tip, right, length), right)) continue;
             const auto off = off_sides(tip, neck, half);
@@ -171,13 +176,18 @@ private:
             // Of heads that fit, the one that explains most ink.
             const double quality = length / (0.5 + *off);
             if (best_ && quality <= best_->quality) continue;
-            best_ = Fit{{tip, {moved(tip, left, length), moved(tip, right, length)}, moved(tip, back, neck), shaft_}, quality};
+            best_ = Fit{{tip, {moved(tip, left, length), moved(tip, right, length)}, moved(tip, ahead_, -neck), shaft_}, quality};
         }
     }
 
     const InkField& ink_;
     double longest_, shaft_ = 1;
     Point ahead_{}, side_{};
+    struct Spread {
+        Point left, right;  // the directions of the barbs
+        double sine = 0, cosine = 0;
+    };
+    std::array<Spread, kAngles.size()> spreads_{};
     std::optional<Fit> best_;
 };
 

@@ -343,7 +343,7 @@ double share_of_rim(const Look& look) {
     return static_cast<double>(same) / static_cast<double>(rim.size());
 }
 
-std::string percent(double share) { return std::to_string(static_cast<int>(std::lround(100 * share))) + " %"; }
+std::string percent(double share) { return std::to_string(static_cast<int>(std::lround(100 * share))); }
 
 }  // namespace
 
@@ -364,11 +364,12 @@ Traits traits_of(const Image& picture) {
 
 Choice choose_recipe(const Image& picture) {
     const Traits traits = traits_of(picture);
-    const std::string ground = percent(traits.ground) + " is one ground",
-                      seen = percent(traits.flat) + " flat, " + percent(traits.soft) + " soft, eight colours cover " +
-                             percent(traits.few) + ", " + percent(traits.clear) + " of steps clear";
+    const Phrase ground = phrase("{0} % is one ground", percent(traits.ground)),
+                 seen = phrase("{0} % flat, {1} % soft, eight colours cover {2} %, {3} % of steps clear", percent(traits.flat),
+                               percent(traits.soft), percent(traits.few), percent(traits.clear));
     const bool paper = traits.lightest && traits.range >= kInkRange && traits.ground >= kInkGround && traits.flat >= kInkFlat;
-    if (paper && traits.colourful < kInkColour && traits.thick <= kInkThick) return {"line-art", "dark lines: " + ground};
+    if (paper && traits.colourful < kInkColour && traits.thick <= kInkThick)
+        return {"line-art", phrase("dark lines: {0}", ground)};
     const bool colourful = traits.colourful >= kMapColour;
     const bool few = traits.few >= (colourful ? kDrawnFew : kGreyFew) + kFewOfGrain * traits.noise &&
                      traits.ground >= (colourful ? kFewGround : kGreyGround);
@@ -381,9 +382,9 @@ Choice choose_recipe(const Image& picture) {
     const bool pale = few && colourful && traits.clear >= kPaleClear;
     const bool drawn = parts || lines || icon;
     const bool stands = traits.rim >= kRim || traits.ground >= (traits.lightest ? kWhiteGround : kGround);
-    if (drawn && (stands || !colourful)) return {"diagram", "drawn: " + ground + ", " + seen};
-    if (drawn || pale) return {"map", "coloured regions: " + seen};
-    return {"photo", "continuous tones: " + seen};
+    if (drawn && (stands || !colourful)) return {"diagram", phrase("drawn: {0}, {1}", ground, seen)};
+    if (drawn || pale) return {"map", phrase("coloured regions: {0}", seen)};
+    return {"photo", phrase("continuous tones: {0}", seen)};
 }
 
 }  // namespace tactics

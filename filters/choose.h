@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tactics/image.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -28,7 +29,7 @@ Traits traits_of(const Image& picture);
 
 struct Choice {
     std::string recipe;
-    std::string reason;  ///< "continuous tones: 31 % flat, 47 % soft, ...": for the user
+    Phrase reason;  ///< "continuous tones: 31 % flat, 47 % soft, ...": for the user
 };
 
 Choice choose_recipe(const Image& picture);

@@ -229,7 +229,7 @@ std::string result_json(const Outcome& outcome) {
     json.add("width", outcome.picture.width);
     json.add("height", outcome.picture.height);
     json.add("recipe", outcome.recipe);
-    if (!outcome.reason.empty()) json.add("reason", outcome.reason);
+    if (!outcome.reason.empty()) json.add("reason", outcome.reason.english());
     std::vector<std::string> parts;
     for (const auto& step : outcome.steps) parts.push_back(json_text(step));
     json.add_raw("steps", json_array(parts));

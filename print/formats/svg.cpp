@@ -297,8 +297,9 @@ std::string encode(const Page& page, const Settings&) {
     // have titles. "graphics-document" would say it better, but EPUB allows only older roles.
     text += " version=\"1.1\" width=\"" + width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
             "\" xml:lang=\"" + escaped(page.language) + '"' + page_told(page) +
-            " role=\"document\" aria-labelledby=\"title\" aria-describedby=\"desc\">\n<title id=\"title\">" +
-            escaped(page.title.empty() ? phrase("Tactile graphic").in(page.language) : page.title) +
+            " role=\"document\" aria-labelledby=\"title\" aria-describedby=\"desc\">\n<title id=\"title\"" +
+            (page.title.empty() ? " xml:lang=\"" + own_language(description) + "\">" + phrase("Tactile graphic").in(page.language)
+                                : ">" + escaped(page.title)) +
             "</title>\n<desc id=\"desc\" xml:lang=\"" + escaped(alternative_language(page)) + "\">" +
             escaped(alternative_text(page, description)) + "</desc>\n";
     for (const marks::PageLayer& layer : marks::kLayers) text += layer_group(layer, page, description);

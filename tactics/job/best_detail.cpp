@@ -113,7 +113,7 @@ std::size_t best_of(const std::vector<TriedDetail>& tried) {
     return best;
 }
 
-std::string amount(double times) { return times == 1 ? "the usual line" : to_text(times) + " times the usual line"; }
+Phrase amount(double times) { return times == 1 ? phrase("the usual line") : phrase("{0} times the usual line", numeral(times)); }
 
 }  // namespace
 
@@ -121,10 +121,11 @@ void check_chooses_detail(const Recipe& recipe) {
     const std::size_t at = budget_step(recipe);
     // Regions know how likely people would draw what parts them; an edge map knows only how strong it is.
     if (at < recipe.steps.size() && recipe.steps[at].filter->takes != static_cast<Kinds>(Kind::regions))
-        throw Error(Fault::usage, spelled("detail"),
-                    "the lines of recipe " + recipe.name +
-                        " do not say how likely people would draw them, by which best chooses; take " + spelled("recipe") +
-                        " photo, or a number");
+        throw Error(
+            Fault::usage, spelled("detail"),
+            phrase("the lines of recipe {0} do not say how likely people would draw them, by which best chooses; take {1} "
+                   "photo, or a number",
+                   recipe.name, spelled("recipe")));
 }
 
 DetailChoice choose_detail(Recipe& recipe, Artwork picture, const Sheet& sheet, const Rect& place, bool as_drawn) {
@@ -137,20 +138,21 @@ DetailChoice choose_detail(Recipe& recipe, Artwork picture, const Sheet& sheet, 
     return choice;
 }
 
-std::string explained(const DetailChoice& choice, const Medium& medium) {
+Phrase explained(const DetailChoice& choice, const Medium& medium) {
     const TriedDetail& chosen = choice.chosen();
-    std::string others;
+    std::vector<Phrase> others;
     for (const TriedDetail* other : {&choice.tried.front(), &usual_of(choice.tried), &choice.tried.back()})
-        if (other != &chosen) others += (others.empty() ? "" : ", ") + amount(other->times) + " " + percent(other->loss);
-    return spelled("detail") + " best takes " + amount(chosen.times) + " for " + std::string(medium.name) + ", which loses " +
-           percent(chosen.loss) + " of the bits about what people would draw (" + others + "); of " +
-           std::to_string(choice.tried.size()) + " amounts it is the nearest to the usual within " + percent(kSame) +
-           " of the least loss";
+        if (other != &chosen) others.push_back(phrase("{0}: {1}", amount(other->times), percent(other->loss)));
+    return phrase(
+        "{0} best takes {1} for {2}, which loses {3} of the bits about what people would draw ({4}); of {5} amounts it is the "
+        "nearest to the usual within {6} of the least loss",
+        spelled("detail"), amount(chosen.times), medium.name, percent(chosen.loss), row_of(others),
+        std::to_string(choice.tried.size()), percent(kSame));
 }
 
-std::string remark_on(const DetailChoice& choice) {
-    return "It is drawn with " + amount(choice.chosen().times) +
-           ", with which a page of this kind tells most of what people would draw.";
+Phrase remark_on(const DetailChoice& choice) {
+    return phrase("It is drawn with {0}, with which a page of this kind tells most of what people would draw.",
+                  amount(choice.chosen().times));
 }
 
 }  // namespace tactics

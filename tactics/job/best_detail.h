@@ -10,6 +10,7 @@
 #include "tactics/layout/sheet.h"
 #include "tactics/page.h"
 #include "tactics/recipe.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -35,8 +36,8 @@ void check_chooses_detail(const Recipe& recipe);
 DetailChoice choose_detail(Recipe& recipe, Artwork picture, const Sheet& sheet, const Rect& place, bool as_drawn);
 
 /// For the user: what was taken for `medium`, what is lost of the bits about what people would draw, and what with less and more.
-std::string explained(const DetailChoice& choice, const Medium& medium);
+Phrase explained(const DetailChoice& choice, const Medium& medium);
 /// For whoever has the page described.
-std::string remark_on(const DetailChoice& choice);
+Phrase remark_on(const DetailChoice& choice);
 
 }  // namespace tactics

@@ -32,7 +32,7 @@ Choice choice_for(const SubjectWish& wish) {
     return {"photo", wish.subject.empty() ? "it can leave a box out" : "what matters in it is named"};
 }
 
-Recipe recipe_for(Reading& reading, const Job& job, std::string& reason) {
+Recipe recipe_for(Reading& reading, const Job& job, Phrase& reason) {
     if (job.recipe) return with_subject(*job.recipe, job.wish);
     if (job.chain.base) return with_subject(finish(job.chain, *job.chain.base), job.wish);
     const Choice choice = job.wish.empty() ? choose(reading) : choice_for(job.wish);

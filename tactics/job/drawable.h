@@ -29,8 +29,8 @@ struct DrawingWay {
 /// To add a kind of source, write a function that fills this, and add a line to drawable_of.
 struct Drawable {
     PictureInfo info;
-    Recipe recipe = {};       ///< recipe that draws it; no steps: it consists of lines already
-    std::string reason = {};  ///< why auto chose it; empty: the user named it, or there is none
+    Recipe recipe = {};  ///< recipe that draws it; no steps: it consists of lines already
+    Phrase reason = {};  ///< why auto chose it; empty: the user named it, or there is none
     PrintWords words = {};
     bool print_is_left = false;  ///< what happens to words that have no room in braille: left in the lines; else left out
     std::string title = {}, title_origin = {};

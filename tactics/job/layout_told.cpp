@@ -32,4 +32,9 @@ void tell_layout(Layout& layout, const Pages& pages) {
     for (const PageName& name : page.names) layout.names.push_back(name.text);
 }
 
+std::string name_of_input(const Outcome& outcome) {
+    const std::string name = outcome.input == "-" ? "standard input" : outcome.input;
+    return outcome.pdf_page > 0 ? name + " page " + std::to_string(outcome.pdf_page) : name;
+}
+
 }  // namespace tactics

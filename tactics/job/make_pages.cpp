@@ -397,11 +397,6 @@ Outcome outcome_of(const Job& job, const Watch& watch, const std::function<Sourc
 
 }  // namespace
 
-std::string name_of_input(const Outcome& outcome) {
-    const std::string name = outcome.input == "-" ? "standard input" : outcome.input;
-    return outcome.pdf_page > 0 ? name + " page " + std::to_string(outcome.pdf_page) : name;
-}
-
 Outcome make_pages(const Job& job, const Watch& watch) {
     return outcome_of(job, watch, [&](std::vector<Phrase>& notes) {
         return job.as_text ? open_source(job.input) : open_input(job.input, {page_of(job), page_wish(job).as_picture}, notes);

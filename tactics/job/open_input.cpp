@@ -2,6 +2,8 @@
 #include "tactics/job/open_input.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <system_error>
 
 #include "tactics/error.h"
 #include "tactics/job/holds.h"
@@ -19,7 +21,9 @@ Source kept(const std::string& bytes, const std::string& name) {
     Source source{name, temporary_file()};
     std::FILE* file = source.file.get();
     if (file == nullptr || std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0)
-        throw Error(Fault::failed, name, phrase("cannot be kept in a temporary file; {0}", temporary_file_cure()));
+        throw Error(Fault::failed, name,
+                    phrase("cannot be kept in a temporary file: {0}; {1}", std::generic_category().message(errno),
+                           temporary_file_cure()));
     std::rewind(file);
     return source;
 }

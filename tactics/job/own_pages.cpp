@@ -144,14 +144,16 @@ Image image_of(const Bitmap& bitmap) {
 void take_own(Sheet& sheet, const Page& own, const Wishes& wishes, const Format& format) {
     if (!wishes.asked.language) sheet.language = own.language;
     if (!wishes.asked.language && !wishes.asked.braille) sheet.braille_table = own.braille_table;
-    if (!wishes.asked.cell && format.dots == nullptr) sheet.cell = own.cell;
+    // A machine that was named has its own cells, medium and paper.
+    const bool free = format.dots == nullptr && wishes.machine == nullptr;
+    if (!wishes.asked.cell && free) sheet.cell = own.cell;
     if (sheet.description.empty()) sheet.description = own.description;
     const Medium* medium = medium_named(own.medium);
     // A picture can show dots, and dots cannot show lines.
     const bool can_have =
         medium != nullptr && (has_fixed_dots(*medium) || !has_fixed_dots(find_medium(format.medium, format.name)));
-    if (can_have && wishes.sheet.medium == nullptr && format.dots == nullptr) sheet.medium = medium;
-    if (!wishes.paper && sheet.medium == medium && format.dots == nullptr && !sheet.bare) {
+    if (can_have && wishes.sheet.medium == nullptr && free) sheet.medium = medium;
+    if (!wishes.paper && sheet.medium == medium && free && !sheet.bare) {
         sheet.paper = {"", "", std::min(own.width, own.height), std::max(own.width, own.height)};
         if (sheet.orientation == Orientation::automatic)
             sheet.orientation = own.width > own.height ? Orientation::landscape : Orientation::portrait;
@@ -167,7 +169,7 @@ void take_own(Sheet& sheet, const Page& own, const Wishes& wishes, const Format&
 
 bool stays_as_it_is(const Sheet& sheet, const Page& own, const Job& job, const Format& format) {
     const bool same_medium = own.medium.empty() || sheet.medium->name == own.medium;
-    const bool same_bed = format.dots == nullptr || (own.bed && sheet.bed && *own.bed == *sheet.bed);
+    const bool same_bed = sheet.bed ? own.bed && *own.bed == *sheet.bed : format.dots == nullptr;
     if (same_medium && same_bed && sheet.cell == own.cell && !asks_for_other_words(job, own) && !asks_for_other_place(job, own))
         return true;
     if (own.drawing.width > 0 && own.drawing.height > 0 && medium_named(own.medium) != nullptr) return false;

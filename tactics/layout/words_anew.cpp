@@ -95,6 +95,8 @@ std::string set_line_anew(Page& page, int words) {
         Cells cells = cells_for(said, page);
         const double wider = dots_width(cells.size(), page) - dots_width(line->cells.size(), page);
         const double right = page.width - page.braille_dot / 2 - dots_width(cells.size(), page);
+        if (right < page.braille_dot / 2 && said.kind == WordsKind::key)
+            return "\"" + said.text + "\" is longer than a line of the key in braille, which stays as it was; shorten it";
         if (right < page.braille_dot / 2) note = "\"" + said.text + "\" is longer than the page is wide in braille; shorten it";
         const double from = line->first_dot.x;
         line->first_dot.x = std::max(page.braille_dot / 2, std::min(from + shift_of(page, words, wider), right));

@@ -12,15 +12,16 @@ namespace tactics {
 namespace {
 std::string by(long long width, long long height) { return std::to_string(width) + " x " + std::to_string(height); }
 
-std::string at_line(long long line, long long lines, int pass) {
-    if (line <= 0) return "before its first line";
-    return (pass > 0 ? "in pass " + std::to_string(pass) + " " : "") + "at line " + std::to_string(std::min(line, lines)) +
-           " of " + std::to_string(lines);
+Phrase at_line(long long line, long long lines, int pass) {
+    if (line <= 0) return phrase("before its first line");
+    const std::string at = std::to_string(std::min(line, lines)), of = std::to_string(lines);
+    return pass > 0 ? phrase("in pass {0} at line {1} of {2}", std::to_string(pass), at, of)
+                    : phrase("at line {0} of {1}", at, of);
 }
 }  // namespace
 
 void check_claimed_size(std::string_view name, long long width, long long height) {
-    const std::string claim = "claims " + by(width, height) + " pixels";
+    const Phrase claim = phrase("claims {0} x {1} pixels", std::to_string(width), std::to_string(height));
     if (width <= 0 || height <= 0) throw Error(Fault::failed, name, phrase("{0}; it is damaged, get a fresh copy of it", claim));
     if (width > kMaxSide || height > kMaxSide)
         throw Error(Fault::failed, name,

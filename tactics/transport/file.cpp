@@ -86,24 +86,27 @@ struct Output {
     struct stat there {};
     // /proc and similar file systems answer in this way to a new file.
     if (reason == ENOENT && stat(folder.c_str(), &there) == 0) reason = EACCES;
-    std::string message;
+    Phrase message;
     switch (reason) {
-        case ENOENT: message = "there is no folder " + folder + "; make it first: mkdir -p " + folder; break;
-        case ENOTDIR: message = folder + " is not a folder; write to another place"; break;
-        case EISDIR: message = "this is a folder; add the name of a file"; break;
+        case ENOENT: message = phrase("there is no folder {0}; make it first: mkdir -p {0}", folder); break;
+        case ENOTDIR: message = phrase("{0} is not a folder; write to another place", folder); break;
+        case EISDIR: message = phrase("this is a folder; add the name of a file"); break;
         case EACCES:
-        case EPERM: message = "no permission to write here; write to a folder of your own, or change the permissions"; break;
-        case EROFS: message = "this file system is read-only; write to another place"; break;
-        case ENOSPC:
-        case EDQUOT: message = "there is no space left; free some, or write to another disk"; break;
-        case EFBIG:
-            message = "the file would be larger than is allowed here; raise the limit (ulimit -f), or choose a smaller page";
+        case EPERM:
+            message = phrase("no permission to write here; write to a folder of your own, or change the permissions");
             break;
-        case ENAMETOOLONG: message = "the name is too long; choose a shorter one"; break;
-        case ELOOP: message = "this symbolic link leads round in a circle; remove it"; break;
-        default:
+        case EROFS: message = phrase("this file system is read-only; write to another place"); break;
+        case ENOSPC:
+        case EDQUOT: message = phrase("there is no space left; free some, or write to another disk"); break;
+        case EFBIG:
             message =
-                "cannot be written: " + std::error_code(reason, std::generic_category()).message() + "; write to another place";
+                phrase("the file would be larger than is allowed here; raise the limit (ulimit -f), or choose a smaller page");
+            break;
+        case ENAMETOOLONG: message = phrase("the name is too long; choose a shorter one"); break;
+        case ELOOP: message = phrase("this symbolic link leads round in a circle; remove it"); break;
+        default:
+            message = phrase("cannot be written: {0}; write to another place",
+                             std::error_code(reason, std::generic_category()).message());
     }
     throw Error(Fault::failed, output.path, message);
 }

@@ -49,6 +49,6 @@ TemporaryFile temporary_file() {
     return {nullptr, &std::fclose};
 }
 
-std::string temporary_file_cure() { return "make room in " + folders().front() + ", or name another folder with TMPDIR"; }
+Phrase temporary_file_cure() { return phrase("make room in {0}, or name another folder with TMPDIR", folders().front()); }
 
 }  // namespace tactics

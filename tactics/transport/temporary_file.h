@@ -4,7 +4,8 @@
 
 #include <cstdio>
 #include <memory>
-#include <string>
+
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -16,6 +17,6 @@ using TemporaryFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 TemporaryFile temporary_file();
 
 /// "make room in FOLDER, or name another folder with TMPDIR": what a user can do where temporary_file() is null or full.
-std::string temporary_file_cure();
+Phrase temporary_file_cure();
 
 }  // namespace tactics

@@ -23,9 +23,9 @@ void tell(const std::string& name) {
     const Choice choice = choose_recipe(picture);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     const Traits traits = traits_of(picture);
-    std::cout << name << '\t' << choice.recipe << '\t' << choice.reason << '\t' << traits.noise << '\t' << traits.flat << '\t'
-              << traits.soft << '\t' << traits.clear << '\t' << traits.few << '\t' << traits.ground << '\t' << traits.rim << '\t'
-              << traits.colourful << '\t' << traits.thick << '\t' << traits.range << '\t' << traits.lightest << '\t'
+    std::cout << name << '\t' << choice.recipe << '\t' << choice.reason.english() << '\t' << traits.noise << '\t' << traits.flat
+              << '\t' << traits.soft << '\t' << traits.clear << '\t' << traits.few << '\t' << traits.ground << '\t' << traits.rim
+              << '\t' << traits.colourful << '\t' << traits.thick << '\t' << traits.range << '\t' << traits.lightest << '\t'
               << traits.darkest << '\t' << seconds.count() << '\n';
 }
 

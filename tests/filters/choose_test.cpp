@@ -95,7 +95,7 @@ TEST(Choice, OfADrawingIsTheSameAfterAScan) {
             }
             for (const Wear& wear : kWears) {
                 const Choice choice = choose_recipe(worn(drawn, wear));
-                EXPECT_EQ(choice.recipe, recipe_for(scene)) << size << ", " << wear.name << ": " << choice.reason;
+                EXPECT_EQ(choice.recipe, recipe_for(scene)) << size << ", " << wear.name << ": " << choice.reason.english();
             }
         }
 }
@@ -197,7 +197,7 @@ TEST(Choice, OfAZebraIsPhoto) {
         const double grass = 150 + 40 * mottle(x / 3.0, y / 3.0);
         return (body ? 35 + 170 * stripe + 24 * mottle(4.0 * x, 4.0 * y) : grass) + 3 * chance.normal();
     });
-    EXPECT_EQ(choose_recipe(zebra).recipe, "photo") << choose_recipe(zebra).reason;
+    EXPECT_EQ(choose_recipe(zebra).recipe, "photo") << choose_recipe(zebra).reason.english();
     EXPECT_EQ(choose_recipe(toned(zebra, 0.1, 0)).recipe, "photo") << "dark";
 }
 
@@ -211,7 +211,7 @@ TEST(Choice, OfASilhouetteAtDuskIsPhoto) {
         const double cloud = 18 * mottle(x / 2, 2 * y);
         return {90 + 0.6 * y + cloud + noise, 60 + 0.3 * y + cloud + noise, 110 - 0.2 * y + cloud + noise};
     })));
-    EXPECT_EQ(choose_recipe(dusk).recipe, "photo") << choose_recipe(dusk).reason;
+    EXPECT_EQ(choose_recipe(dusk).recipe, "photo") << choose_recipe(dusk).reason.english();
 }
 
 TEST(Choice, OfFogIsPhoto) {
@@ -223,7 +223,7 @@ TEST(Choice, OfFogIsPhoto) {
                 level = 195 - 14 * row + 6 * mottle(2.0 * x, 2.0 * y + 50 * row);
         return level + chance.normal();
     });
-    EXPECT_EQ(choose_recipe(fog).recipe, "photo") << choose_recipe(fog).reason;
+    EXPECT_EQ(choose_recipe(fog).recipe, "photo") << choose_recipe(fog).reason.english();
 }
 
 double cover(double distance) { return std::clamp(0.5 - distance, 0.0, 1.0); }  // of a pixel with its middle so far outside
@@ -242,7 +242,7 @@ TEST(Choice, OfASmallFlatIconIsDiagram) {
             lay(cover(std::hypot(u, v - 0.2 * size) - 0.11 * size), {60, 80, 160});
             return colour;
         });
-        EXPECT_EQ(choose_recipe(icon).recipe, "diagram") << size << ": " << choose_recipe(icon).reason;
+        EXPECT_EQ(choose_recipe(icon).recipe, "diagram") << size << ": " << choose_recipe(icon).reason.english();
     }
 }
 
@@ -254,14 +254,14 @@ TEST(Choice, OfAChartOnDarkGroundIsDiagram) {
         if (y < 320 && y > 330 - 28 * std::floor(x / 50) && std::fmod(x, 50) > 20 && x > 50 && x < 450) return {70, 150, 220};
         return {30, 33, 40};
     });
-    EXPECT_EQ(choose_recipe(chart).recipe, "diagram") << choose_recipe(chart).reason;
+    EXPECT_EQ(choose_recipe(chart).recipe, "diagram") << choose_recipe(chart).reason.english();
     EXPECT_EQ(choose_recipe(to_grey(chart)).recipe, "diagram") << "grey";
 }
 
 TEST(Choice, OfAGrainyGreyScanIsThatOfTheDrawing) {
     for (const char* scene : {"chart", "line-art"}) {
         const Image scan = to_grey(worn(samples::draw_scene(scene, kLook), {"grey", 8, 0, 1, 0.15, 0.15, {0.85, 0.85, 0.85}}));
-        EXPECT_EQ(choose_recipe(scan).recipe, recipe_for(scene)) << choose_recipe(scan).reason;
+        EXPECT_EQ(choose_recipe(scan).recipe, recipe_for(scene)) << choose_recipe(scan).reason.english();
     }
 }
 

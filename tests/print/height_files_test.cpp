@@ -63,7 +63,7 @@ TEST(HeightFiles, SixteenBitsComeBackToTheByte) {
             EXPECT_EQ(back.map.pitch, 0.35);
             EXPECT_EQ(back.low, low);
             EXPECT_EQ(back.high, high);
-            EXPECT_TRUE(back.notes.empty()) << back.notes.front();
+            EXPECT_TRUE(back.notes.empty()) << back.notes.front().english();
             EXPECT_EQ(write(back), bytes) << low << " " << high;
         }
         // From one to the other nothing is lost either.
@@ -81,7 +81,7 @@ TEST(HeightFiles, DecimalNumbersComeBackToTheBit) {
         EXPECT_EQ(back.map.pitch, 0.35);
         EXPECT_EQ(back.low, -2);
         EXPECT_EQ(back.high, 7);
-        EXPECT_TRUE(back.notes.empty()) << back.notes.front();
+        EXPECT_TRUE(back.notes.empty()) << back.notes.front().english();
         EXPECT_EQ(write(back), bytes);
     }
     EXPECT_EQ(png_of(read(exr_of(read(png_of(file))))), png_of(read(png_of(file))));

@@ -354,7 +354,9 @@ TEST(LayOut, PointsStandOnSteps) {
         EXPECT_TRUE(stands(stroke.width));
         for (std::size_t i = 0; i < stroke.points.size(); ++i) {
             EXPECT_TRUE(stands(stroke.points[i].x) && stands(stroke.points[i].y));
-            if (i > 0) EXPECT_GT(distance(stroke.points[i], stroke.points[i - 1]), 0.009);
+            if (i > 0) {
+                EXPECT_GT(distance(stroke.points[i], stroke.points[i - 1]), 0.009);
+            }
         }
     }
     EXPECT_TRUE(page.areas.empty()) << "smaller than a step";

@@ -54,6 +54,7 @@ Point place_at(const std::vector<Point>& line, const std::vector<double>& along,
 bool run_alike(const std::vector<Point>& a, const std::vector<Point>& b, double farthest) {
     if (a.size() < 2 || b.size() < 2) return false;
     const std::vector<double> of_a = lengths_along(a), of_b = lengths_along(b);
+    if (!std::isfinite(of_a.back()) || !std::isfinite(of_b.back())) return false;
     std::vector<double> shares;
     for (const auto* along : {&of_a, &of_b})
         for (const double at : *along) shares.push_back(along->back() > 0 ? at / along->back() : 0);
@@ -64,9 +65,12 @@ bool run_alike(const std::vector<Point>& a, const std::vector<Point>& b, double 
     });
 }
 
+// Letters of a path; longer ones, which we do not write, count as drawn.
+constexpr std::size_t kLongestPath = 256 * 1024;
+
 std::optional<std::vector<Point>> course_told(const FoundMark& mark, const PageStroke& drawn) {
     const std::string_view path = mark.element->attribute(marks::kPath), told = mark.element->attribute(marks::kPoints);
-    if (path.empty() || told.empty()) return std::nullopt;
+    if (path.empty() || told.empty() || path.size() > kLongestPath) return std::nullopt;
     Pen pen(mark.transform);
     draw_path(path, pen);
     std::vector<Subpath> was = pen.finish();

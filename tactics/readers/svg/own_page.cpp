@@ -41,6 +41,15 @@ private:
     std::vector<std::pair<std::size_t, Thing>> all_;
 };
 
+// Print that had no room ends in an ellipsis; the words go on behind it if only what stands there was changed.
+std::string whole_of(const std::string& typed, std::string_view shown, const std::string& said) {
+    constexpr std::string_view kCut = "\u2026";
+    if (!shown.ends_with(kCut) || !typed.ends_with(kCut)) return typed;
+    shown.remove_suffix(kCut.size());
+    if (!std::string_view(said).starts_with(shown)) return typed;
+    return typed.substr(0, typed.size() - kCut.size()) + said.substr(shown.size());
+}
+
 class OwnReader {
 public:
     OwnReader(const Element& root, const std::string& file, Page page) : root_(root), file_(file), page_(std::move(page)) {}
@@ -85,6 +94,8 @@ private:
         };
         take(page_.width, size.width);
         take(page_.height, size.height);
+        // What is told of the drawing's place is of the page as it was.
+        if (distance(to_mm_(Point{}), Point{}) > kSame) page_.drawing = {};
     }
 
     void take(const FoundMark& mark) {
@@ -160,12 +171,20 @@ private:
             if (!stroke[i]) strokes_.add(std::nullopt, found_.page.strokes[i]);
     }
 
+    // Each change looks through the page.
+    void check_changes() const {
+        constexpr std::size_t kMost = 1000;
+        if (added_.size() + retyped_.size() + text_moved_.size() + moved_.size() > kMost)
+            throw Error(Fault::failed, file_, "over 1000 of its texts were changed; make the page anew with these words");
+    }
+
     void take_texts() {
         Numbered<PrintLine> print;
         for (const OwnText& text : own_texts(root_, to_mm_)) {
             const Element& element = *text.element;
             if (element.attribute(marks::kText).empty()) {
                 if (!text.text.empty()) added_.push_back(text);
+                check_changes();
                 continue;
             }
             const auto words = number_told(element, marks::kWords), number = number_told(element, marks::kNumber);
@@ -177,7 +196,10 @@ private:
             const Point at = distance(place, text.at) < kSame ? place : text.at, moved{at.x - was.x, at.y - was.y};
             const bool stands = std::hypot(moved.x, moved.y) < kSame;
             const bool typed = text.text != element.attribute(marks::kText);
-            if (typed && known) retyped_[static_cast<int>(*words)] = text.text;
+            if (typed && known)
+                retyped_[static_cast<int>(*words)] =
+                    whole_of(text.text, element.attribute(marks::kText), page_.words[*words].text);
+            check_changes();
             if (number) {
                 PrintLine line{stands ? was : at, (*told)[2], typed ? text.text : std::string(element.attribute(marks::kText))};
                 if (known) line.words = static_cast<int>(*words);
@@ -239,8 +261,23 @@ private:
         put_on_steps(page_);
     }
 
+    // All of it to one side of the sheet.
+    bool is_beside(const std::vector<Point>& points) const {
+        const auto all = [&](const auto& test) { return std::all_of(points.begin(), points.end(), test); };
+        return all([](Point p) { return p.x < 0; }) || all([](Point p) { return p.y < 0; }) ||
+               all([&](Point p) { return p.x > page_.width; }) || all([&](Point p) { return p.y > page_.height; });
+    }
+
     // What no format can have: a place beside the sheet.
     void keep_on_paper() {
+        const std::size_t drawn = page_.strokes.size() + page_.areas.size() + page_.textured.size();
+        std::erase_if(page_.strokes, [&](const PageStroke& stroke) { return is_beside(stroke.points); });
+        for (auto* areas : {&page_.areas, &page_.textured}) {
+            for (Area& area : *areas) std::erase_if(area.rings, [&](const auto& ring) { return is_beside(ring); });
+            std::erase_if(*areas, [](const Area& area) { return area.rings.empty(); });
+        }
+        if (page_.strokes.size() + page_.areas.size() + page_.textured.size() < drawn)
+            notes_.push_back("lines or areas that lie beside the page are left out; move them onto it");
         const auto put = [&](Point& p) { p = {std::clamp(p.x, 0.0, page_.width), std::clamp(p.y, 0.0, page_.height)}; };
         for (PageStroke& stroke : page_.strokes)
             for (Point& p : stroke.points) put(p);
@@ -253,7 +290,7 @@ private:
         std::erase_if(page_.braille, [&](const BrailleLine& line) { return lies_off(line.first_dot); });
         std::erase_if(page_.print, [&](const PrintLine& line) { return lies_off(line.baseline); });
         if (page_.braille.size() < lines || page_.print.size() < print)
-            notes_.push_back("words that stand beside the page are left out");
+            notes_.push_back("words that stand beside the page are left out; move them onto it");
     }
 
     const Element& root_;

@@ -35,11 +35,18 @@ std::optional<double> first_place(const Element& element, std::string_view name)
     return std::nullopt;
 }
 
-void collect(const Element& element, const Transform& outer, std::vector<OwnText>& texts) {
+bool is_hidden(const Element& element) {
+    return element.attribute("display") == "none" || element.attribute("style").find("display:none") != std::string_view::npos;
+}
+
+// In a layer that is hidden, only the words of the braille count, which have no place in print.
+void collect(const Element& element, const Transform& outer, bool hidden, std::vector<OwnText>& texts) {
+    hidden = hidden || is_hidden(element);
     Transform own;
     if (const auto text = element.attribute("transform"); !text.empty() && !parse_transform(text, own)) return;
     const Transform transform = outer * own;
     if (element.name == "text") {
+        if (hidden && (element.attribute(marks::kText).empty() || !element.attribute(marks::kNumber).empty())) return;
         std::string said;
         append_said(element, said);
         const Point at{first_place(element, "x").value_or(0), first_place(element, "y").value_or(0)};
@@ -48,14 +55,14 @@ void collect(const Element& element, const Transform& outer, std::vector<OwnText
     }
     if (element.attribute(marks::kLayer) == marks::kCheckLayer) return;
     if (element.name != "g" && element.name != "a" && element.name != "svg") return;
-    for (const Element& child : element.children) collect(child, transform, texts);
+    for (const Element& child : element.children) collect(child, transform, hidden, texts);
 }
 
 }  // namespace
 
 std::vector<OwnText> own_texts(const Element& root, const Transform& to_mm) {
     std::vector<OwnText> texts;
-    for (const Element& child : root.children) collect(child, to_mm, texts);
+    for (const Element& child : root.children) collect(child, to_mm, false, texts);
     return texts;
 }
 

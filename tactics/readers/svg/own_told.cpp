@@ -48,7 +48,10 @@ bool take_bed(const Element& root, std::optional<DotBed>& bed) {
 bool take_scale(const Element& root, std::optional<PageScale>& scale) {
     if (root.attribute(marks::kScale).empty()) return true;
     const auto numbers = numbers_told(root, marks::kScale, 6);
-    if (!numbers || !((*numbers)[0] > 0) || !((*numbers)[1] > 0)) return false;
+    // A bar of less than a millimetre cannot be felt, and is not what we wrote.
+    if (!numbers || !((*numbers)[0] >= 1 && (*numbers)[0] <= kLargest) || !((*numbers)[1] >= 1e-6 && (*numbers)[1] <= 1e12) ||
+        !((*numbers)[4] >= 0) || !((*numbers)[5] >= 0))
+        return false;
     scale = PageScale{line_told(root, marks::kText),
                       (*numbers)[0],
                       (*numbers)[1],
@@ -155,7 +158,14 @@ std::optional<Page> page_told(const Element& root) {
     const bool lives = page.live.width > 0 && page.live.height > 0 && page.live.left >= 0 && page.live.top >= 0 &&
                        page.live.left + page.live.width <= page.width + 1 && page.live.top + page.live.height <= page.height + 1;
     if (!sized || !lives || !(page.braille_dot >= 0 && page.braille_dot < 100)) return std::nullopt;
-    if (!root.attribute(marks::kDrawing).empty() && !take_rect(root, marks::kDrawing, page.drawing)) return std::nullopt;
+    if (!root.attribute(marks::kDrawing).empty()) {
+        if (!take_rect(root, marks::kDrawing, page.drawing)) return std::nullopt;
+        const Rect& drawing = page.drawing;
+        const auto fits = [](double side) { return side >= 1 && side <= kLargest; };
+        if (!fits(drawing.width) || !fits(drawing.height) || std::abs(drawing.left) > kLargest ||
+            std::abs(drawing.top) > kLargest)
+            return std::nullopt;
+    }
     page.medium = line_told(root, marks::kMedium);
     page.braille_table = line_told(root, marks::kTable);
     page.language = line_told(root, marks::kLanguage);

@@ -23,18 +23,19 @@ class Page:
         self.rings = []  # of black areas
         self.textured = []  # (texture, rings)
         self.dots = [(float(c.get("cx")), float(c.get("cy"))) for c in root.iter(SVG + "circle")]
-        for group in root.iter(SVG + "g"):
-            if group.get("id") not in ("areas", "lines"):
+        for path_ in root.iter(SVG + "path"):
+            if path_.get("data-tactics-n") is None:
                 continue
-            for path_ in group.iter(SVG + "path"):
-                role = (path_.get("class") or "").removeprefix("tactics-") or "line"
-                rings = subpaths(path_.get("d"))
-                if group.get("id") == "lines":
-                    self.lines += [(role, float(path_.get("stroke-width")), ring) for ring in rings]
-                elif role.startswith("texture-"):
-                    self.textured.append((int(role.removeprefix("texture-")), rings))
-                else:
-                    self.rings += rings
+            role = (path_.get("class") or "").removeprefix("tactics-") or "line"
+            if role.startswith("texture-"):
+                self.textured.append((int(role.removeprefix("texture-")), subpaths(path_.get("d"))))
+            elif path_.get("stroke-width") is not None:
+                course = path_.get("data-tactics-line")
+                self.lines += [(role, float(path_.get("stroke-width")), ring) for ring in ([points(course)] if course else subpaths(path_.get("d")))]
+            else:
+                self.rings += subpaths(path_.get("d"))
+        if not (self.lines or self.rings or self.textured):
+            raise SystemExit(f"{path}: a page without lines or areas; has its format changed?")
         self.names = []  # (text, box of a line of its braille)
         for group in root.iter(SVG + "g"):
             if (group.get("class") or "").startswith("tactics-name"):
@@ -67,6 +68,15 @@ class Page:
         taken |= {(int(x // 10), int(y // 10)) for x, y, _, _, _ in self.steps.all}
         taken |= {(i, j) for i in range(int(self.width // 10)) for j in range(int(self.height // 10)) if self.fill_at(10 * i + 5, 10 * j + 5)}
         return 1 - len(taken) / (self.width * self.height / 100)
+
+
+def points(text):
+    """The course of a line: hundredths of a mm, each place from the one before."""
+    values, at, course = [int(n) / 100 for n in text.split()], (0.0, 0.0), []
+    for x, y in zip(values[::2], values[1::2]):
+        at = (at[0] + x, at[1] + y)
+        course.append(at)
+    return course
 
 
 def subpaths(text):

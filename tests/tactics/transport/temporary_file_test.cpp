@@ -68,7 +68,7 @@ TEST_F(TemporaryFiles, KeepWhatIsWritten) {
 
 TEST_F(TemporaryFiles, CureNamesTheFolderThatIsAskedFirst) {
     const Set tmpdir("TMPDIR", "/somewhere");
-    EXPECT_EQ(temporary_file_cure(), "make room in /somewhere, or name another folder with TMPDIR");
+    EXPECT_EQ(temporary_file_cure().english(), "make room in /somewhere, or name another folder with TMPDIR");
 }
 
 }  // namespace

@@ -54,11 +54,11 @@ public:
                 words.optional);
         for (const Name& name : page.left_out) add("left out", name.at, name.text, name.origin, name.within, name.optional);
         for (const Region& region : page.regions) {
-            add("region", region.name, region.path, region.description, region.rings);
+            add("region", region.name.in(page.language), region.path, region.description.in(page.language), region.rings);
             if (!region.rings.empty()) add(region.at);
             for (const auto& [name, count] : region.counts) add(name, count);
         }
-        for (const std::string& remark : page.remarks) add("remark", remark);
+        for (const Phrase& remark : page.remarks) add("remark", remark.in(page.language));
         if (page.picture) {
             add("picture", page.picture->width, page.picture->height, page.picture->place);
             for (const std::uint8_t byte : page.picture->bits) add(byte);
