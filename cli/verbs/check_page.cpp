@@ -6,6 +6,7 @@
 #include "tactics/job/figure.h"
 #include "tactics/job/holds.h"
 #include "tactics/job/make_pages.h"
+#include "tactics/readers/svg/own_page.h"
 #include "tactics/readers/svg/pdf.h"
 
 namespace tactics {
@@ -37,6 +38,18 @@ FoundPage page_of_picture(Source source, const PageWish& wish) {
     return found;
 }
 
+// Of a page that we wrote the lines themselves count, not the curves that are drawn for them.
+FoundPage page_of_svg(Source& source, double margin, const PageWish& wish) {
+    const std::string bytes = bytes_of(source.file.get());
+    FoundPage found = read_svg(bytes, source.name, margin, wish.paper);
+    if (auto own = read_own_page(bytes, source.name)) {
+        own->page.live = found.page.live;
+        found.page = std::move(own->page);
+        for (const auto& note : own->notes) found.notes.push_back(note);
+    }
+    return found;
+}
+
 }  // namespace
 
 FoundPage page_of(const std::string& file, const PageWish& wish) {
@@ -52,7 +65,7 @@ FoundPage page_of(const std::string& file, const PageWish& wish) {
     }
     if (holds != Holds::svg && holds != Holds::pdf) return page_of_picture(std::move(source), wish);
     FoundPage found = holds == Holds::pdf ? read_svg(pdf_as_svg(source, wish.pdf_page), source.name, margin, wish.paper)
-                                          : read_svg(bytes_of(source.file.get()), source.name, margin, wish.paper);
+                                          : page_of_svg(source, margin, wish);
     if (wish.chain.as_drawn || asks_for_a_way(wish.chain))
         found.notes.push_back(
             "it is a page already, so --recipe, --filter, --detail, --as-drawn and settings of filters do nothing to it");

@@ -40,14 +40,20 @@ Recipe recipe_for(Reading& reading, const Job& job, Phrase& reason) {
     return with_subject(finish(job.chain, find_recipe(choice.recipe, "auto")), job.wish);
 }
 
-// It draws what is no wider than a line by its middle, so that its outlines are those of surfaces, which a texture may fill.
-bool outlines_surfaces(const Recipe& recipe) {
-    constexpr std::string_view kWidestLine = "lines";
-    return std::any_of(recipe.steps.begin(), recipe.steps.end(), [&](const Step& step) {
-        const auto options = step.filter->options;
-        return std::any_of(options.begin(), options.end(), [&](const Option& option) { return option.name == kWidestLine; }) &&
-               step.settings.number(kWidestLine) > 0;
-    });
+// The first setting of that name; 0 if no filter of the recipe has it.
+double setting_of(const Recipe& recipe, std::string_view name) {
+    for (const Step& step : recipe.steps)
+        for (const Option& option : step.filter->options)
+            if (option.name == name) return step.settings.number(name);
+    return 0;
+}
+
+// Heads of arrows, dashes and points are as small as print, so only a recipe that looks closely at a figure takes them for what
+// they are. One that draws lines by their middle draws surfaces by their outlines, which a texture may fill.
+KnownParts known_parts_of(Image& picture, const Recipe& recipe) {
+    constexpr double kClosely = 100;  // dots per inch
+    if (!recipe.has_words || !(picture.mm_per_pixel > 0) || setting_of(recipe, "dpi") < kClosely) return {};
+    return take_known_parts(picture, setting_of(recipe, "lines") > 0);
 }
 
 // Pixels from any source. `words` says what to do with print in them.
@@ -72,8 +78,7 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
         way.finer = longest > std::max(picture.width, picture.height);
         print.take_from(picture);
         if (chooses) way.detail = choose_detail(fitting, picture, on, place, as_drawn);
-        KnownParts parts;
-        if (fitting.has_words && picture.mm_per_pixel > 0) parts = take_known_parts(picture, outlines_surfaces(fitting));
+        KnownParts parts = known_parts_of(picture, recipe);
         Drawing drawing = drawing_of(run_settling(fitting, std::move(picture), way.chosen));
         if (!drawing.picture) std::move(parts).add_to(drawing);
         if (way.detail) drawing.remarks.push_back(remark_on(*way.detail));

@@ -28,10 +28,18 @@ double length_of_all(const Drawing& drawing) {
     return length;
 }
 
+// To where the page will have them, so that what is apart here is apart there, too.
+void put_on_steps(Drawing& drawing) {
+    for (Stroke& stroke : drawing.strokes) stroke.points = on_steps(stroke.points);
+    for (Area& area : drawing.areas)
+        for (auto& ring : area.rings)
+            for (Point& p : ring) p = on_steps(p);
+}
+
 // Applies one remedy after another; the analysis of the drawing is kept until a remedy changes it.
 class Repairing {
 public:
-    Repairing(Drawing& drawing, const Medium& medium) : drawing_(drawing), medium_(medium) {}
+    Repairing(Drawing& drawing, const Medium& medium) : drawing_(drawing), medium_(medium) { put_on_steps(drawing_); }
 
     // All of the drawing.
     const Seen& seen() {
@@ -64,6 +72,7 @@ public:
         const auto bends = move_apart(drawing_, medium_);
         if (!bends) return;
         add(*bends);
+        put_on_steps(drawing_);
         look_again();  // also at what is bent too little for a word
     }
 
@@ -104,6 +113,7 @@ public:
 private:
     bool add(const Mends& more) {
         changes_.insert(changes_.end(), more.begin(), more.end());
+        if (!more.empty()) put_on_steps(drawing_);
         changed_ = changed_ || !more.empty();
         return !more.empty();
     }
@@ -147,7 +157,10 @@ Repaired repair(Drawing drawing, const Medium& medium) {
     repairing.break_crossings();
     repairing.cut();
     finish();  // gaps between dashes are no loss
-    if (cut_dashes(mended, medium)) repairing.look_again();
+    if (cut_dashes(mended, medium)) {
+        put_on_steps(mended);
+        repairing.look_again();
+    }
     const Broken after = repairing.has_changed() ? broken_rules(repairing.seen(), medium) : before;
     repaired.broken_after = after.places;
     repaired.complete = after.complete;

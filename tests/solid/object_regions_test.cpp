@@ -86,8 +86,8 @@ TEST(ObjectRegions, WhatLiesOnTopIsHitFirst) {
 
 TEST(ObjectRegions, WhatWasDoneIsSaidAndCounted) {
     const FoldOut made = folded(scene());
-    EXPECT_EQ(find(made, "Table/Top")->description, "seen from above; 4 slender parts on it laid flat outward");
-    EXPECT_EQ(find(made, "Table/Leg")->description, "laid flat outward");
+    EXPECT_EQ(find(made, "Table/Top")->description.english(), "seen from above; 4 slender parts on it laid flat outward");
+    EXPECT_EQ(find(made, "Table/Leg")->description.english(), "laid flat outward");
     for (const Region& region : made.drawing.regions)
         for (const auto& [what, count] : region.counts) {
             EXPECT_GT(count, 0);

@@ -75,9 +75,9 @@ TEST_F(OwnTable, OnTheCommandLine) {
     EXPECT_TRUE(holds(bad.err, "--braille: \"own.ctb\" breaks liblouis")) << bad.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "a.svg"));
     table("include en-ueb-g1.ctb\n", "good.ctb");
-    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "a.svg", "--title", "A", "--braille", "good.ctb"}).code, 0);
-    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "b.svg", "--title", "A", "--braille", "en-ueb-g1.ctb"}).code, 0);
-    EXPECT_EQ(bytes_of(folder / "a.svg"), bytes_of(folder / "b.svg"));
+    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "a.pdf", "--title", "A", "--braille", "good.ctb"}).code, 0);
+    EXPECT_EQ(convert({"disc.tif", "-q", "-o", "b.pdf", "--title", "A", "--braille", "en-ueb-g1.ctb"}).code, 0);
+    EXPECT_EQ(bytes_of(folder / "a.pdf"), bytes_of(folder / "b.pdf"));
     // A file with the name of a table is not read unless it is named by its path.
     table("include en-ueb-g2.ctb\n", "en-ueb-g2.ctb");
     EXPECT_EQ(convert({"disc.tif", "-q", "-o", "c.svg", "--title", "A"}).code, 0);

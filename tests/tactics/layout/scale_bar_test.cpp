@@ -133,7 +133,7 @@ TEST(Scale, GivesTheDrawingItsSize) {
         Sheet sheet = sheet_on("a4", "swell", 9000);
         sheet.scale = 1 / ratio;
         const Page page = lay_out(box(200, 130), sheet);
-        EXPECT_NEAR(page.strokes[0].points[1].x - page.strokes[0].points[0].x, 9000 / ratio, 1e-6);
+        EXPECT_NEAR(page.strokes[0].points[1].x - page.strokes[0].points[0].x, 9000 / ratio, kPageStep);
         EXPECT_NEAR(page.scale->length / page.scale->real, 1 / ratio, 1e-9);
     }
 }

@@ -21,7 +21,7 @@ using rendered::hard_drawing;
 using rendered::picture_drawing;
 using rendered::sheet_of;
 
-constexpr double kSlip = 1e-6;
+constexpr double kSlip = kPageStep;  // where points of pages stand
 
 struct Laid {
     Sheet sheet;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tactics/error.h"
 #include "tactics/lettering/strip.h"
 #include "tactics/readers/read.h"
 #include "tests/cli/tool.h"
@@ -65,10 +66,10 @@ TEST_F(StandIn, WhatCannotBeReadIsToldWithItsMending) {
     EXPECT_EQ(read("[ \"$1\" = --list-langs ] && echo deu && exit; exit 1").trouble.english(),
               "tesseract has no data to read \"eng\"; install tesseract-ocr-eng");
     EXPECT_EQ(read("[ \"$1\" = --list-langs ] && echo eng && exit; exit 1").trouble.english(),
-              "tesseract failed; read it with words leave");
+              "tesseract failed; read it with " + spelled("words") + " leave");
     EXPECT_EQ(read("kill -SEGV $$").trouble.english().substr(0, 9), "tesseract");
     EXPECT_EQ(read("", "tlh").trouble.english(),
-              "what tesseract calls the language \"tlh\" is not known; name another with language");
+              "what tesseract calls the language \"tlh\" is not known; name another with " + spelled("language"));
     EXPECT_EQ(read_strips({make_image(40, 20, 1, 0, 255)}, "de", "no-such-program").trouble.english(),
               "to read it the program tesseract is needed and missing; install tesseract-ocr and tesseract-ocr-deu");
     EXPECT_EQ(read("exec head -c 100000 /dev/urandom").trouble.english(), "");  // says nothing that can be understood
