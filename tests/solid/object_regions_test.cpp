@@ -55,7 +55,7 @@ TEST(ObjectRegions, EveryDrawnObjectLiesInItsRegionAndTheOthersAreTold) {
             return region.path == one.path && holds(region, one.at) && holds(region, region.at);
         })) << one.path;
     }
-    EXPECT_EQ(find(made, "Pin")->description, "too small to be felt at this size");
+    EXPECT_EQ(find(made, "Pin")->description.english(), "too small to be felt at this size");
     EXPECT_EQ(find(made, "OB_Chair_001")->name, "Chair");
 }
 

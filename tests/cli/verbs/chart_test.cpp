@@ -231,8 +231,8 @@ TEST_F(ChartCommand, JsonSaysWhatIsDrawnAndWhere) {
         const auto at = curve.out.find("\"" + member + "\":", curve.out.find("\"" + axis + "\":{")) + member.size() + 3;
         return std::stod(curve.out.substr(at));
     };
-    const std::vector<At> line =
-        begins(run_tactics(folder, {"chart", "-", "-o", "svg:-", "-q"}, "t,v\n0,1\n10,3\n").out, "<path stroke-width=\"1\"");
+    const std::vector<At> line = begins(run_tactics(folder, {"chart", "-", "-o", "svg:-", "-q"}, "t,v\n0,1\n10,3\n").out,
+                                        "<path data-tactics-n=\"[0-9]+\" stroke-width=\"1\"");
     ASSERT_EQ(line.size(), 1u);
     EXPECT_NEAR(line[0].x, number("x", "from"), 0.02);
     EXPECT_NEAR(line[0].y, number("y", "from"), 0.02);

@@ -110,7 +110,7 @@ TEST_F(MakePages, BrailleThatLosesDotsIsToldOnce) {
     EXPECT_EQ(notes_of({"a.brf"}, "A disc, not ABC", false),
               "4 cells of its braille lose dots 7 and 8, which brf does not have\n");
     EXPECT_EQ(notes_of({"a.brf", "a.pef", "generic:a.prn"}, "A disc", false),
-              "1 cell of its braille loses dots 7 and 8, which brf and generic and pef do not have\n");
+              "1 cell of its braille loses dots 7 and 8, which brf, generic and pef do not have\n");
     EXPECT_EQ(notes_of({"a.brf"}, "a disc, not abc", false), "");
     EXPECT_EQ(notes_of({"a.pdf", "a.svg", "a.pef", "generic:a.prn", "index-v4:b.prn"}, "A disc", true), "");
 }
