@@ -206,6 +206,19 @@ double width_of(const PixelChain& chain, const InkField& ink) {
     return std::max(1.0, 2 * *half - 1);
 }
 
+// A course of a line near its end: where it is looked from, and which way it runs.
+struct Course {
+    Point at, ahead;
+    // Nearly the same, so that no other head would be found.
+    bool is_like(const Course& other) const {
+        constexpr double kAngle = 0.02, kAside = 0.35;  // rad, pixels
+        const Point way{at.x - other.at.x, at.y - other.at.y};
+        return std::abs(ahead.x * other.ahead.y - ahead.y * other.ahead.x) < kAngle &&
+               ahead.x * other.ahead.x + ahead.y * other.ahead.y > 0 &&
+               std::abs(way.x * other.ahead.y - way.y * other.ahead.x) < kAside;
+    }
+};
+
 void look_at_end(const PixelChain& chain, bool last, const PixelGraph& graph, const InkField& ink, double longest,
                  std::vector<Fit>& found) {
     constexpr std::array<std::size_t, 5> kBack{5, 9, 15, 24, 40};  // steps over which the direction is looked at
@@ -214,6 +227,7 @@ void look_at_end(const PixelChain& chain, bool last, const PixelGraph& graph, co
     HeadSearch search(ink, longest, static_cast<double>(chain.points.size()));
     const double width = width_of(chain, ink);
     std::optional<Fit> best;
+    std::vector<Course> tried;
     for (const std::size_t back : kBack) {
         // Near the end the line of a filled head is bent; farther back it is the shaft's.
         for (const std::size_t skip : {std::size_t{0}, back / 2}) {
@@ -221,7 +235,10 @@ void look_at_end(const PixelChain& chain, bool last, const PixelGraph& graph, co
             const double length = distance(near, from);
             if (length < 3) continue;
             const Point ahead{(near.x - from.x) / length, (near.y - from.y) / length};
-            const auto fit = search.at_end(skip == 0 ? end : near, ahead, width);
+            const Course course{near, ahead};
+            if (std::any_of(tried.begin(), tried.end(), [&](const Course& other) { return course.is_like(other); })) continue;
+            tried.push_back(course);
+            const auto fit = search.at_end(near, ahead, width);
             if (fit && (!best || fit->quality > best->quality)) best = fit;
         }
     }
