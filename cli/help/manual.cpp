@@ -78,8 +78,7 @@ std::string environment_part() {
            item("TACTICS_NETS", "folder with the weights of the contour net, searched before the installed one") +
            item("TACTICS_PROGRAMS",
                 "folder of the programs that read untrusted files for tactics, searched before the installed one") +
-           item("TMPDIR",
-                "folder for temporary files; /tmp by default, then /var/tmp and XDG_RUNTIME_DIR if /tmp takes none") +
+           item("TMPDIR", "folder for temporary files; /tmp by default, then /var/tmp and XDG_RUNTIME_DIR if /tmp takes none") +
            item("NO_COLOR, TERM", "progress is never shown as a bar if NO_COLOR is set or TERM is dumb") +
            item("LOUIS_TABLEPATH", "folders with your own braille tables, separated by commas") +
            item("XDG_STATE_HOME", "folder where play stores what it learns about a device; ~/.local/state by default");

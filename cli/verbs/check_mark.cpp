@@ -48,7 +48,8 @@ std::string escaped(std::string_view text) {
 
 std::string svg_marks(const std::vector<Mark>& marks) {
     const auto number = [](double value) { return to_text(std::round(value * 100) / 100); };
-    std::string text = "<g id=\"marks\" data-tactics-layer=\"marks\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"" + number(kLetters) + "\">\n";
+    std::string text = "<g id=\"marks\" data-tactics-layer=\"marks\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"" +
+                       number(kLetters) + "\">\n";
     for (const Mark& mark : marks)
         text += "<g><title>" + mark.number + ": " + escaped(mark.text) + "</title><circle cx=\"" + number(mark.at.x) +
                 "\" cy=\"" + number(mark.at.y) + "\" r=\"" + number(kRing) +

@@ -199,8 +199,7 @@ TEST(Page, LongTitlesWrapUntilTheyWouldTakeThePage) {
     EXPECT_LT(page.print[0].size, 4.9);
     sheet.title = std::string(10'000, 'x');
     const std::string message = message_of(sheet);
-    EXPECT_NE(message.find("mm, which leaves too little to the drawing; shorten it"), std::string::npos)
-        << message;
+    EXPECT_NE(message.find("mm, which leaves too little to the drawing; shorten it"), std::string::npos) << message;
     EXPECT_EQ(message.substr(0, 9), "--title: ");
     // Without braille only print is cut short, and no error is needed.
     sheet.braille_table.clear();

@@ -78,7 +78,8 @@ TEST(ReadHeights, WhatIsNotToldIsTakenAndSaid) {
     ASSERT_EQ(file.notes.size(), 2u);
     EXPECT_EQ(file.notes[0].english(),
               "it tells no pitch: 0.264583 mm, a pixel of a screen, is taken; say what it is with --pitch or --width");
-    EXPECT_EQ(file.notes[1].english(), "it tells no heights: black is 0 mm and white 10 mm; say what they are with --low and --high");
+    EXPECT_EQ(file.notes[1].english(),
+              "it tells no heights: black is 0 mm and white 10 mm; say what they are with --low and --high");
     EXPECT_NEAR(file.map.width(), 25.4, 1e-9);
     EXPECT_EQ(file.map.at(5, 2), 10.0f);
     EXPECT_NEAR(heights(bmp_of(make_image(96, 4, 3, 0, 255)), {.width = 48}).map.pitch, 0.5, 1e-12);
