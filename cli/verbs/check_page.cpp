@@ -45,7 +45,7 @@ FoundPage page_of_svg(Source& source, double margin, const PageWish& wish) {
     if (auto own = read_own_page(bytes, source.name)) {
         own->page.live = found.page.live;
         found.page = std::move(own->page);
-        for (const auto& note : own->notes) found.notes.push_back(note);
+        for (const auto& note : own->notes) found.notes.push_back(note.english());
     }
     return found;
 }

@@ -165,13 +165,13 @@ std::optional<Drawable> drawable_of_own_page(Source& source, const Job& job, Not
         std::rewind(source.file.get());
         return std::nullopt;
     }
-    for (std::string& note : found->notes) notes.push_back(to_act_on(std::move(note)));
+    for (Phrase& note : found->notes) notes.push_back(to_act_on(std::move(note)));
     const auto own = std::make_shared<const Page>(std::move(found->page));
     Drawable drawable{.info = {"SVG", static_cast<int>(std::lround(own->width)), static_cast<int>(std::lround(own->height))}};
     drawable.own = own;
     drawable.aspect = [own](const Sheet&) { return own->drawing.height > 0 ? own->drawing.width / own->drawing.height : 1; };
     drawable.draw = [own](const Sheet&, const Rect&, const PrintWords&, DrawingWay&) { return drawing_of_page(*own); };
-    tell_what_does_nothing("a page of ours already", job, notes);
+    tell_what_does_nothing(phrase("a page of ours already"), job, notes);
     return drawable;
 }
 

@@ -173,8 +173,9 @@ bool stays_as_it_is(const Sheet& sheet, const Page& own, const Job& job, const F
     if (same_medium && same_bed && sheet.cell == own.cell && !asks_for_other_words(job, own) && !asks_for_other_place(job, own))
         return true;
     if (own.drawing.width > 0 && own.drawing.height > 0 && medium_named(own.medium) != nullptr) return false;
-    throw Error(Fault::usage, job.input,
-                "this page has no drawing that could be laid out on another sheet or medium; make it from what it was made of");
+    throw Error(
+        Fault::usage, job.input,
+        phrase("this page has no drawing that could be laid out on another sheet or medium; make it from what it was made of"));
 }
 
 Pages pages_of_own(const Page& own) {

@@ -29,7 +29,7 @@ double dots_width(std::size_t cells, const Page& page) {
 }
 
 // All lines of title and caption, from where they begin now.
-std::string set_title_anew(Page& page) {
+Phrase set_title_anew(Page& page) {
     const auto is_title = [&](int words) {
         if (words < 0) return false;
         const WordsKind kind = page.words[static_cast<std::size_t>(words)].kind;
@@ -63,9 +63,9 @@ std::string set_title_anew(Page& page) {
     };
     take(page.print, band.print);
     take(page.braille, band.braille);
-    if (band.braille.size() <= before) return "";
-    return "the title takes " + std::to_string(band.braille.size()) + " lines of braille now, " + std::to_string(before) +
-           " before; look whether they meet the drawing";
+    if (band.braille.size() <= before) return {};
+    return phrase("the title takes {0} lines of braille now, {1} before; look whether they meet the drawing",
+                  std::to_string(band.braille.size()), std::to_string(before));
 }
 
 // How far its left end moves when it becomes so much wider.
@@ -86,18 +86,19 @@ Cells cells_for(const PageWords& words, const Page& page) {
     return cells;
 }
 
-std::string set_line_anew(Page& page, int words) {
+Phrase set_line_anew(Page& page, int words) {
     const PageWords& said = page.words[static_cast<std::size_t>(words)];
     const auto is_its = [&](const auto& line) { return line.words == words; };
-    std::string note;
+    Phrase note;
     if (const auto line = std::find_if(page.braille.begin(), page.braille.end(), is_its);
         line != page.braille.end() && said.kind != WordsKind::letters) {
         Cells cells = cells_for(said, page);
         const double wider = dots_width(cells.size(), page) - dots_width(line->cells.size(), page);
         const double right = page.width - page.braille_dot / 2 - dots_width(cells.size(), page);
         if (right < page.braille_dot / 2 && said.kind == WordsKind::key)
-            return "\"" + said.text + "\" is longer than a line of the key in braille, which stays as it was; shorten it";
-        if (right < page.braille_dot / 2) note = "\"" + said.text + "\" is longer than the page is wide in braille; shorten it";
+            return phrase("\"{0}\" is longer than a line of the key in braille, which stays as it was; shorten it", said.text);
+        if (right < page.braille_dot / 2)
+            note = phrase("\"{0}\" is longer than the page is wide in braille; shorten it", said.text);
         const double from = line->first_dot.x;
         line->first_dot.x = std::max(page.braille_dot / 2, std::min(from + shift_of(page, words, wider), right));
         line->cells = std::move(cells);
@@ -154,10 +155,10 @@ Sheet sheet_of(const Page& page) {
 
 KeyEntry key_entry(const PageWords& words, const Page& page) { return {words.key, words.text, cells_for(words, page)}; }
 
-std::string set_words_anew(Page& page, int words, const std::string& text) {
+Phrase set_words_anew(Page& page, int words, const std::string& text) {
     PageWords& said = page.words[static_cast<std::size_t>(words)];
     const std::string before = std::exchange(said.text, text);
-    std::string note;
+    Phrase note;
     if (said.kind == WordsKind::title || said.kind == WordsKind::caption) {
         (said.kind == WordsKind::title ? page.title : page.caption) = text;
         note = set_title_anew(page);

@@ -7,6 +7,7 @@
 #include "tactics/layout/key.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/page.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -18,7 +19,7 @@ KeyEntry key_entry(const PageWords& words, const Page& page);
 
 /// These words say something else now: their braille and print are set anew, from where they began, on the side of what they
 /// name. Gives what a person should look at, or nothing. Throws Error(usage) as to_braille does.
-std::string set_words_anew(Page& page, int words, const std::string& text);
+Phrase set_words_anew(Page& page, int words, const std::string& text);
 
 /// Moves their braille, and what is known of its place. Lead lines that end there follow.
 void move_words(Page& page, int words, double right, double down);

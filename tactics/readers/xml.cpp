@@ -19,7 +19,7 @@ std::string without_prefix(std::string_view name) {
 
 struct Builder {
     XML_Parser parser = nullptr;
-    std::vector<Element> open;  // the last one is the innermost; the first is a placeholder for the root
+    std::vector<Element> open;  // from the document, which holds the root, to the innermost
     std::size_t elements = 0;
     std::size_t bytes = 0;  // of text and attributes, entities written out
     Phrase fault;           // an exception must not pass through C

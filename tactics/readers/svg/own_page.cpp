@@ -73,12 +73,15 @@ public:
         put_on_steps(page_);
         take_texts();
         drop_lost_words();
+        check_changes();
         change_words();
         keep_on_paper();
         draw_patterns_anew();
         if (is_file(page_.braille_table)) {
-            notes_.push_back("its braille is in a table of somebody's own, which is not looked for; name it with " +
-                             spelled("braille") + " to set words anew");
+            notes_.push_back(
+                phrase("its braille is in a table of somebody's own, which is not looked for; name it with {0} to set "
+                       "words anew",
+                       spelled("braille")));
             page_.braille_table.clear();
         }
         return {std::move(page_), std::move(notes_)};
@@ -175,7 +178,8 @@ private:
     void check_changes() const {
         constexpr std::size_t kMost = 1000;
         if (added_.size() + retyped_.size() + text_moved_.size() + moved_.size() > kMost)
-            throw Error(Fault::failed, file_, "over 1000 of its texts were changed; make the page anew with these words");
+            throw Error(Fault::failed, file_,
+                        phrase("over {0} of its texts were changed; make the page anew with these words", std::to_string(kMost)));
     }
 
     void take_texts() {
@@ -184,7 +188,6 @@ private:
             const Element& element = *text.element;
             if (element.attribute(marks::kText).empty()) {
                 if (!text.text.empty()) added_.push_back(text);
-                check_changes();
                 continue;
             }
             const auto words = number_told(element, marks::kWords), number = number_told(element, marks::kNumber);
@@ -199,7 +202,6 @@ private:
             if (typed && known)
                 retyped_[static_cast<int>(*words)] =
                     whole_of(text.text, element.attribute(marks::kText), page_.words[*words].text);
-            check_changes();
             if (number) {
                 PrintLine line{stands ? was : at, (*told)[2], typed ? text.text : std::string(element.attribute(marks::kText))};
                 if (known) line.words = static_cast<int>(*words);
@@ -238,7 +240,7 @@ private:
         for (const auto& [words, by] : moved_) follow_words(page_, words, by.x, by.y);
         for (const auto& [words, text] : retyped_) {
             if (lost_[static_cast<std::size_t>(words)] || text.empty()) continue;
-            if (std::string note = set_words_anew(page_, words, text); !note.empty()) notes_.push_back(std::move(note));
+            if (Phrase note = set_words_anew(page_, words, text); !note.empty()) notes_.push_back(std::move(note));
         }
         for (const OwnText& text : added_) add_words(page_, text.at, text.text);
         for (std::size_t i = 0; i < lost_.size(); ++i) {
@@ -277,7 +279,7 @@ private:
             std::erase_if(*areas, [](const Area& area) { return area.rings.empty(); });
         }
         if (page_.strokes.size() + page_.areas.size() + page_.textured.size() < drawn)
-            notes_.push_back("lines or areas that lie beside the page are left out; move them onto it");
+            notes_.push_back(phrase("lines or areas that lie beside the page are left out; move them onto it"));
         const auto put = [&](Point& p) { p = {std::clamp(p.x, 0.0, page_.width), std::clamp(p.y, 0.0, page_.height)}; };
         for (PageStroke& stroke : page_.strokes)
             for (Point& p : stroke.points) put(p);
@@ -290,7 +292,7 @@ private:
         std::erase_if(page_.braille, [&](const BrailleLine& line) { return lies_off(line.first_dot); });
         std::erase_if(page_.print, [&](const PrintLine& line) { return lies_off(line.baseline); });
         if (page_.braille.size() < lines || page_.print.size() < print)
-            notes_.push_back("words that stand beside the page are left out; move them onto it");
+            notes_.push_back(phrase("words that stand beside the page are left out; move them onto it"));
     }
 
     const Element& root_;
@@ -308,7 +310,7 @@ private:
     std::vector<OwnText> added_;
     std::vector<bool> lost_;  // of the words
     bool fresh_ = false;      // there are lines that it had not
-    std::vector<std::string> notes_;
+    std::vector<Phrase> notes_;
 };
 
 }  // namespace

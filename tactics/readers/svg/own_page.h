@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "tactics/page.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 struct OwnPage {
     Page page;
-    std::vector<std::string> notes;  ///< what a person must look at
+    std::vector<Phrase> notes;  ///< what a person must look at
 };
 
 /// Nothing: the file is of another maker, or of another version of ours, or a program has taken away what it told.

@@ -5,6 +5,7 @@
 
 #include "tactics/layout/own_marks.h"
 #include "tactics/readers/svg/svg_numbers.h"
+#include "tactics/readers/svg/svg_style.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -36,7 +37,9 @@ std::optional<double> first_place(const Element& element, std::string_view name)
 }
 
 bool is_hidden(const Element& element) {
-    return element.attribute("display") == "none" || element.attribute("style").find("display:none") != std::string_view::npos;
+    if (element.attribute("display") == "none") return true;
+    const Declarations style = parse_declarations(element.attribute("style"));
+    return std::find(style.begin(), style.end(), Declarations::value_type{"display", "none"}) != style.end();
 }
 
 // In a layer that is hidden, only the words of the braille count, which have no place in print.
