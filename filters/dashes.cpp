@@ -32,7 +32,7 @@ constexpr Option kOptions[] = {
      .summary = "wider pieces of ink are no dashes: letters are wider than lines"},
 };
 
-constexpr std::size_t kLeast = 4;          // dashes of a line; three in a row are dots after a word
+constexpr std::size_t kLeastDashes = 4;    // dashes of a line; three in a row are dots after a word
 constexpr double kMostGap = 2.5;           // mm on the page; gaps made for the eye are smaller
 constexpr double kOnCourse = 0.86;         // cosine of what a line may turn from dash to dash: 30 degrees
 constexpr std::size_t kMostDashes = 4000;  // of a picture; more is a pattern or noise
@@ -110,7 +110,7 @@ public:
                     seen[links_[end] / 2] = true;
                     ++count;
                 }
-            if (count < kLeast) continue;
+            if (count < kLeastDashes) continue;
             for (const auto& [a, b] : gaps) visit(dashes_[a / 2].ends[a & 1], dashes_[b / 2].ends[b & 1]);
         }
     }
@@ -167,7 +167,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
     for (const auto& piece : runs)
         if (!piece.empty())
             if (const auto dash = dash_of(piece, longest, widest)) dashes.push_back(*dash);
-    if (dashes.size() < kLeast || dashes.size() > kMostDashes) return image;
+    if (dashes.size() < kLeastDashes || dashes.size() > kMostDashes) return image;
     cv::Mat ink = view_of(image);
     const Rows rows(std::move(dashes), kMostGap / mm);
     const int thick = std::max(1, static_cast<int>(std::lround(0.3 / mm)));

@@ -19,7 +19,7 @@ namespace {
 // How far from its place the name of an axis may stand without a line, mm. A setting: two lines of braille.
 constexpr double kLoose = 24;
 
-bool is_number(std::string_view text) {
+bool is_one_number(std::string_view text) {
     if (text.starts_with("\u2212")) text.remove_prefix(std::string_view("\u2212").size());
     return parse_number(text).has_value();
 }
@@ -60,12 +60,12 @@ std::string with_carets(std::string_view text) {
     return out;
 }
 
-std::string percent(double value) { return to_text(std::round(value * 10) / 10); }
+std::string tenths(double value) { return to_text(std::round(value * 10) / 10); }
 
 }  // namespace
 
 void want_places(std::vector<ToldWords>& told, std::vector<PrintPlace> places) {
-    for (std::size_t i = 0; i < places.size(); ++i) places[i].number = is_number(told[i].text);
+    for (std::size_t i = 0; i < places.size(); ++i) places[i].number = is_one_number(told[i].text);
     place_axis_names(places, 100);
     for (std::size_t i = 0; i < places.size(); ++i) {
         told[i].wanted = places[i].at;
@@ -85,7 +85,7 @@ void keep_what_has_braille(std::vector<ToldWords>& told, const std::string& tabl
 
 namespace {
 
-bool is_number(const std::string& text) {
+bool is_all_figures(const std::string& text) {
     bool digit = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
@@ -101,11 +101,11 @@ bool is_number(const std::string& text) {
 
 // Those whose place across is the same, in the order of their place along.
 std::size_t thin_out(std::vector<ToldWords>& told, double ToldWords::*along, double ToldWords::*across) {
-    constexpr double kSameRow = 2.5;  // percent of the picture: middles of "5" and "100" in a column differ by that
+    constexpr double kSameRow = 2.5;  // tenths of the picture: middles of "5" and "100" in a column differ by that
     constexpr std::size_t kRow = 4;
     std::vector<ToldWords*> numbers;
     for (ToldWords& one : told)
-        if (one.set && is_number(one.text)) numbers.push_back(&one);
+        if (one.set && is_all_figures(one.text)) numbers.push_back(&one);
     std::stable_sort(numbers.begin(), numbers.end(),
                      [&](const ToldWords* a, const ToldWords* b) { return a->*across < b->*across; });
     std::size_t left_out = 0;
@@ -135,7 +135,7 @@ bool PrintWords::any_set() const {
     return std::any_of(told.begin(), told.end(), [](const ToldWords& words) { return words.set && !words.title; });
 }
 
-std::string origin_of(const ToldWords& words) { return "the print at " + percent(words.x) + " %, " + percent(words.y) + " %"; }
+std::string origin_of(const ToldWords& words) { return "the print at " + tenths(words.x) + " %, " + tenths(words.y) + " %"; }
 
 std::vector<Name> PrintWords::names_on(const Drawing& drawing) const {
     std::vector<Name> names;
@@ -150,7 +150,7 @@ std::vector<Name> PrintWords::names_on(const Drawing& drawing) const {
 
 namespace {
 
-// Where something other than print begins, in percent from the top.
+// Where something other than print begins, in tenths from the top.
 double first_ink(Reading& reading, const Lettering& lettering) {
     constexpr int kInk = 64;  // grey levels from the ground: what is paler is a grid or a shade
     Image picture = reading.get({kLookForWords, false});
@@ -228,8 +228,8 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
 }
 
 std::string unsure_line(const ToldWords& words) {
-    const std::string place = percent(words.x) + "%," + percent(words.y) + "%";
-    return "print at " + percent(words.x) + " %, " + percent(words.y) + " % was read as \"" + words.text +
+    const std::string place = tenths(words.x) + "%," + tenths(words.y) + "%";
+    return "print at " + tenths(words.x) + " %, " + tenths(words.y) + " % was read as \"" + words.text +
            "\" with little sureness (" + to_text(std::round(words.sureness)) +
            " of 100) and is left in the lines; if it is words, give it with " + spelled("label") + " \"" + place + "=...\"";
 }

@@ -40,8 +40,6 @@ void tell_left_out(std::size_t count, std::vector<std::string>& notes) {
         notes.push_back(rows_have(count) + " no number for the chart and " + (count == 1 ? "is" : "are") + " left out");
 }
 
-std::string bare(const std::string& column) { return std::string(name_and_unit(column).name); }
-
 // Rows become curves and marks as they come.
 class CurveTable {
 public:
@@ -60,7 +58,7 @@ public:
         if (columns.group) wanted_.push_back(*columns.group);
         if (columns.label) wanted_.push_back(*columns.label);
         const std::string across = columns.x ? columns.x->name : "row";
-        plot_.title = bare_names(ups_) + " against " + bare(across);
+        plot_.title = bare_names(ups_) + " against " + bare_name(across);
         const bool comma = wish.written.value_or(columns.y.decimal) == Decimal::comma;
         plot_.x = {across, columns.x && columns.x->logarithmic, columns.x && columns.x->dates.has_value(), false, comma};
         plot_.y = {name_of_all(ups_), columns.y.logarithmic, columns.y.dates.has_value(), false, comma};
@@ -248,7 +246,7 @@ Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& c
     tell_left_out(left_out, notes);
     if (bins == 0) bins = bins_for(values);
     Plot plot;
-    plot.title = "How often " + bare(column.name) + " is where";
+    plot.title = "How often " + bare_name(column.name) + " is where";
     plot.x = {column.name, false, column.dates.has_value()};
     plot.x.comma = decimal == Decimal::comma;
     plot.y = {"count"};

@@ -14,7 +14,7 @@ namespace tactics {
 namespace {
 
 constexpr long long kHeaderBytes = 84, kTriangleBytes = 50;
-constexpr std::size_t kMostWord = 100;  // letters of a word or number of a text STL
+constexpr std::size_t kMostStlWord = 100;  // letters of a word or number of a text STL
 
 [[noreturn]] void fail(const Source& source, const std::string& why) { throw Error(Fault::failed, source.name, why); }
 
@@ -119,8 +119,8 @@ private:
         for (; c == ' ' || (c >= '\t' && c <= '\r'); c = letter())
             if (c == '\n') ++line_;
         for (; c != EOF && c != ' ' && !(c >= '\t' && c <= '\r'); c = letter()) {
-            if (word_.size() == kMostWord)
-                fail("there is a word of over " + std::to_string(kMostWord) + " letters; this is no STL model");
+            if (word_.size() == kMostStlWord)
+                fail("there is a word of over " + std::to_string(kMostStlWord) + " letters; this is no STL model");
             word_ += static_cast<char>(c);
         }
         if (c != EOF) std::ungetc(c, source_.file.get());

@@ -22,8 +22,6 @@ constexpr std::string_view kObject = "OB_", kMesh = "ME_", kGroup = "group_ME_",
 // only beside the object's own name.
 constexpr std::string_view kShape = "Shape";
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 std::string_view without_digits(std::string_view name) {
     while (!name.empty() && is_digit(name.back())) name.remove_suffix(1);
     return name;

@@ -2,6 +2,7 @@
 // Letters of UTF-8 text, with nothing in it that a page or a file format could trip over.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,17 @@ bool steers(char32_t letter);
 bool runs_from_right(std::string_view text);
 
 void append_letter(std::string& text, char32_t letter);
+
+/// One of 0 to 9, also for a byte of UTF-8.
+constexpr bool is_digit(char32_t letter) { return letter >= '0' && letter <= '9'; }
+
+/// A hyphen, a dash, a minus sign or a tilde: what readers of print take for one another.
+constexpr bool is_dash(char32_t letter) {
+    return letter == '-' || letter == '~' || (letter >= 0x2010 && letter <= 0x2015) || letter == 0x2212;
+}
+
+/// How many letters a UTF-8 text has.
+std::size_t letters_in(std::string_view text);
 
 /// Text for one line: valid UTF-8, nothing that is not seen (control characters, marks of direction or shape); blanks and
 /// line ends become single spaces, none at the ends; each run of bytes that is not UTF-8 becomes one question mark.

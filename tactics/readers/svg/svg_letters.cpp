@@ -8,12 +8,11 @@
 #include "tactics/readers/svg/cairo_glyphs.h"
 #include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/svg_path.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // "0-12" after its beginning; with `dash` between the numbers.
 bool is_two_numbers(std::string_view text, char dash) {
