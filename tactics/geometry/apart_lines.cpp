@@ -14,9 +14,9 @@ namespace tactics {
 
 namespace {
 
-constexpr double kMeeting = 0.2;  // mm: so near, lines are drawn to meet
-constexpr double kExcused = 2;    // times `apart`: so far from where they meet, lines may be near
-constexpr double kLooksApart = 6;      // looks at a line for each `apart`
+constexpr double kMeeting = 0.2;   // mm: so near, lines are drawn to meet
+constexpr double kExcused = 2;     // times `apart`: so far from where they meet, lines may be near
+constexpr double kLooksApart = 6;  // looks at a line for each `apart`
 // More places would be lines side by side over all of the largest paper.
 constexpr std::size_t kMostPlaces = 2'000'000;
 
