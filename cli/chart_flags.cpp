@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-SurfaceView view_of(const Given& given) {
+SurfaceView surface_view_of(const Given& given) {
     constexpr SurfaceView kAll[] = {SurfaceView::contours, SurfaceView::sections, SurfaceView::heights};
     return kAll[choice_value(given, "--view", {"contours", "sections", "heights"}).value_or(0)];
 }
@@ -60,7 +60,7 @@ SectionWish section_value(const Given& given) {
 }
 
 ChartWish chart_wish(const Given& given) {
-    ChartWish wish{given.has("--grid"), view_of(given), levels_value(given), section_value(given)};
+    ChartWish wish{given.has("--grid"), surface_view_of(given), levels_value(given), section_value(given)};
     if (given.has("--section") && given.has("--view") && wish.view != SurfaceView::sections)
         throw Error(Fault::usage, "--section", phrase("only --view sections has them; leave one out"));
     if (given.has("--section")) wish.view = SurfaceView::sections;

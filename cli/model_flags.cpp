@@ -14,7 +14,7 @@ namespace tactics {
 
 namespace {
 
-ModelView view_of(const Given& given) {
+ModelView model_view_of(const Given& given) {
     constexpr ModelView kAll[] = {ModelView::fold_out, ModelView::views, ModelView::heights};
     const auto view = choice_value(given, "--model", {"fold-out", "views", "heights"});
     return view ? kAll[*view] : ModelView::automatic;
@@ -62,7 +62,7 @@ void take_reader(FoldWish& wish, const std::string& file) {
 
 ModelDrawingWish model_wish(const Given& given) {
     ModelDrawingWish wish;
-    wish.view = view_of(given);
+    wish.view = model_view_of(given);
     wish.fold.part = given.value("--object");
     // Objects are distinguished only where they are drawn.
     for (const char* of_objects : {"--object", "--fold", "--reader"}) {

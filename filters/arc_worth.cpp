@@ -123,14 +123,14 @@ Known known_of(const RegionTree& tree) {
 }
 
 // What became one when an arc vanished.
-struct Merging {
+struct MergedOutline {
     double smaller = 0, both = 0;  // square pixels
     double filled = 0;             // by the smaller, of its box
     bool at_frame = false;         // the smaller is
     float apart = 0;               // from the last merging within either to this one, 0 to 1
 };
 
-Merging merging_at(const RegionTree& tree, const RegionArc& arc) {
+MergedOutline merging_at(const RegionTree& tree, const RegionArc& arc) {
     const RegionNode& node = tree.nodes[meeting_of(tree, arc.faces[0], arc.faces[1])];
     const RegionNode& first = tree.nodes[static_cast<std::size_t>(node.children[0])];
     const RegionNode& second = tree.nodes[static_cast<std::size_t>(node.children[1])];
@@ -163,7 +163,7 @@ Whereabouts whereabouts_of(const RegionTree& tree, const RegionArc& arc) {
 
 ArcFeatures features_of(const RegionTree& tree, const Known& known, std::size_t i) {
     const RegionArc& arc = tree.arcs[i];
-    const Merging merging = merging_at(tree, arc);
+    const MergedOutline merging = merging_at(tree, arc);
     const Whereabouts where = whereabouts_of(tree, arc);
     const Whole& whole = known.wholes[i];
     const std::array<float, 2>& onward = known.onward[i];

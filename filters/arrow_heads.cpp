@@ -14,9 +14,9 @@ namespace tactics {
 
 namespace {
 
-constexpr int kInk = 160;
+constexpr int kInkOfHeads = 160;
 constexpr std::size_t kMostEnds = 20000;
-constexpr double kShortest = 5;  // pixels of a barb; smaller heads are specks
+constexpr double kShortestBarb = 5;  // pixels of a barb; smaller heads are specks
 constexpr std::array kAngles{12.0, 14.5, 17.0, 19.5, 22.0, 25.0, 28.0, 32.0, 37.0, 45.0};  // of a barb and its line, degrees
 
 Point moved(Point p, Point along, double by) { return {p.x + along.x * by, p.y + along.y * by}; }
@@ -29,7 +29,7 @@ Point turned(Point v, double angle) {
 class InkField {
 public:
     explicit InkField(const Image& ink) : width_(ink.width), height_(ink.height) {
-        const cv::Mat dark = view_of(ink) < kInk, light = ~dark;
+        const cv::Mat dark = view_of(ink) < kInkOfHeads, light = ~dark;
         cv::distanceTransform(light, off_, cv::DIST_L2, cv::DIST_MASK_PRECISE);
         cv::distanceTransform(dark, deep_, cv::DIST_L2, cv::DIST_MASK_PRECISE);
     }
@@ -50,7 +50,7 @@ private:
     cv::Mat off_, deep_;
 };
 
-struct Fit {
+struct HeadFit {
     InkedHead head;
     double quality = 0;
 };
@@ -63,7 +63,7 @@ public:
         : ink_(ink), longest_(std::min({longest, 0.75 * line, line - 6})) {}
 
     // `ahead`: the direction of the line at its end, of length 1.
-    std::optional<Fit> at_end(Point end, Point ahead, double shaft) {
+    std::optional<HeadFit> at_end(Point end, Point ahead, double shaft) {
         best_ = std::nullopt;
         ahead_ = ahead;
         side_ = {-ahead.y, ahead.x};
@@ -163,11 +163,11 @@ private:
     void try_tip(Point tip) {
         if (ink_.off(tip) >= 1.5) return;
         for (const auto& [left, right, sine, cosine] : spreads_) {
-            if (!both_on_ink(tip, left, right, kShortest)) continue;  // as nearly all are, at once
+            if (!both_on_ink(tip, left, right, kShortestBarb)) continue;  // as nearly all are, at once
             // How far both barbs go: they end at the same length.
             double length = 0;
             while (length < longest_ && both_on_ink(tip, left, right, length + 1)) length += 1;
-            if (length < kShortest || length >= longest_) continue;
+            if (length < kShortestBarb || length >= longest_) continue;
             const double half = length * sine, neck = length * cosine;
             if (half < std::max(2.5, shaft_ / 2 + 1.8) || length < 1.6 * shaft_) continue;
             if (goes_on_from(moved(tip, left, length), left) || goes_on_from(moved(tip, right, length), right)) continue;
@@ -176,7 +176,8 @@ private:
             // Of heads that fit, the one that explains most ink.
             const double quality = length / (0.5 + *off);
             if (best_ && quality <= best_->quality) continue;
-            best_ = Fit{{tip, {moved(tip, left, length), moved(tip, right, length)}, moved(tip, ahead_, -neck), shaft_}, quality};
+            best_ =
+                HeadFit{{tip, {moved(tip, left, length), moved(tip, right, length)}, moved(tip, ahead_, -neck), shaft_}, quality};
         }
     }
 
@@ -188,7 +189,7 @@ private:
         double sine = 0, cosine = 0;
     };
     std::array<Spread, kAngles.size()> spreads_{};
-    std::optional<Fit> best_;
+    std::optional<HeadFit> best_;
 };
 
 // The place so far along a line from one of its ends.
@@ -220,13 +221,13 @@ struct Course {
 };
 
 void look_at_end(const PixelChain& chain, bool last, const PixelGraph& graph, const InkField& ink, double longest,
-                 std::vector<Fit>& found) {
+                 std::vector<HeadFit>& found) {
     constexpr std::array<std::size_t, 5> kBack{5, 9, 15, 24, 40};  // steps over which the direction is looked at
     const int junction = last ? chain.to : chain.from;
     const Point end = junction >= 0 ? graph.junctions[static_cast<std::size_t>(junction)].at : place_on(chain, last, 0);
     HeadSearch search(ink, longest, static_cast<double>(chain.points.size()));
     const double width = width_of(chain, ink);
-    std::optional<Fit> best;
+    std::optional<HeadFit> best;
     std::vector<Course> tried;
     for (const std::size_t back : kBack) {
         // Near the end the line of a filled head is bent; farther back it is the shaft's.
@@ -248,22 +249,22 @@ void look_at_end(const PixelChain& chain, bool last, const PixelGraph& graph, co
 }  // namespace
 
 std::vector<InkedHead> arrow_heads_in(const Image& ink, double longest) {
-    if (ink.width < 2 * kShortest || ink.height < 2 * kShortest || longest <= kShortest) return {};
+    if (ink.width < 2 * kShortestBarb || ink.height < 2 * kShortestBarb || longest <= kShortestBarb) return {};
     Image black = make_image(ink.width, ink.height, 1, ink.mm_per_pixel, 255);
     for (std::size_t i = 0; i < black.pixels.size(); ++i)
-        if (ink.pixels[i] < kInk) black.pixels[i] = 0;
+        if (ink.pixels[i] < kInkOfHeads) black.pixels[i] = 0;
     const InkField field(ink);
     Skeleton skeleton = thin(ink_of(black));
     const PixelGraph graph = graph_of(skeleton, 3);
     if (graph.chains.size() > kMostEnds / 2) return {};
-    std::vector<Fit> found;
+    std::vector<HeadFit> found;
     for (const PixelChain& chain : graph.chains) {
         if (chain.closed || chain.points.size() < 12) continue;
         for (const bool last : {false, true}) look_at_end(chain, last, graph, field, longest, found);
     }
-    std::stable_sort(found.begin(), found.end(), [](const Fit& a, const Fit& b) { return a.quality > b.quality; });
+    std::stable_sort(found.begin(), found.end(), [](const HeadFit& a, const HeadFit& b) { return a.quality > b.quality; });
     std::vector<InkedHead> heads;
-    for (const Fit& fit : found)
+    for (const HeadFit& fit : found)
         if (std::none_of(heads.begin(), heads.end(), [&](const InkedHead& other) {
                 return distance(other.tip, fit.head.tip) < std::max(other.length(), fit.head.length());
             }))

@@ -16,7 +16,7 @@ double height_of(const std::vector<std::string>& lines, const Sheet& sheet) {
 
 LabelBlock widest_words(const Axis& axis, const AxisExtent& extent, const Sheet& sheet) {
     LabelBlock widest;
-    for (int most = kFewestTicks; most <= kMostTicks; ++most)
+    for (int most = kFewestTicks; most <= kMostAxisTicks; ++most)
         for (const std::string& word : axis_ticks(axis, extent, most).words) {
             const LabelBlock words = set_label(word, sheet);
             widest.width = std::max(widest.width, words.width);
@@ -30,7 +30,7 @@ AxisScale scale_for(const Axis& axis, const AxisExtent& extent, const AxisRoom& 
         const LabelBlock words = set_label(word, sheet);
         return room.upright ? words.height + kChartLines : words.width + room.words;
     };
-    for (int most = kMostTicks;; --most) {
+    for (int most = kMostAxisTicks;; --most) {
         AxisScale scale(axis, extent, most, room.from, room.to);
         const std::vector<double>& ticks = scale.ticks();
         bool fits = true;

@@ -20,8 +20,8 @@ namespace {
 
 // Numbers of textures.inc, those first that differ most and fill a narrow bar best.
 constexpr int kTextures[kMostSeries] = {5, 2, 1, 4, 3};
-constexpr double kAround = 0.5;  // mm from the outer dots of a solid bar to its border
-constexpr double kCap = 3.2;     // mm on either side of an error bar: as long as a textured part is wide, 6.4 mm
+constexpr double kInnerBorder = 0.5;  // mm from the outer dots of a solid bar to its border
+constexpr double kCap = 3.2;          // mm on either side of an error bar: as long as a textured part is wide, 6.4 mm
 
 std::string plural(std::size_t count, const std::string& one, const std::string& many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
@@ -215,7 +215,7 @@ private:
             ++short_;
             return;
         }
-        if (frame.places.look == BarLook::solid) return area(frame, begin - kAround, end + kAround, zero, tip, 0);
+        if (frame.places.look == BarLook::solid) return area(frame, begin - kInnerBorder, end + kInnerBorder, zero, tip, 0);
         const bool bare = frame.places.look == BarLook::bare;
         const double inset = bare ? least_ / 2 : 0;
         const auto line = [&](std::vector<Point> points) {

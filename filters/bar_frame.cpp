@@ -17,7 +17,7 @@ constexpr double kMostNames = 0.4;     // of the width, for the names beside lev
 constexpr std::size_t kMostLines = 3;  // of a name below a bar
 // mm below a name, whose print is above its braille, so that lines of braille are farther from each other than in a text.
 constexpr double kBelowName = 1;
-constexpr double kRounding = 1e-6;  // mm
+constexpr double kFrameRounding = 1e-6;  // mm
 
 using Lines = std::vector<std::string>;
 
@@ -27,8 +27,9 @@ std::optional<std::vector<Lines>> names_within(const std::vector<std::string>& n
     std::vector<Lines> all;
     for (const std::string& name : names) {
         Lines lines = lines_within(name, width, sheet);
-        const bool fits = std::all_of(lines.begin(), lines.end(),
-                                      [&](const std::string& line) { return set_label(line, sheet).width <= width + kRounding; });
+        const bool fits = std::all_of(lines.begin(), lines.end(), [&](const std::string& line) {
+            return set_label(line, sheet).width <= width + kFrameRounding;
+        });
         if (!fits || lines.size() > most_lines || height_of(lines, sheet) > height) return std::nullopt;
         all.push_back(std::move(lines));
     }
@@ -102,7 +103,7 @@ public:
         const double pitch = room_.cells.anywhere() ? 0 : room_.cells.line_pitch();
         const auto places =
             bars_on(field.height - inset() - pitch, names_.size(), count_of_bars(), look_, medium_, {pitch, pitch > kTwoRows});
-        if (!places || std::max(highest(*in_lines, sheet) + kBelowName, sheet.cell.line_pitch) > places->slot + kRounding)
+        if (!places || std::max(highest(*in_lines, sheet) + kBelowName, sheet.cell.line_pitch) > places->slot + kFrameRounding)
             return std::nullopt;
         const double begins = places->begin_of(0, 0);
         const double first = room_.cells.next_cell({0, field.top + begins}).y - begins;
@@ -184,7 +185,7 @@ void draw_bar_frame(const BarFrame& frame, const BarRoom& room, Drawing& drawing
     // One line where bars begin at the corner of the axes; else one along the values and one at 0.
     const Point corner{field.left, bottom};
     const Point up{field.left, field.top}, across{right, bottom};
-    if (frame.level ? zero <= field.left + kRounding : zero >= bottom - kRounding) {
+    if (frame.level ? zero <= field.left + kFrameRounding : zero >= bottom - kFrameRounding) {
         line({up, corner, across}, Role::axis);
     } else {
         line(frame.level ? std::vector<Point>{corner, across} : std::vector<Point>{up, corner}, Role::axis);
@@ -194,7 +195,7 @@ void draw_bar_frame(const BarFrame& frame, const BarRoom& room, Drawing& drawing
     }
     for (std::size_t i = 0; i < frame.values.ticks().size(); ++i) {
         const double at = frame.values.at(frame.values.ticks()[i]);
-        const double inner = std::abs(at - zero) < kRounding ? 0 : kChartTick;  // at 0 the axis of the bars goes on from it
+        const double inner = std::abs(at - zero) < kFrameRounding ? 0 : kChartTick;  // at 0 the axis of the bars goes on from it
         const std::string& words = frame.values.words()[i];
         if (frame.level) {
             line({{at, bottom - inner}, {at, bottom + kChartTick}}, Role::tick);

@@ -17,7 +17,7 @@ constexpr double kApart = 6.4;
 constexpr double kGapShare = 0.5;
 // mm; thicker bars say no more. This project's own, too.
 constexpr double kThickest = 25;
-constexpr double kRounding = 1e-9;
+constexpr double kBarRounding = 1e-9;
 
 // Between the middles of a bar's lines, mm. A pattern keeps the gap from each line, and half of it from the border of its area.
 double thinnest(BarLook look, const Medium& medium) {
@@ -37,8 +37,8 @@ double thinnest(BarLook look, const Medium& medium) {
 std::optional<BarPlaces> bars_on(double length, std::size_t clusters, std::size_t bars, BarLook look, const Medium& medium,
                                  const BarPitch& pitch) {
     const bool cells = pitch.mm > 0;
-    const auto up = [&](double mm) { return cells ? std::ceil(mm / pitch.mm - kRounding) * pitch.mm : mm; };
-    const auto down = [&](double mm) { return cells ? std::floor(mm / pitch.mm + kRounding) * pitch.mm : mm; };
+    const auto up = [&](double mm) { return cells ? std::ceil(mm / pitch.mm - kBarRounding) * pitch.mm : mm; };
+    const auto down = [&](double mm) { return cells ? std::floor(mm / pitch.mm + kBarRounding) * pitch.mm : mm; };
     const double count = static_cast<double>(bars), inner = look == BarLook::bare ? 0 : up(medium.gap + medium.line);
     const double slot = down(length / static_cast<double>(clusters)), all_inner = (count - 1) * inner;
     // From the first row of dots of a line of cells to its last, and on by whole lines.
@@ -48,7 +48,7 @@ std::optional<BarPlaces> bars_on(double length, std::size_t clusters, std::size_
     const double room = std::min((slot - all_inner) / (count + kGapShare), (slot - all_inner - apart) / count);
     const double wanted = std::clamp(odd + down(room - odd), least, std::max(least, odd + down(kThickest - odd)));
     const BarPlaces places{look, slot, wanted, inner, bars};
-    if (slot - places.cluster() < apart - kRounding) return std::nullopt;
+    if (slot - places.cluster() < apart - kBarRounding) return std::nullopt;
     return places;
 }
 

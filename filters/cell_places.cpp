@@ -9,7 +9,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // mm
+constexpr double kCellRounding = 1e-6;  // mm
 
 }  // namespace
 
@@ -35,14 +35,14 @@ Point CellPlaces::nearest(Point at, const LabelBlock& block) const {
 
 Point CellPlaces::next(Point at, const LabelBlock& block) const {
     Point near = nearest(at, block);
-    if (near.x < at.x - kRounding) near.x += across_;
-    if (near.y < at.y - kRounding) near.y += down_;
+    if (near.x < at.x - kCellRounding) near.x += across_;
+    if (near.y < at.y - kCellRounding) near.y += down_;
     return near;
 }
 
 Point CellPlaces::next_cell(Point at) const {
     if (anywhere()) return at;
-    const auto next = [](double mm, double step) { return std::ceil(mm / step - kRounding) * step; };
+    const auto next = [](double mm, double step) { return std::ceil(mm / step - kCellRounding) * step; };
     return {first_.x + next(at.x - first_.x, across_), first_.y + next(at.y - first_.y, down_)};
 }
 

@@ -31,7 +31,7 @@ namespace tactics {
 namespace {
 
 constexpr double kSlack = 0.1;  // mm: lines are simplified
-constexpr int kRounds = 3;
+constexpr int kChartRounds = 3;
 constexpr double kLeastPiece = 6.5;  // mm of a curve; less is felt as a mark (rules/dashes.cpp)
 
 // Where a letter may stand: at the end of a curve, or, the later the better, every 12 mm before it.
@@ -194,7 +194,8 @@ private:
         };
         auto apart = curves_apart(all, wish);
         // Where a line that ran into a symbol is broken near it, it ends before the symbol, as others do.
-        for (int round = 0; round < kRounds && end_before_symbols(all, apart, symbols); ++round) apart = curves_apart(all, wish);
+        for (int round = 0; round < kChartRounds && end_before_symbols(all, apart, symbols); ++round)
+            apart = curves_apart(all, wish);
         std::vector<Pieces> pieces(order.size());
         for (std::size_t k = 0; k < order.size(); ++k) pieces[order[k]] = apart[k];
         for (std::size_t i = 0; i < curves.size(); ++i) draw_curve(i, curves[i], styles[i], pieces[i], tags);

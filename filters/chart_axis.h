@@ -11,7 +11,7 @@
 
 namespace tactics {
 
-inline constexpr int kFewestTicks = 3, kMostTicks = 6;  // an axis
+inline constexpr int kFewestTicks = 3, kMostAxisTicks = 6;  // an axis
 
 /// From the least to the largest of the values that it took.
 struct AxisExtent {

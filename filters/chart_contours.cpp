@@ -15,16 +15,16 @@ namespace tactics {
 
 namespace {
 
-constexpr double kHardToTell = 6;    // mm from one line to the next
-constexpr double kStep = 1.5;        // mm from one place that is looked at to the next
-constexpr double kLeastLeft = 12.7;  // mm of a line that is broken: half an inch (rules/line_length.cpp)
+constexpr double kHardToTell = 6;        // mm from one line to the next
+constexpr double kContourStep = 1.5;     // mm from one place that is looked at to the next
+constexpr double kLeastLineLeft = 12.7;  // mm of a line that is broken: half an inch (rules/line_length.cpp)
 constexpr int kIndexEvery = 5;
 
 std::vector<Point> even_places(const std::vector<Point>& line) {
     std::vector<Point> places;
     Walk walk(line, false);
     const double length = length_of(line, false);
-    for (double along = 0; along < length; along += kStep) places.push_back(walk.to(along));
+    for (double along = 0; along < length; along += kContourStep) places.push_back(walk.to(along));
     return places;
 }
 
@@ -80,11 +80,11 @@ void label_levels(std::vector<ChartLevel>& levels, const LevelGround& ground) {
                     }))
                     continue;
                 const auto within = [&](const std::vector<Point>& all) {
-                    return kStep *
+                    return kContourStep *
                            static_cast<double>(std::count_if(all.begin(), all.end(), [&](Point p) { return kept.holds(p); }));
                 };
                 const double lost = within(own);
-                if (length - lost < kLeastLeft || lost >= fewest) continue;
+                if (length - lost < kLeastLineLeft || lost >= fewest) continue;
                 bool alone = true;
                 for (std::size_t i = 0; i < places.size() && alone; ++i) alone = within(places[i]) <= (i == number ? lost : 0);
                 if (!alone) continue;
@@ -130,14 +130,14 @@ std::vector<ChartLevel> levels_on(const PlotSurface& surface, const AxisScale& a
                                   const LevelGround& ground) {
     std::vector<ChartLevel> best;
     std::ptrdiff_t fewest = 0;
-    for (int most = wanted > 0 ? wanted : kMostLevels; most >= kFewestLevels; --most) {
+    for (int most = wanted > 0 ? wanted : kMostContourLevels; most >= kFewestLevels; --most) {
         const std::vector<double> heights = contour_levels(surface, most);
         if (!best.empty() && heights.size() < static_cast<std::size_t>(kFewestLevels)) break;
         std::vector<ChartLevel> levels = lines_of(surface, across, up, heights, ground.height);
         label_levels(levels, ground);
         const auto silent = std::count_if(levels.begin(), levels.end(), [](const ChartLevel& level) { return !level.label; });
         const bool near = share_near(levels) > kMostNear;
-        const std::ptrdiff_t faults = silent + (near ? kMostLevels : 0);
+        const std::ptrdiff_t faults = silent + (near ? kMostContourLevels : 0);
         if (best.empty() || faults < fewest) {
             best = std::move(levels);
             fewest = faults;

@@ -19,7 +19,7 @@ struct ChartLevel {
     std::optional<Rect> label = {};         ///< where its words stand, in a break of a line; nothing: there is none
 };
 
-inline constexpr int kMostLevels = 8, kFewestLevels = 3;
+inline constexpr int kMostContourLevels = 8, kFewestLevels = 3;
 inline constexpr double kMostNear = 1.0 / 3;  ///< of all lines
 
 /// The share of lines that are nearer than 6 mm to one of another level.

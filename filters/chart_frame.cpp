@@ -48,7 +48,7 @@ AxisExtent extent_up(const Plot& plot) {
 
 // Times of day belong to a day.
 std::string name_of(const Axis& axis, const AxisExtent& extent) {
-    const std::string since = axis_ticks(axis, extent, kMostTicks).since;
+    const std::string since = axis_ticks(axis, extent, kMostAxisTicks).since;
     return since.empty() ? axis.name : axis.name + (axis.name.empty() ? "" : ", ") + since;
 }
 

@@ -11,15 +11,15 @@ namespace tactics {
 
 namespace {
 
-constexpr double kMark = 2.5, kDot = 0.02;  // mm
-constexpr double kStep = 0.5;               // mm from one place that is kept clear of to the next
-constexpr double kPitchInCells = 10;        // mm: a dot in every line of cells
+constexpr double kMark = 2.5, kDotMark = 0.02;  // mm
+constexpr double kGridStep = 0.5;               // mm from one place that is kept clear of to the next
+constexpr double kPitchInCells = 10;            // mm: a dot in every line of cells
 
 class Ground {
 public:
     Ground(const Drawing& drawing, const std::vector<Rect>& words, const Medium& medium)
         : words_(words),
-          least_(least_apart(medium, medium.thin_line, medium.thick_line) + kStep),
+          least_(least_apart(medium, medium.thin_line, medium.thick_line) + kGridStep),
           places_({0, 0, drawing.width, drawing.height}, least_) {
         for (const Stroke& stroke : drawing.strokes) add(stroke.points, stroke.closed);
         for (const Area& area : drawing.areas)
@@ -29,7 +29,7 @@ public:
     void add(const std::vector<Point>& line, bool closed) {
         for (std::size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
             const Point a = line[i], b = line[(i + 1) % line.size()];
-            const int steps = static_cast<int>(distance(a, b) / kStep) + 1;
+            const int steps = static_cast<int>(distance(a, b) / kGridStep) + 1;
             for (int k = 0; k <= steps; ++k) places_.add({a.x + (b.x - a.x) * k / steps, a.y + (b.y - a.y) * k / steps});
         }
     }
@@ -51,7 +51,7 @@ void draw_grid(Drawing& drawing, const std::vector<std::pair<Point, Point>>& lin
                const Medium& medium) {
     Ground ground(drawing, words, medium);
     const bool cells = has_fixed_dots(medium);
-    const double mark = cells ? kDot : kMark, pitch = cells ? kPitchInCells : 2 * (medium.gap + medium.thin_line + kMark / 2);
+    const double mark = cells ? kDotMark : kMark, pitch = cells ? kPitchInCells : 2 * (medium.gap + medium.thin_line + kMark / 2);
     const auto line = [&](Point from, Point to) {
         const double length = distance(from, to);
         const auto at = [&](double along) {

@@ -10,10 +10,10 @@ namespace tactics {
 
 namespace {
 
-constexpr double kLead = 8;        // mm; words farther from their mark are led to it by a line
-constexpr double kNearer = 2.5;    // mm that words are nearer to their mark than to any other
-constexpr double kFarthest = 80;   // mm from a mark to its words
-constexpr double kRounding = 0.2;  // mm: lines of braille 10 mm apart are far enough, on paper and in cells
+constexpr double kLead = 8;              // mm; words farther from their mark are led to it by a line
+constexpr double kNearer = 2.5;          // mm that words are nearer to their mark than to any other
+constexpr double kFarthestWords = 80;    // mm from a mark to its words
+constexpr double kLetterRounding = 0.2;  // mm: lines of braille 10 mm apart are far enough, on paper and in cells
 
 double gap_between(double from, double size, double other_from, double other_size) {
     return std::max({0.0, other_from - from - size, from - other_from - other_size});
@@ -102,7 +102,7 @@ private:
         double fewest = INFINITY;
         Rect best{};
         Point best_at = tag.places.front();
-        for (double away = 0.1; away < kFarthest && away / 100 < fewest; away += kStep)
+        for (double away = 0.1; away < kFarthestWords && away / 100 < fewest; away += kStep)
             for (std::size_t choice = 0; choice < tag.places.size(); ++choice)
                 for (int i = 0; i < kDirections; ++i) {
                     const Point at = tag.places[choice];
@@ -146,20 +146,20 @@ private:
             if (room_between(kept, {mark, mark}, radius) < radius) faults += kTouches;
             // Without a line a finger takes the nearest mark.
             if (lead.empty() && distance(mark, at) > 0 &&
-                room_between(place, {mark, mark}, kFarthest) < room_between(place, {at, at}, kFarthest) + kNearer)
+                room_between(place, {mark, mark}, kFarthestWords) < room_between(place, {at, at}, kFarthestWords) + kNearer)
                 faults += 0.5;
             const double clear = std::min(radius + kChartClear, distance(mark, at));
             if (!lead.empty() && clear > 0 && room_between({mark.x, mark.y, 0, 0}, lead, clear) < clear) faults += 0.7;
         }
         for (const Rect& box : ground_.words)
             if (gap_between(place.left, place.width, box.left, box.width) < clear_.words &&
-                gap_between(place.top, place.height, box.top, box.height) < kChartLines - kRounding)
+                gap_between(place.top, place.height, box.top, box.height) < kChartLines - kLetterRounding)
                 faults += kTouches;
         for (const ChartTag& other : tags) {
             if (&other == &tag || !other.placed) continue;
             const Rect& box = other.place;
             if (gap_between(place.left, place.width, box.left, box.width) < clear_.words &&
-                gap_between(place.top, place.height, box.top, box.height) < kChartLines - kRounding)
+                gap_between(place.top, place.height, box.top, box.height) < kChartLines - kLetterRounding)
                 faults += kTouches;
             if (!lead.empty() && room_between(grown(box, clear_.across, clear_.down), lead, 0) <= 0) faults += kTouches;
             if (const auto theirs = lead_of(other, clear_); !theirs.empty() && room_between(kept, theirs, 0) <= 0)

@@ -14,7 +14,7 @@ namespace tactics {
 namespace {
 
 // A side of the grid is known by its first sample and whether it goes on upwards in y.
-using Side = std::uint64_t;
+using SideKey = std::uint64_t;
 
 class Marching {
 public:
@@ -24,9 +24,9 @@ public:
         for (std::size_t row = 0; row + 1 < surface_.y.size(); ++row)
             for (std::size_t column = 0; column + 1 < columns_; ++column) look_at(column, row);
         std::vector<ContourLine> all;
-        for (const Side side : order_)  // lines that end come first: a closed one has no beginning
+        for (const SideKey side : order_)  // lines that end come first: a closed one has no beginning
             if (joined_.at(side).count == 1 && !joined_.at(side).seen) all.push_back(follow(side));
-        for (const Side side : order_)
+        for (const SideKey side : order_)
             if (!joined_.at(side).seen) all.push_back(follow(side));
         std::erase_if(all, [](const ContourLine& line) { return line.points.size() < 2; });
         return all;
@@ -35,15 +35,15 @@ public:
 private:
     // A line goes from side to side, through at most two squares at each.
     struct Joined {
-        std::array<Side, 2> to{};
+        std::array<SideKey, 2> to{};
         int count = 0;
         bool seen = false;
     };
 
-    Side across(std::size_t column, std::size_t row) const { return 2 * (row * columns_ + column); }
-    Side up(std::size_t column, std::size_t row) const { return across(column, row) + 1; }
+    SideKey across(std::size_t column, std::size_t row) const { return 2 * (row * columns_ + column); }
+    SideKey up(std::size_t column, std::size_t row) const { return across(column, row) + 1; }
 
-    void join(Side a, Side b) {
+    void join(SideKey a, SideKey b) {
         for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
             const auto [found, fresh] = joined_.try_emplace(from);
             if (fresh) order_.push_back(from);
@@ -54,7 +54,7 @@ private:
     void look_at(std::size_t column, std::size_t row) {
         const double z[4] = {surface_.at(column, row), surface_.at(column + 1, row), surface_.at(column + 1, row + 1),
                              surface_.at(column, row + 1)};
-        const Side sides[4] = {across(column, row), up(column + 1, row), across(column, row + 1), up(column, row)};
+        const SideKey sides[4] = {across(column, row), up(column + 1, row), across(column, row + 1), up(column, row)};
         unsigned high = 0;  // a bit for each corner, the way round
         for (unsigned corner = 0; corner < 4; ++corner) {
             if (std::isnan(z[corner])) return;
@@ -69,14 +69,14 @@ private:
             join(sides[odd_cut ? 2 : 1], sides[odd_cut ? 3 : 2]);
             return;
         }
-        Side ends[2] = {};
+        SideKey ends[2] = {};
         int found = 0;
         for (unsigned corner = 0; corner < 4; ++corner)
             if ((high >> corner & 1) != (high >> (corner + 1) % 4 & 1)) ends[found++] = sides[corner];
         join(ends[0], ends[1]);
     }
 
-    PlotPoint point_on(Side side) const {
+    PlotPoint point_on(SideKey side) const {
         const std::size_t sample = side / 2, column = sample % columns_, row = sample / columns_;
         const bool upwards = side % 2 == 1;
         const double from = surface_.at(column, row), to = upwards ? surface_.at(column, row + 1) : surface_.at(column + 1, row);
@@ -86,18 +86,18 @@ private:
                        : PlotPoint{between(surface_.x[column], surface_.x[column + 1]), surface_.y[row]};
     }
 
-    ContourLine follow(Side first) {
+    ContourLine follow(SideKey first) {
         ContourLine line;
-        const auto take = [&](Side side) {
+        const auto take = [&](SideKey side) {
             const PlotPoint point = point_on(side);
             if (line.points.empty() || point.x != line.points.back().x || point.y != line.points.back().y)
                 line.points.push_back(point);
         };
-        for (Side at = first;;) {
+        for (SideKey at = first;;) {
             Joined& here = joined_.at(at);
             here.seen = true;
             take(at);
-            Side next = at;
+            SideKey next = at;
             for (int i = 0; i < here.count; ++i)
                 if (!joined_.at(here.to[static_cast<std::size_t>(i)]).seen) next = here.to[static_cast<std::size_t>(i)];
             if (next == at) {
@@ -115,8 +115,8 @@ private:
     const PlotSurface& surface_;
     double level_;
     std::size_t columns_;
-    std::unordered_map<Side, Joined> joined_;
-    std::vector<Side> order_;  // as they were met
+    std::unordered_map<SideKey, Joined> joined_;
+    std::vector<SideKey> order_;  // as they were met
 };
 
 }  // namespace

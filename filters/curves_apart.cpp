@@ -15,10 +15,10 @@ namespace {
 
 using Line = std::vector<Point>;
 
-constexpr double kStep = 0.25;         // mm from one place that is looked at to the next
+constexpr double kCurveStep = 0.25;    // mm from one place that is looked at to the next
 constexpr double kMostSteps = 400000;  // of all curves; of longer ones places are farther apart
 constexpr double kTolerance = 0.05;    // mm
-constexpr double kBend = 4;            // tactics/rules/narrow.h
+constexpr double kCurveBend = 4;       // tactics/rules/narrow.h
 
 bool is_closed(const Line& line) { return line.size() > 3 && distance(line.front(), line.back()) == 0; }
 
@@ -61,7 +61,7 @@ public:
                 if (!line.empty()) length += length_of(line, false);
             }
         }
-        step_ = std::max(kStep, length / kMostSteps);
+        step_ = std::max(kCurveStep, length / kMostSteps);
         places_ = Places(box, apart(widest_, widest_));
     }
 
@@ -109,7 +109,7 @@ private:
             } else if (round > 0 && piece_ == first_piece_) {
                 way = std::min(way, round - way);
             }
-            return way > kBend * away && way > kBend * curve_->width;
+            return way > kCurveBend * away && way > kCurveBend * curve_->width;
         });
     }
 
@@ -166,7 +166,7 @@ private:
     }
 
     const ApartWish& wish_;
-    double widest_ = 0, step_ = kStep;
+    double widest_ = 0, step_ = kCurveStep;
     Places places_;
     std::vector<Origin> origins_;
     std::vector<double> widths_;

@@ -17,8 +17,8 @@ using std::chrono::year;
 using std::chrono::year_month_day;
 
 constexpr double kDay = 86400;
-constexpr double kFirst = -62135596800.0, kLast = 253402300799.0;  // 0001-01-01 00:00:00, 9999-12-31 23:59:59
-constexpr double kMostTimes = 1.5 * kDay;                          // longer spans have no times of day
+constexpr double kFirstDate = -62135596800.0, kLastDate = 253402300799.0;  // 0001-01-01 00:00:00, 9999-12-31 23:59:59
+constexpr double kMostTimes = 1.5 * kDay;                                  // longer spans have no times of day
 
 std::string padded(long long number, int digits) {
     std::string text = std::to_string(number);
@@ -82,7 +82,7 @@ bool fit(const std::vector<double>& ticks, int most) {
 }  // namespace
 
 std::string date_text(double seconds) {
-    if (!(seconds >= kFirst && seconds <= kLast)) return std::to_string(std::llround(seconds / kDay / 365.2425 + 1970));
+    if (!(seconds >= kFirstDate && seconds <= kLastDate)) return std::to_string(std::llround(seconds / kDay / 365.2425 + 1970));
     const std::string text = day_text(day_of(seconds));
     const double in_day = seconds - std::floor(seconds / kDay) * kDay;
     if (in_day < 1) return text;
@@ -94,7 +94,7 @@ DateTicks date_ticks(double low, double high, int most) {
         low = std::floor(low / kDay) * kDay;
         high = low + kDay;
     }
-    if (!(low >= kFirst && high <= kLast)) {
+    if (!(low >= kFirstDate && high <= kLastDate)) {
         DateTicks dates{ticks_for(low, high, false, most), {}, {}};
         for (const double tick : dates.ticks.at) dates.words.push_back(date_text(tick));
         return dates;

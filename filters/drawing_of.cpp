@@ -17,7 +17,7 @@ bool is_black_and_white(const Image& image) {
 }
 
 // What is left of an edge map is ink.
-Image ink_of(const EdgeMap& edges) {
+Image ink_picture_of(const EdgeMap& edges) {
     Image image = make_image(edges.width, edges.height, 1, edges.mm_per_pixel, 255);
     for (std::size_t i = 0; i < edges.strength.size(); ++i)
         if (edges.strength[i] > 0) image.pixels[i] = 0;
@@ -28,7 +28,7 @@ Image ink_of(const EdgeMap& edges) {
 
 Drawing drawing_of(Artwork artwork) {
     if (auto* drawing = std::get_if<Drawing>(&artwork)) return std::move(*drawing);
-    if (const auto* edges = std::get_if<EdgeMap>(&artwork)) artwork = ink_of(*edges);
+    if (const auto* edges = std::get_if<EdgeMap>(&artwork)) artwork = ink_picture_of(*edges);
     if (!is_black_and_white(std::get<Image>(artwork))) {
         const Step cut = parse_step("threshold", "threshold", filters());
         artwork = cut.filter->apply(std::move(artwork), cut.settings);

@@ -8,34 +8,36 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "filters/lab.h"
+
 namespace tactics {
 
 namespace {
 
-constexpr int kAlike = 12;          // levels: JPEG of quality 50 and more, in a plain bar
-constexpr double kStray = 0.02;     // of a bar's samples may differ by more: where it meets the picture, JPEG rings
-constexpr int kMean = 4;            // levels that a row's mean may be off; a sky that darkens slowly gets no further
-constexpr int kStep = 24;           // levels from the bar to what is in the picture, in any channel
-constexpr double kAlone = 0.95;     // of a side's length where a bar must end at once if no other bar backs it
-constexpr double kBacked = 0.5;     // if there is one on the opposite side: there may be dark places at the edge of a picture
-constexpr double kTogether = 0.75;  // of all of their lengths
-constexpr double kCorners = 0.03;   // of a side's length at either end is not looked at: corners may be round
-constexpr int kSoftened = 150;      // a longest side of as many pixels more blurs an edge by a pixel more
-constexpr double kLeast = 0.25;     // of a side must be left: an upright picture on a wide screen has 0.32
+constexpr int kAlike = 12;           // levels: JPEG of quality 50 and more, in a plain bar
+constexpr double kStray = 0.02;      // of a bar's samples may differ by more: where it meets the picture, JPEG rings
+constexpr int kMean = 4;             // levels that a row's mean may be off; a sky that darkens slowly gets no further
+constexpr int kBarStep = 24;         // levels from the bar to what is in the picture, in any channel
+constexpr double kAlone = 0.95;      // of a side's length where a bar must end at once if no other bar backs it
+constexpr double kBacked = 0.5;      // if there is one on the opposite side: there may be dark places at the edge of a picture
+constexpr double kTogether = 0.75;   // of all of their lengths
+constexpr double kCorners = 0.03;    // of a side's length at either end is not looked at: corners may be round
+constexpr int kSoftened = 150;       // a longest side of as many pixels more blurs an edge by a pixel more
+constexpr double kLeastLeft = 0.25;  // of a side must be left: an upright picture on a wide screen has 0.32
 
-enum Side { kLeft, kTop, kRight, kBottom };
+enum FrameSide { kLeft, kTop, kRight, kBottom };
 
-using Colour = std::array<int, 3>;
+using FrameColour = std::array<int, 3>;
 
 // A rectangle of an image seen from one of its sides: line 0 is the outermost.
 class View {
 public:
-    View(const Image& image, const PixelBox& part, Side side) : image_(image), part_(part), side_(side) {}
+    View(const Image& image, const PixelBox& part, FrameSide side) : image_(image), part_(part), side_(side) {}
 
     bool upright() const { return side_ == kLeft || side_ == kRight; }
     int lines() const { return upright() ? part_.width() : part_.height(); }
     int length() const { return upright() ? part_.height() : part_.width(); }
-    Colour at(int line, int along) const {
+    FrameColour at(int line, int along) const {
         const int inside = side_ == kRight || side_ == kBottom ? lines() - 1 - line : line;
         const int x = part_.left + (upright() ? inside : along), y = part_.top + (upright() ? along : inside);
         const std::uint8_t* sample = image_.row(y) + static_cast<std::ptrdiff_t>(x) * image_.channels;
@@ -46,25 +48,21 @@ public:
 private:
     const Image& image_;
     PixelBox part_;
-    Side side_;
+    FrameSide side_;
 };
-
-int apart(const Colour& a, const Colour& b) {
-    return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
-}
 
 struct Bar {
     int depth = 0;  // lines; 0 for none
-    Colour colour{};
+    FrameColour colour{};
     int length = 0;  // of the edge, as far as it is looked at
     int ends = 0;    // of it, where the bar ends at once
     double share() const { return length == 0 ? 0 : static_cast<double>(ends) / length; }
 };
 
 // Of a few places of the outermost line: whether all of it is like that is looked at then.
-Colour middle_of(const View& view) {
+FrameColour middle_of(const View& view) {
     constexpr int kPlaces = 15;
-    Colour colour{};
+    FrameColour colour{};
     for (std::size_t c = 0; c < 3; ++c) {
         std::array<int, kPlaces> levels{};
         for (int i = 0; i < kPlaces; ++i)
@@ -75,12 +73,12 @@ Colour middle_of(const View& view) {
     return colour;
 }
 
-bool plain(const View& view, int line, const Colour& colour) {
+bool plain(const View& view, int line, const FrameColour& colour) {
     int stray = static_cast<int>(kStray * view.length());
     std::array<int, 3> off{};
     for (int i = 0; i < view.length(); ++i) {
-        const Colour here = view.at(line, i);
-        if (apart(here, colour) > kAlike && --stray < 0) return false;
+        const FrameColour here = view.at(line, i);
+        if (channels_apart(here, colour) > kAlike && --stray < 0) return false;
         for (std::size_t c = 0; c < 3; ++c) off[c] += here[c] - colour[c];
     }
     return std::all_of(off.begin(), off.end(), [&](int sum) { return std::abs(sum) <= kMean * view.length(); });
@@ -89,7 +87,7 @@ bool plain(const View& view, int line, const Colour& colour) {
 Bar bar_at(const View& view) {
     Bar bar;
     bar.colour = middle_of(view);
-    const int most = static_cast<int>((1 - kLeast) * view.lines());
+    const int most = static_cast<int>((1 - kLeastLeft) * view.lines());
     while (bar.depth < most && plain(view, bar.depth, bar.colour)) ++bar.depth;
     if (bar.depth == most) bar.depth = 0;  // a plain picture
     return bar;
@@ -102,15 +100,15 @@ void measure(Bar& bar, const View& view, int before, int after) {
     if (bar.depth + beyond >= view.lines()) return;
     for (int i = before + corner; i < view.length() - after - corner; ++i) {
         ++bar.length;
-        const bool ends = apart(view.at(bar.depth + blur, i), bar.colour) > kStep;
-        const bool goes_on = apart(view.at(bar.depth + beyond, i), bar.colour) > kStep;
+        const bool ends = channels_apart(view.at(bar.depth + blur, i), bar.colour) > kBarStep;
+        const bool goes_on = channels_apart(view.at(bar.depth + beyond, i), bar.colour) > kBarStep;
         bar.ends += ends && goes_on ? 1 : 0;
     }
 }
 
 PixelBox without_bars(const Image& image, const PixelBox& part) {
     std::array<Bar, 4> bars;
-    const auto view = [&](int side) { return View(image, part, static_cast<Side>(side)); };
+    const auto view = [&](int side) { return View(image, part, static_cast<FrameSide>(side)); };
     for (int side = kLeft; side <= kBottom; ++side) bars[static_cast<std::size_t>(side)] = bar_at(view(side));
     const auto& [left, top, right, bottom] = bars;
     if (left.depth + top.depth + right.depth + bottom.depth == 0) return part;
@@ -127,8 +125,8 @@ PixelBox without_bars(const Image& image, const PixelBox& part) {
     std::array<int, 4> depth{};
     for (std::size_t side = 0; side < 4; ++side) {
         const Bar &bar = bars[side], &opposite = bars[(side + 2) % 4];
-        const bool backed =
-            together && std::min(bar.share(), opposite.share()) >= kBacked && apart(bar.colour, opposite.colour) <= kAlike;
+        const bool backed = together && std::min(bar.share(), opposite.share()) >= kBacked &&
+                            channels_apart(bar.colour, opposite.colour) <= kAlike;
         if (bar.share() >= kAlone || backed)
             depth[side] = bar.depth;
         else if (bar.depth > 0)
@@ -136,7 +134,7 @@ PixelBox without_bars(const Image& image, const PixelBox& part) {
     }
     const PixelBox inner{part.left + depth[kLeft], part.top + depth[kTop], part.right - depth[kRight],
                          part.bottom - depth[kBottom]};
-    return inner.width() >= kLeast * part.width() && inner.height() >= kLeast * part.height() ? inner : part;
+    return inner.width() >= kLeastLeft * part.width() && inner.height() >= kLeastLeft * part.height() ? inner : part;
 }
 
 }  // namespace

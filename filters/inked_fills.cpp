@@ -31,10 +31,10 @@ constexpr int kSameColour = 20;     // levels in any channel
 constexpr double kMostOpen = 0.12;  // of the border of a hatch without a line
 constexpr std::size_t kMostParts = 400;
 
-using Colour = std::array<double, 3>;
+using MeanColour = std::array<double, 3>;
 
-struct Kind {
-    Colour colour{};  // the mean
+struct FillKind {
+    MeanColour colour{};  // the mean
     bool hatch = false;
     double angle = 0, order = 0;  // of a hatch: doubled, and how much all lines run one way
 };
@@ -42,7 +42,7 @@ struct Kind {
 struct Part {
     cv::Rect box;
     cv::Mat mask;  // of the box
-    Kind kind;
+    FillKind kind;
 };
 
 // By distances: the time does not grow with the radius. Beyond the picture is nothing.
@@ -68,18 +68,18 @@ double widest(const cv::Mat& mask) {
     return 2 * most;
 }
 
-Colour mean_of(const cv::Mat& pixels, const cv::Mat& mask) {
+MeanColour mean_of(const cv::Mat& pixels, const cv::Mat& mask) {
     const cv::Scalar mean = cv::mean(pixels, mask);
-    return pixels.channels() == 1 ? Colour{mean[0], mean[0], mean[0]} : Colour{mean[0], mean[1], mean[2]};
+    return pixels.channels() == 1 ? MeanColour{mean[0], mean[0], mean[0]} : MeanColour{mean[0], mean[1], mean[2]};
 }
 
-bool alike(const Colour& a, const Colour& b) {
+bool alike(const MeanColour& a, const MeanColour& b) {
     for (std::size_t c = 0; c < 3; ++c)
         if (std::abs(a[c] - b[c]) > kSameColour) return false;
     return true;
 }
 
-bool same_kind(const Kind& a, const Kind& b) {
+bool same_kind(const FillKind& a, const FillKind& b) {
     constexpr double kSameOrder = 0.25, kSameAngle = 0.7;  // 20 degrees of a line's direction, doubled
     if (a.hatch != b.hatch) return false;
     if (!a.hatch) return alike(a.colour, b.colour);
@@ -104,7 +104,7 @@ cv::Mat flat_places(const cv::Mat& pixels) {
 struct Found {
     std::vector<Part> flats;  // without the ground
     cv::Mat open;             // where one colour is all around, the ground's, too
-    Colour ground{};
+    MeanColour ground{};
 };
 
 Found flats_of(const cv::Mat& pixels, double mm) {
@@ -145,7 +145,7 @@ Found flats_of(const cv::Mat& pixels, double mm) {
 }
 
 // Which way the lines run, from the products of the slopes.
-void find_direction(const cv::Mat& ink, const cv::Mat& mask, Kind& kind) {
+void find_direction(const cv::Mat& ink, const cv::Mat& mask, FillKind& kind) {
     cv::Mat dx, dy;
     cv::Sobel(ink, dx, CV_32F, 1, 0);
     cv::Sobel(ink, dy, CV_32F, 0, 1);
@@ -225,10 +225,11 @@ std::vector<Area> take_fills(Image& picture) {
     }
     const bool any_hatch = !parts.empty();
     parts.insert(parts.end(), std::make_move_iterator(found.flats.begin()), std::make_move_iterator(found.flats.end()));
-    std::vector<Kind> kinds;
+    std::vector<FillKind> kinds;
     std::vector<std::size_t> kind_of;
     for (const Part& part : parts) {
-        const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& kind) { return same_kind(kind, part.kind); });
+        const auto same =
+            std::find_if(kinds.begin(), kinds.end(), [&](const FillKind& kind) { return same_kind(kind, part.kind); });
         kind_of.push_back(static_cast<std::size_t>(same - kinds.begin()));
         if (same == kinds.end()) kinds.push_back(part.kind);
     }
@@ -237,7 +238,7 @@ std::vector<Area> take_fills(Image& picture) {
     std::vector<std::vector<double>> beside(kinds.size() + 1, std::vector<double>(kinds.size() + 1, 1));
     for (std::size_t i = 0; i <= kinds.size(); ++i) beside[i][0] = beside[0][i] = 100;
     std::vector<double> grey{255};
-    for (const Kind& kind : kinds) grey.push_back(0.299 * kind.colour[0] + 0.587 * kind.colour[1] + 0.114 * kind.colour[2]);
+    for (const FillKind& kind : kinds) grey.push_back(0.299 * kind.colour[0] + 0.587 * kind.colour[1] + 0.114 * kind.colour[2]);
     const std::vector<int> chosen = choose_textures(beside, grey);
     std::vector<Area> areas;
     for (std::size_t i = 0; i < parts.size(); ++i) {

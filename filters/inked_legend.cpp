@@ -10,6 +10,7 @@
 
 #include "filters/darken.h"
 #include "filters/inked_fills.h"
+#include "filters/lab.h"
 #include "filters/opencv.h"
 
 namespace tactics {
@@ -17,40 +18,39 @@ namespace tactics {
 namespace {
 
 // In heights of the letters beside them. Settings; those of legends in SVG (readers/svg/legend.cpp) are alike.
-constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kNearest = 0.25, kAround = 1.2, kLine = 0.6;
+constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kNearest = 0.25, kAroundRow = 1.2, kLineHigh = 0.6;
 constexpr double kSameColumn = 0.8, kNextRow = 5, kNextColumn = 30;
-constexpr int kInk = 215;       // of 255 is the ground
-constexpr int kSame = 45;       // levels in each channel
-constexpr double kColour = 40;  // levels between the channels of what is not grey
+constexpr int kInkOfKeys = 215;  // of 255 is the ground
+constexpr int kSame = 45;        // levels in each channel
+constexpr double kColour = 40;   // levels between the channels of what is not grey
 
-using Colour = std::array<int, 3>;
+using PixelColour = std::array<int, 3>;
 
-struct Sample {
+struct KeySample {
     std::size_t words = 0;
     PixelBox box;
     bool line = false, hatch = false;
-    Colour colour{};
+    PixelColour colour{};
     double height = 0;   // of the words
     int off_ground = 0;  // levels
 };
 
-Colour colour_at(const Image& picture, int x, int y) {
+PixelColour colour_at(const Image& picture, int x, int y) {
     const std::uint8_t* at = picture.row(y) + x * picture.channels;
-    return picture.channels == 3 ? Colour{at[0], at[1], at[2]} : Colour{at[0], at[0], at[0]};
+    return picture.channels == 3 ? PixelColour{at[0], at[1], at[2]} : PixelColour{at[0], at[0], at[0]};
 }
 
-int apart(const Colour& a, const Colour& b) {
-    return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+bool is_grey(const PixelColour& c) {
+    return *std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end()) < kColour;
 }
-bool is_grey(const Colour& c) { return *std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end()) < kColour; }
-bool alike(const Sample& a, const Sample& b) {
-    return a.line == b.line && a.hatch == b.hatch && (a.hatch || apart(a.colour, b.colour) <= kSame);
+bool alike(const KeySample& a, const KeySample& b) {
+    return a.line == b.line && a.hatch == b.hatch && (a.hatch || channels_apart(a.colour, b.colour) <= kSame);
 }
 
 // What stands free in that window: neither through it nor out of it.
 std::optional<PixelBox> free_ink(const Image& ink, const PixelBox& window) {
     if (window.width() < 2 || window.height() < 2) return std::nullopt;
-    const cv::Mat part = view_of(ink)(cv::Rect(window.left, window.top, window.width(), window.height())) < kInk;
+    const cv::Mat part = view_of(ink)(cv::Rect(window.left, window.top, window.width(), window.height())) < kInkOfKeys;
     cv::Mat labels, stats, middles;
     const int count = cv::connectedComponentsWithStats(part, labels, stats, middles, 8, CV_32S);
     std::optional<PixelBox> box;
@@ -65,7 +65,7 @@ std::optional<PixelBox> free_ink(const Image& ink, const PixelBox& window) {
 }
 
 // The colour of most of it, and whether it is one.
-void find_look(const Image& picture, const Image& ink, Sample& sample) {
+void find_look(const Image& picture, const Image& ink, KeySample& sample) {
     std::array<std::vector<int>, 3> values;
     int darkest = 255;
     for (int y = sample.box.top; y < sample.box.bottom; ++y)
@@ -74,9 +74,9 @@ void find_look(const Image& picture, const Image& ink, Sample& sample) {
     int white = 0, all = 0;
     for (int y = sample.box.top + dy; y < sample.box.bottom - dy; ++y)
         for (int x = sample.box.left + dx; x < sample.box.right - dx; ++x, ++all) {
-            white += ink.row(y)[x] >= kInk ? 1 : 0;
+            white += ink.row(y)[x] >= kInkOfKeys ? 1 : 0;
             if (sample.line && ink.row(y)[x] > darkest + 40) continue;
-            const Colour colour = colour_at(picture, x, y);
+            const PixelColour colour = colour_at(picture, x, y);
             for (std::size_t c = 0; c < 3; ++c) values[c].push_back(colour[c]);
         }
     const int middle_x = (sample.box.left + sample.box.right) / 2, middle_y = (sample.box.top + sample.box.bottom) / 2;
@@ -91,35 +91,35 @@ void find_look(const Image& picture, const Image& ink, Sample& sample) {
     sample.hatch = !sample.line && white > 0.1 * all && white < 0.95 * all;
 }
 
-std::optional<Sample> sample_beside(const Image& picture, const Image& ink, const LegendWords& words, std::size_t number,
-                                    bool left) {
+std::optional<KeySample> sample_beside(const Image& picture, const Image& ink, const LegendWords& words, std::size_t number,
+                                       bool left) {
     const double h = words.height, y = (words.box.top + words.box.bottom) / 2.0;
     const double from = left ? words.box.left - kMostWide * h : words.box.right + kNearest * h;
     const double to = left ? words.box.left - kNearest * h : words.box.right + kMostWide * h;
-    const PixelBox window{std::max(0, static_cast<int>(from)), std::max(0, static_cast<int>(y - kAround * h)),
+    const PixelBox window{std::max(0, static_cast<int>(from)), std::max(0, static_cast<int>(y - kAroundRow * h)),
                           std::min(picture.width, static_cast<int>(to)),
-                          std::min(picture.height, static_cast<int>(y + kAround * h))};
+                          std::min(picture.height, static_cast<int>(y + kAroundRow * h))};
     const auto box = free_ink(ink, window);
     if (!box || box->width() < kLeastWide * h || box->height() > kMostHigh * h || box->width() < box->height())
         return std::nullopt;
     if (box->left <= window.left || box->right >= window.right) return std::nullopt;
     if (std::abs((box->top + box->bottom) / 2.0 - y) > kSameColumn * h) return std::nullopt;
-    Sample sample{number, *box, box->height() <= kLine * h, false, {}, h};
+    KeySample sample{number, *box, box->height() <= kLineHigh * h, false, {}, h};
     find_look(picture, ink, sample);
     return sample;
 }
 
-std::vector<Sample> samples_of(const Image& picture, const Image& ink, const std::vector<LegendWords>& words) {
-    std::vector<Sample> all;
+std::vector<KeySample> samples_of(const Image& picture, const Image& ink, const std::vector<LegendWords>& words) {
+    std::vector<KeySample> all;
     for (std::size_t i = 0; i < words.size(); ++i)
         for (const bool left : {true, false})
             if (const auto sample = words[i].height > 0 ? sample_beside(picture, ink, words[i], i, left) : std::nullopt) {
                 all.push_back(*sample);
                 break;
             }
-    std::vector<Sample> rows;
-    for (const Sample& one : all)
-        if (std::any_of(all.begin(), all.end(), [&](const Sample& other) {
+    std::vector<KeySample> rows;
+    for (const KeySample& one : all)
+        if (std::any_of(all.begin(), all.end(), [&](const KeySample& other) {
                 const double across = std::abs(one.box.left - other.box.left), down = std::abs(one.box.top - other.box.top);
                 const double h = one.height;
                 return one.words != other.words && one.line == other.line &&
@@ -127,10 +127,10 @@ std::vector<Sample> samples_of(const Image& picture, const Image& ink, const std
                         (down < kSameColumn * h && across < kNextColumn * h));
             }))
             rows.push_back(one);
-    std::vector<Sample> unlike;
-    for (const Sample& one : rows)
+    std::vector<KeySample> unlike;
+    for (const KeySample& one : rows)
         if (std::none_of(rows.begin(), rows.end(),
-                         [&](const Sample& other) { return one.words != other.words && alike(one, other); }))
+                         [&](const KeySample& other) { return one.words != other.words && alike(one, other); }))
             unlike.push_back(one);
     return unlike;
 }
@@ -144,7 +144,7 @@ std::optional<Point> highest_in(const cv::Mat& field, const cv::Mat& mask) {
 }
 
 // A place on what is painted so, without the samples; on a curve where all else is far, in a surface where it is widest.
-std::optional<Point> place_of(const Image& picture, const Image& ink, const Sample& sample, const cv::Mat& elsewhere,
+std::optional<Point> place_of(const Image& picture, const Image& ink, const KeySample& sample, const cv::Mat& elsewhere,
                               const std::vector<LegendEntry>& before) {
     // Pale surfaces are nearer to the ground than curves are.
     const int same = std::clamp(sample.off_ground / 2, 3, kSame);
@@ -172,7 +172,7 @@ std::optional<Point> place_of(const Image& picture, const Image& ink, const Samp
         for (int x = 0; x < mask.cols; ++x)
             if (large[static_cast<std::size_t>(labels.at<int>(y, x))]) mask.at<std::uint8_t>(y, x) = 255;
     // Its own paler border is no other ink.
-    cv::Mat own_wide, others = view_of(ink) < kInk;
+    cv::Mat own_wide, others = view_of(ink) < kInkOfKeys;
     cv::dilate(own, own_wide, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(7, 7)));
     others &= ~own_wide;
     // Nor do its words stand where those of another do.
@@ -186,16 +186,16 @@ std::optional<Point> place_of(const Image& picture, const Image& ink, const Samp
 
 std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<LegendWords>& words) {
     const Image ink = ink_on_white(picture);
-    const std::vector<Sample> samples = samples_of(picture, ink, words);
+    const std::vector<KeySample> samples = samples_of(picture, ink, words);
     if (samples.size() < 2) return {};
     cv::Mat elsewhere(picture.height, picture.width, CV_8U, cv::Scalar(255));
-    for (const Sample& one : samples) {
+    for (const KeySample& one : samples) {
         const int room = static_cast<int>(one.height / 2);
         cv::rectangle(elsewhere, cv::Point(one.box.left - room, one.box.top - room),
                       cv::Point(one.box.right + room, one.box.bottom + room), cv::Scalar(0), cv::FILLED);
     }
     std::vector<LegendEntry> entries;
-    for (const Sample& one : samples) {
+    for (const KeySample& one : samples) {
         if (one.line && is_grey(one.colour)) continue;
         const auto at = one.hatch ? hatched_place(picture) : place_of(picture, ink, one, elsewhere, entries);
         if (at) entries.push_back({one.words, one.box, *at});

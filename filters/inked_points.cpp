@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-constexpr int kInk = 160;
+constexpr int kInkOfPoints = 160;
 constexpr double kLeastRadius = 1.8;        // pixels; smaller discs are ends of lines
 constexpr double kArm = 0.55;               // of its width; a crossing of lines is 1.2 times as wide as they are
 constexpr int kAround = 48;                 // places on a circle that are looked at
@@ -91,7 +91,7 @@ cv::Point pixel_of(Point p) { return {static_cast<int>(std::floor(p.x)), static_
 std::vector<InkedPoint> points_in(const Image& ink, double least, double most) {
     least = std::max(least, kLeastRadius);
     cv::Mat deep, highest;
-    cv::distanceTransform(view_of(ink) < kInk, deep, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    cv::distanceTransform(view_of(ink) < kInkOfPoints, deep, cv::DIST_L2, cv::DIST_MASK_PRECISE);
     cv::dilate(deep, highest, cv::Mat());  // of 3 x 3
     struct Candidate {
         double radius;

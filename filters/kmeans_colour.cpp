@@ -22,12 +22,12 @@ std::size_t box_of(const std::uint8_t* pixel) {
            static_cast<std::size_t>(pixel[2] >> 3);
 }
 
-struct Box {
+struct ColourBox {
     std::uint64_t count = 0;
     std::array<std::uint64_t, 3> sums{};  // red, green, blue
 };
 
-struct Colour {
+struct ColourBin {
     std::size_t box = 0;
     double weight = 0;
     Lab lab{};
@@ -40,18 +40,18 @@ struct Group {
     int longest = 0;  // axis with the most squared error
 };
 
-Group group_of(const std::vector<Colour>& colours, int number) {
+Group group_of(const std::vector<ColourBin>& colours, int number) {
     Group group;
     double weight = 0;
     Lab sum{};
     Lab squares{};
-    for (const Colour& colour : colours) {
+    for (const ColourBin& colour : colours) {
         if (colour.group != number) continue;
         weight += colour.weight;
         for (std::size_t a = 0; a < 3; ++a) sum[a] += colour.weight * colour.lab[a];
     }
     for (std::size_t a = 0; a < 3; ++a) group.centre[a] = sum[a] / weight;
-    for (const Colour& colour : colours) {
+    for (const ColourBin& colour : colours) {
         if (colour.group != number) continue;
         for (std::size_t a = 0; a < 3; ++a)
             squares[a] += colour.weight * (colour.lab[a] - group.centre[a]) * (colour.lab[a] - group.centre[a]);
@@ -61,7 +61,7 @@ Group group_of(const std::vector<Colour>& colours, int number) {
     return group;
 }
 
-std::vector<Lab> start(std::vector<Colour>& colours, int k) {
+std::vector<Lab> start(std::vector<ColourBin>& colours, int k) {
     std::vector<Group> groups{group_of(colours, 0)};
     while (static_cast<int>(groups.size()) < k) {
         const auto widest =
@@ -69,14 +69,14 @@ std::vector<Lab> start(std::vector<Colour>& colours, int k) {
         const int old = static_cast<int>(widest - groups.begin());
         const int fresh = static_cast<int>(groups.size());
         const auto axis = static_cast<std::size_t>(widest->longest);
-        const auto in_widest = [&](const Colour& colour) { return colour.group == old; };
-        const auto moves = [&, middle = widest->centre[axis]](const Colour& colour) {
+        const auto in_widest = [&](const ColourBin& colour) { return colour.group == old; };
+        const auto moves = [&, middle = widest->centre[axis]](const ColourBin& colour) {
             return in_widest(colour) && colour.lab[axis] > middle;
         };
         const auto members = std::count_if(colours.begin(), colours.end(), in_widest);
         const auto moving = std::count_if(colours.begin(), colours.end(), moves);
         if (moving == 0 || moving == members) break;  // every class is one colour
-        for (Colour& colour : colours)
+        for (ColourBin& colour : colours)
             if (moves(colour)) colour.group = fresh;
         groups[static_cast<std::size_t>(old)] = group_of(colours, old);
         groups.push_back(group_of(colours, fresh));
@@ -87,11 +87,11 @@ std::vector<Lab> start(std::vector<Colour>& colours, int k) {
 }
 
 // One of Lloyd's rounds; says whether a colour changed its class.
-bool round_of(std::vector<Colour>& colours, std::vector<Lab>& centres) {
+bool round_of(std::vector<ColourBin>& colours, std::vector<Lab>& centres) {
     bool changed = false;
     std::vector<Lab> sums(centres.size());
     std::vector<double> weights(centres.size());
-    for (Colour& colour : colours) {
+    for (ColourBin& colour : colours) {
         std::size_t nearest = 0;
         double least = INFINITY;
         for (std::size_t c = 0; c < centres.size(); ++c) {
@@ -115,14 +115,14 @@ bool round_of(std::vector<Colour>& colours, std::vector<Lab>& centres) {
 }  // namespace
 
 Image kmeans_colour(Image image, int k) {
-    std::vector<Box> boxes(kBoxes);
+    std::vector<ColourBox> boxes(kBoxes);
     const auto end = image.pixels.data() + image.pixels.size();
     for (auto pixel = image.pixels.data(); pixel != end; pixel += 3) {
-        Box& box = boxes[box_of(pixel)];
+        ColourBox& box = boxes[box_of(pixel)];
         ++box.count;
         for (std::size_t a = 0; a < 3; ++a) box.sums[a] += pixel[a];
     }
-    std::vector<Colour> colours;
+    std::vector<ColourBin> colours;
     for (std::size_t i = 0; i < kBoxes; ++i) {
         const auto mean = [&](std::size_t a) {
             return static_cast<double>(boxes[i].sums[a]) / static_cast<double>(boxes[i].count);
@@ -134,15 +134,15 @@ Image kmeans_colour(Image image, int k) {
     for (int i = 0; i < kMostRounds && round_of(colours, centres); ++i) {
     }
 
-    std::vector<Box> totals(centres.size());
-    for (const Colour& colour : colours) {
-        Box& total = totals[static_cast<std::size_t>(colour.group)];
+    std::vector<ColourBox> totals(centres.size());
+    for (const ColourBin& colour : colours) {
+        ColourBox& total = totals[static_cast<std::size_t>(colour.group)];
         total.count += boxes[colour.box].count;
         for (std::size_t a = 0; a < 3; ++a) total.sums[a] += boxes[colour.box].sums[a];
     }
     std::vector<std::array<std::uint8_t, 3>> answer(kBoxes);
-    for (const Colour& colour : colours) {
-        const Box& total = totals[static_cast<std::size_t>(colour.group)];
+    for (const ColourBin& colour : colours) {
+        const ColourBox& total = totals[static_cast<std::size_t>(colour.group)];
         for (std::size_t a = 0; a < 3; ++a)
             answer[colour.box][a] = static_cast<std::uint8_t>((total.sums[a] + total.count / 2) / total.count);
     }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// sRGB to CIELAB (white D65), for filters that compare colours as the eye does.
+// Colours compared: channel by channel, and as the eye does, from sRGB to CIELAB (white D65).
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <vector>
 
 #include "tactics/image.h"
@@ -10,6 +12,11 @@
 namespace tactics {
 
 using Lab = std::array<double, 3>;  ///< L* 0 to 100, a*, b* about -128 to 128
+
+/// The most that two colours are apart in one channel, in its levels.
+inline int channels_apart(const std::array<int, 3>& a, const std::array<int, 3>& b) {
+    return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+}
 
 /// Channels from 0 to 255.
 Lab to_lab(double red, double green, double blue);

@@ -14,13 +14,13 @@ namespace tactics {
 
 namespace {
 
-constexpr double kDash = 8, kDashInCells = 10;     // mm
-constexpr double kGapInCells = 5.4;                // mm: dots that move half of 3.5 mm to the nearest column leave one empty
-constexpr double kBent = 1.05;                     // on a curve it is less far straight across than along the line
-constexpr double kDot = 0.02;                      // mm: a stroke needs two places
-constexpr std::size_t kLooksBack = 3;              // marks
-constexpr double kLater = 0.25, kRounding = 1e-6;  // mm
-constexpr std::size_t kMostMarks = 20'000;         // of a line; a large page has room for far fewer
+constexpr double kDash = 8, kDashInCells = 10;          // mm
+constexpr double kGapInCells = 5.4;                     // mm: dots that move half of 3.5 mm to the nearest column leave one empty
+constexpr double kBent = 1.05;                          // on a curve it is less far straight across than along the line
+constexpr double kDotStroke = 0.02;                     // mm: a stroke needs two places
+constexpr std::size_t kLooksBack = 3;                   // marks
+constexpr double kLater = 0.25, kLaterRounding = 1e-6;  // mm
+constexpr std::size_t kMostMarks = 20'000;              // of a line; a large page has room for far fewer
 
 struct Marks {
     std::vector<double> lengths;  // of their middle lines
@@ -36,7 +36,7 @@ struct Marks {
 // As many as come nearest to the line's length.
 Marks marks_for(double length, const LineStyle& style, double width, double least_gap) {
     Marks marks{{}, std::max(style.gap + width, least_gap)};
-    const auto middle = [&](std::size_t i) { return std::max(kDot, style.marks[i % style.marks.size()] - width); };
+    const auto middle = [&](std::size_t i) { return std::max(kDotStroke, style.marks[i % style.marks.size()] - width); };
     double total = middle(0);
     marks.lengths.push_back(middle(0));
     while (marks.lengths.size() < kMostMarks) {
@@ -51,7 +51,7 @@ Marks marks_for(double length, const LineStyle& style, double width, double leas
 // Longer gaps where there is more room, shorter dashes where there is less; dots stay dots.
 void stretch(Marks& marks, double length) {
     double ink = 0;
-    for (const double mark : marks.lengths) ink += mark > kDot ? mark : 0;
+    for (const double mark : marks.lengths) ink += mark > kDotStroke ? mark : 0;
     const auto gaps = static_cast<double>(marks.lengths.size() - 1);
     const double dots = marks.total() - ink - gaps * marks.gap, more = length - marks.total();
     if (more > 0 && gaps > 0) {
@@ -60,7 +60,7 @@ void stretch(Marks& marks, double length) {
     }
     const double left = std::max(0.0, length - dots - gaps * marks.gap);
     for (double& mark : marks.lengths)
-        if (mark > kDot) mark *= left / ink;
+        if (mark > kDotStroke) mark *= left / ink;
 }
 
 // From one mark to another, mm; they do not cross.
@@ -109,7 +109,7 @@ std::vector<Stroke> in_style(const std::vector<Point>& points, bool closed, cons
     Marks marks = marks_for(closed ? length - least_gap : length, style, width, least_gap);
     while (marks.lengths.size() > 1 && marks.total() > length) {
         double shortest = 0;  // what is left if dashes are as short as they may be
-        for (const double mark : marks.lengths) shortest += mark > kDot ? 0.75 * mark : mark;
+        for (const double mark : marks.lengths) shortest += mark > kDotStroke ? 0.75 * mark : mark;
         if (shortest + marks.gap * (static_cast<double>(marks.lengths.size()) - 1) <= length) break;
         marks.lengths.pop_back();
     }
@@ -125,12 +125,12 @@ std::vector<Stroke> in_style(const std::vector<Point>& points, bool closed, cons
             const std::vector<Point> here = part_of(points, closed, from, to);
             const std::size_t first = strokes.size() > kLooksBack ? strokes.size() - kLooksBack : 0;
             for (std::size_t i = first; i < strokes.size(); ++i)
-                if (least_between(strokes[i].points, here) < straight - kRounding) return true;
+                if (least_between(strokes[i].points, here) < straight - kLaterRounding) return true;
             return false;
         };
         while (too_near() && from + kLater < end) {
             from += kLater;
-            to = std::max(to, std::min(end, from + kDot));
+            to = std::max(to, std::min(end, from + kDotStroke));
         }
         if (too_near()) continue;
         std::vector<Point> part = part_of(points, closed, from, to);

@@ -17,9 +17,9 @@ namespace tactics {
 namespace {
 
 // How far each place of a drawing is from its lines, on pixels.
-class Room {
+class InkRoom {
 public:
-    Room(int width, int height, double mm)
+    InkRoom(int width, int height, double mm)
         : width_(width), height_(height), mm_(mm), free_(height, width, CV_8U, cv::Scalar(1)) {}
 
     // Points of a line, in mm.
@@ -51,7 +51,7 @@ private:
 };
 
 // The longest run of a line that keeps apart from what is drawn; its ends are led on to what they come near.
-struct Cut {
+struct LineCut {
     std::vector<Point> points;
     double apart = 0;  // mm of it that keep apart
     int attached = 0;  // ends
@@ -59,7 +59,7 @@ struct Cut {
 
 // Where to go on from the end of a run, in the order of the way, until a line or the frame is met: along the line itself and what
 // it leads to, but not beside another for long, then straight on for no more than the gap. Empty if nothing is met.
-std::vector<Point> way_to_line(const Room& room, const std::vector<Point>& points, std::size_t end, int step, double gap,
+std::vector<Point> way_to_line(const InkRoom& room, const std::vector<Point>& points, std::size_t end, int step, double gap,
                                double touches) {
     constexpr std::ptrdiff_t kBack = 8;  // points that tell the direction
     const auto size = static_cast<std::ptrdiff_t>(points.size());
@@ -86,8 +86,8 @@ std::vector<Point> way_to_line(const Room& room, const std::vector<Point>& point
 }
 
 // `leads`: as of a RegionLine.
-Cut cut_apart(const Room& room, const std::vector<Point>& points, std::array<std::size_t, 2> leads, bool lead, double gap,
-              double touches) {
+LineCut cut_apart(const InkRoom& room, const std::vector<Point>& points, std::array<std::size_t, 2> leads, bool lead, double gap,
+                  double touches) {
     std::size_t best = 0, length = 0;
     const std::size_t last = points.size() - leads[1];
     for (std::size_t i = leads[0], end; i < last; i = end + 1) {
@@ -104,7 +104,7 @@ Cut cut_apart(const Room& room, const std::vector<Point>& points, std::array<std
     if (!lead) return {std::move(run), apart, 0};
     const std::vector<Point> before = way_to_line(room, points, best, -1, gap, touches);
     const std::vector<Point> after = way_to_line(room, points, best + length - 1, 1, gap, touches);
-    Cut cut{{}, apart, (before.empty() ? 0 : 1) + (after.empty() ? 0 : 1)};
+    LineCut cut{{}, apart, (before.empty() ? 0 : 1) + (after.empty() ? 0 : 1)};
     if (!before.empty()) cut.points.assign(before.rbegin(), before.rend() - 1);
     cut.points.insert(cut.points.end(), run.begin(), run.end());
     if (!after.empty()) cut.points.insert(cut.points.end(), after.begin() + 1, after.end());
@@ -128,8 +128,8 @@ bool lengthens(Stroke& stroke, const Stroke& by, double touches) {
 
 void add_open_lines(Drawing& drawing, std::span<const RegionLine> lines, double mm_per_pixel, const OpenLines& wish) {
     if (drawing.strokes.empty() || lines.empty()) return;
-    Room room(static_cast<int>(std::lround(drawing.width / mm_per_pixel)),
-              static_cast<int>(std::lround(drawing.height / mm_per_pixel)), mm_per_pixel);
+    InkRoom room(static_cast<int>(std::lround(drawing.width / mm_per_pixel)),
+                 static_cast<int>(std::lround(drawing.height / mm_per_pixel)), mm_per_pixel);
     for (const Stroke& stroke : drawing.strokes) room.draw(stroke.points, stroke.closed);
     room.measure();
     struct Smooth {
@@ -148,7 +148,7 @@ void add_open_lines(Drawing& drawing, std::span<const RegionLine> lines, double 
     std::stable_sort(smooth.begin(), smooth.end(), [](const Smooth& a, const Smooth& b) { return a.worth > b.worth; });
     double left = wish.most;
     for (const auto& [worth, points, line] : smooth) {
-        Cut cut = cut_apart(room, points, line->leads, wish.attached, wish.gap, mm_per_pixel);
+        LineCut cut = cut_apart(room, points, line->leads, wish.attached, wish.gap, mm_per_pixel);
         const double length = length_of(cut.points, false);
         // What joins two lines leads somewhere, however short.
         const double shortest = cut.attached == 2 ? wish.shortest / 2 : wish.shortest;

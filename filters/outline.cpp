@@ -12,7 +12,7 @@ namespace tactics {
 namespace {
 
 // A row of ink from `first` up to, not including, `last`. Each of its two ends is on one ring.
-struct Run {
+struct OutlineRun {
     int first;
     int last;
     std::size_t piece;  // another run of the same piece, towards the first of them
@@ -126,21 +126,21 @@ private:
     }
 
     // The run that begins at, or ends before, that pixel of the row.
-    Run& run_at(int x, int y) {
+    OutlineRun& run_at(int x, int y) {
         const auto row = static_cast<std::size_t>(y);
         return *std::lower_bound(runs_.begin() + static_cast<std::ptrdiff_t>(start_[row]),
                                  runs_.begin() + static_cast<std::ptrdiff_t>(start_[row + 1]), x,
-                                 [](const Run& run, int at) { return run.first < at; });
+                                 [](const OutlineRun& run, int at) { return run.first < at; });
     }
-    Run& run_before(int x, int y) {
+    OutlineRun& run_before(int x, int y) {
         const auto row = static_cast<std::size_t>(y);
         return *std::lower_bound(runs_.begin() + static_cast<std::ptrdiff_t>(start_[row]),
                                  runs_.begin() + static_cast<std::ptrdiff_t>(start_[row + 1]), x,
-                                 [](const Run& run, int at) { return run.last < at; });
+                                 [](const OutlineRun& run, int at) { return run.last < at; });
     }
 
     const InkMap& ink_;
-    std::vector<Run> runs_;
+    std::vector<OutlineRun> runs_;
     std::vector<std::size_t> start_;  // of each row's runs
     std::vector<Outline> outlines_;
 };

@@ -13,9 +13,9 @@ namespace {
 constexpr double kMain = 0.4;       // of completeness
 constexpr double kShortMain = 0.7;  // diagonals: or the likeliest for a thing would count as one on a page where none is expected
 constexpr double kMost = 4.5;       // diagonals: the budget of line on A4; on smaller sheets the same is at stake
-constexpr int kRounds = 3;          // after two the pages hardly change
-constexpr double kFirst = 0.55;     // the price at first
-constexpr double kCheaper = 0.1;    // where nothing is drawn
+constexpr int kStakeRounds = 3;     // after two the pages hardly change
+constexpr double kFirstPrice = 0.55;  // the price at first
+constexpr double kCheaper = 0.1;      // where nothing is drawn
 
 // Steps, each times its chance.
 struct Sums {
@@ -40,10 +40,10 @@ Sums sums_of(const RegionTree& tree, const ArcChances& chances, Takes takes) {
 Stakes stakes_of(const RegionTree& tree, const ArcChances& chances, double sure) {
     const double diagonal = std::hypot(tree.width, tree.height);
     const Sums all = sums_of(tree, chances, [](const RegionArc&) { return true; });
-    Stakes stakes{chances.drawn, kFirst};
+    Stakes stakes{chances.drawn, kFirstPrice};
     if (all.agreed <= 0) return stakes;
     const double main = all.main + kShortMain * diagonal;
-    for (int i = 0; i < kRounds; ++i) {
+    for (int i = 0; i < kStakeRounds; ++i) {
         const Parts parts = best_parts(tree, stakes.worth, stakes.price, kMost * diagonal);
         const Sums drawn = sums_of(tree, chances, [&](const RegionArc& arc) { return parts.divides(arc); });
         if (drawn.length <= 0) {

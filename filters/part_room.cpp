@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
+constexpr std::uint32_t kNoPart = 0xffffffff;
 
 // Corners of a right angle are not thin, though no disc fills them.
 constexpr double kCorner = 1.45;
@@ -27,10 +27,11 @@ public:
     // Gives whether anything was thin.
     bool take_from_thin(InkMap& slender) {
         const std::vector<bool> thin = thin_pixels();
-        std::vector<std::uint32_t> piece(part_.size(), kNone);
+        std::vector<std::uint32_t> piece(part_.size(), kNoPart);
         std::vector<std::vector<std::uint32_t>> pieces;
         for (std::uint32_t i = 0; i < part_.size(); ++i)
-            if (thin[i] && piece[i] == kNone) pieces.push_back(flood(i, thin, piece, static_cast<std::uint32_t>(pieces.size())));
+            if (thin[i] && piece[i] == kNoPart)
+                pieces.push_back(flood(i, thin, piece, static_cast<std::uint32_t>(pieces.size())));
         // The smallest first, and each as what is beside it now is.
         std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
         bool any = false;
@@ -65,7 +66,7 @@ private:
             return thin;
         }
         cv::distanceTransform(wide, out, label, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
-        std::vector<std::uint32_t> part_of_label(part_.size() + 1, kNone);
+        std::vector<std::uint32_t> part_of_label(part_.size() + 1, kNoPart);
         for (std::uint32_t i = 0; i < part_.size(); ++i)
             if (wide.ptr<std::uint8_t>()[i] == 0) part_of_label[static_cast<std::size_t>(label.ptr<int>()[i])] = part_[i];
         for (std::uint32_t i = 0; i < part_.size(); ++i)
@@ -80,7 +81,7 @@ private:
         piece[start] = number;
         for (std::size_t n = 0; n < pixels.size(); ++n)
             neighbours(pixels[n], [&](std::uint32_t j, float) {
-                if (!among[j] || piece[j] != kNone || part_[j] != part_[start]) return;
+                if (!among[j] || piece[j] != kNoPart || part_[j] != part_[start]) return;
                 piece[j] = number;
                 pixels.push_back(j);
             });
@@ -106,7 +107,7 @@ private:
         if (beside.empty()) return false;
         double longest = 0;
         for (const auto& [part, b] : beside) longest = std::max(longest, b.length);
-        std::uint32_t to = kNone;
+        std::uint32_t to = kNoPart;
         double least = std::numeric_limits<double>::infinity();
         for (const auto& [part, b] : beside) {
             // A neighbour at an end of a strip only is none beside it.

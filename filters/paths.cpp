@@ -12,7 +12,7 @@ namespace tactics {
 namespace {
 
 // Pieces that bend more than this at a junction are two lines. The arms of a symmetric Y bend by 60 degrees.
-constexpr double kStraight = 0.643;  // cos 50 degrees
+constexpr double kStraightOn = 0.643;  // cos 50 degrees
 // Over a gap the eye goes on within about 30 degrees on either side (D. J. Field, A. Hayes, R. F. Hess, "Contour
 // integration by the human visual system", Vision Research 33, 1993: up to 60 degrees between neighbouring elements).
 constexpr double kAhead = 0.819;  // cos 35 degrees
@@ -51,7 +51,7 @@ Point direction_from(const std::vector<Point>& points, bool backwards, Point fro
 }
 
 // Ends of chains and paths are numbered 2 * index + (0 first, 1 last).
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kNoEnd = static_cast<std::size_t>(-1);
 
 struct Meeting {
     double cost;
@@ -61,7 +61,7 @@ struct Meeting {
 
 std::vector<std::size_t> partners_of(const PixelGraph& graph) {
     const auto& chains = graph.chains;
-    std::vector<std::size_t> partner(2 * chains.size(), kNone);
+    std::vector<std::size_t> partner(2 * chains.size(), kNoEnd);
     std::vector<std::pair<int, std::size_t>> ends;  // junction, end
     for (std::size_t i = 0; i < chains.size(); ++i) {
         if (chains[i].from >= 0) ends.emplace_back(chains[i].from, 2 * i);
@@ -86,12 +86,12 @@ std::vector<std::size_t> partners_of(const PixelGraph& graph) {
         for (std::size_t a = 0; a < tangents.size(); ++a)
             for (std::size_t b = a + 1; b < tangents.size(); ++b)
                 if (const double bend = -dot(tangents[a], tangents[b]);
-                    bend > kStraight && chains[ends[begin + a].second / 2].kind == chains[ends[begin + b].second / 2].kind)
+                    bend > kStraightOn && chains[ends[begin + a].second / 2].kind == chains[ends[begin + b].second / 2].kind)
                     meetings.push_back({-bend, begin + a, begin + b});
         std::sort(meetings.begin(), meetings.end());
         for (const Meeting& meeting : meetings) {
             const std::size_t a = ends[meeting.a].second, b = ends[meeting.b].second;
-            if (partner[a] != kNone || partner[b] != kNone) continue;
+            if (partner[a] != kNoEnd || partner[b] != kNoEnd) continue;
             partner[a] = b;
             partner[b] = a;
         }
@@ -105,11 +105,11 @@ void append(std::vector<Point>& to, const PixelGraph& graph, const std::vector<s
     const bool backwards = (end & 1u) != 0;
     const std::size_t size = chain.points.size();
     std::size_t first = 0, last = size;
-    if (chain.from >= 0 && partner[end & ~std::size_t{1}] != kNone) {
+    if (chain.from >= 0 && partner[end & ~std::size_t{1}] != kNoEnd) {
         const PixelJunction& j = graph.junctions[static_cast<std::size_t>(chain.from)];
         while (first < size && length(chain.points[first] - j.at) < j.reach) ++first;
     }
-    if (chain.to >= 0 && partner[end | 1u] != kNone) {
+    if (chain.to >= 0 && partner[end | 1u] != kNoEnd) {
         const PixelJunction& j = graph.junctions[static_cast<std::size_t>(chain.to)];
         while (last > 0 && length(chain.points[last - 1] - j.at) < j.reach) --last;
     }
@@ -140,13 +140,13 @@ std::vector<PixelPath> join_at_junctions(const PixelGraph& graph) {
         };
         path.closed = graph.chains[start / 2].closed;
         path.kind = graph.chains[start / 2].kind;
-        const bool loop = partner[start] != kNone;  // only when every line with an end has been taken
+        const bool loop = partner[start] != kNoEnd;  // only when every line with an end has been taken
         if (!loop && !path.closed) place(start, 0);
         for (std::size_t end = start;;) {
             used[end / 2] = true;
             append(path.points, graph, partner, end);
             const std::size_t arrival = end ^ 1u;
-            if (partner[arrival] == kNone) {
+            if (partner[arrival] == kNoEnd) {
                 if (!path.closed) place(arrival, 1);
                 break;
             }
@@ -161,7 +161,7 @@ std::vector<PixelPath> join_at_junctions(const PixelGraph& graph) {
     };
     for (std::size_t i = 0; i < graph.chains.size(); ++i)
         for (std::size_t end = 2 * i; end < 2 * i + 2; ++end)
-            if (!used[i] && partner[end] == kNone) assemble(end);
+            if (!used[i] && partner[end] == kNoEnd) assemble(end);
     for (std::size_t i = 0; i < graph.chains.size(); ++i)
         if (!used[i]) assemble(2 * i);
     return paths;
@@ -190,7 +190,7 @@ double cost_of(const End& a, const End& b, double gap) {
     if (a.id / 2 == b.id / 2 && a.length < 4 * apart + kTangentLength) return -1;
     const double turn = -dot(a.ahead, b.ahead);
     // Over a step or two the way across tells nothing: the grid decides it.
-    if (apart <= 2.5) return turn > kStraight && dot(a.ahead, across) >= 0 ? apart * (2 - turn) : -1;
+    if (apart <= 2.5) return turn > kStraightOn && dot(a.ahead, across) >= 0 ? apart * (2 - turn) : -1;
     const double from_a = dot(a.ahead, across) / apart, to_b = -dot(b.ahead, across) / apart;
     if (from_a < kAhead || to_b < kAhead) return -1;
     return apart * (3 - from_a - to_b);
@@ -238,9 +238,9 @@ std::vector<End> free_ends_of(const std::vector<PixelPath>& paths) {
 void bridge(std::vector<PixelPath>& paths, double gap) {
     if (gap <= 0) return;
     const auto ends = free_ends_of(paths);
-    std::vector<std::size_t> partner(2 * paths.size(), kNone);
+    std::vector<std::size_t> partner(2 * paths.size(), kNoEnd);
     for (const Meeting& meeting : meetings_of(ends, gap)) {
-        if (partner[meeting.a] != kNone || partner[meeting.b] != kNone) continue;
+        if (partner[meeting.a] != kNoEnd || partner[meeting.b] != kNoEnd) continue;
         partner[meeting.a] = meeting.b;
         partner[meeting.b] = meeting.a;
     }
@@ -268,12 +268,12 @@ void bridge(std::vector<PixelPath>& paths, double gap) {
                 path.points.insert(path.points.end(), piece.points.begin(), piece.points.end());
             end = partner[end ^ 1u];
             if (end == start) path.closed = true;
-            if (end == kNone || end == start) break;
+            if (end == kNoEnd || end == start) break;
         }
         joined.push_back(std::move(path));
     };
     for (std::size_t end = 0; end < partner.size(); ++end)
-        if (!used[end / 2] && partner[end] == kNone) assemble(end);
+        if (!used[end / 2] && partner[end] == kNoEnd) assemble(end);
     for (std::size_t i = 0; i < paths.size(); ++i)
         if (!used[i]) assemble(2 * i);
     paths = std::move(joined);

@@ -19,7 +19,7 @@ constexpr double kSideWidth = 5;
 constexpr double kSideAway = 9;
 
 // A line with less than this share of its strength left is part of its surround, as all of an even slope is.
-constexpr float kLeast = 0.1f;
+constexpr float kLeastContour = 0.1f;
 
 // Where there is texture, lines have others on both sides. The border of a textured thing has them on one side only, and
 // must stay: the quieter side counts (surround suppression, but of the two half-discs the weaker one). What is weaker than
@@ -54,7 +54,7 @@ void hold_texture_down(EdgeMap& map, double sigma, double share, float floor) {
             }
             const float quieter = std::min(at(x + dx, y + dy), at(x - dx, y - dy));
             const float left = map.strength[i] - static_cast<float>(share) * quieter;
-            map.strength[i] = left > kLeast * map.strength[i] ? left : 0;
+            map.strength[i] = left > kLeastContour * map.strength[i] ? left : 0;
         }
 }
 

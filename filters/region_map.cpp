@@ -183,7 +183,7 @@ ClassMap without_thin_parts(const ClassMap& map, double width) {
 
 namespace {
 
-constexpr int kAround[8][2] = {{-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}};
+constexpr int kEightAround[8][2] = {{-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}};
 
 // How many pieces, joined by corners too, the pixels fall into.
 std::size_t pieces_of(std::vector<std::pair<int, int>> pixels) {
@@ -196,7 +196,7 @@ std::size_t pieces_of(std::vector<std::pair<int, int>> pixels) {
         while (!pixels.empty()) {
             const auto [x, y] = pixels.back();
             pixels.pop_back();
-            for (const auto& [dx, dy] : kAround)
+            for (const auto& [dx, dy] : kEightAround)
                 if (const auto found = left.find({x + dx, y + dy}); found != left.end()) {
                     pixels.push_back(*found);
                     left.erase(found);
@@ -234,7 +234,7 @@ ClassMap without_necks(const ClassMap& map, double width) {
                 const auto [x, y] = neck[i];
                 sum_x += x;
                 sum_y += y;
-                for (const auto& [dx, dy] : kAround) {
+                for (const auto& [dx, dy] : kEightAround) {
                     if (!is_in(x + dx, y + dy)) continue;
                     const std::size_t next = map.index(x + dx, y + dy);
                     if (regions.region[next] != region) {

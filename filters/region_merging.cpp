@@ -108,7 +108,7 @@ PairFeatures features_of(const RegionSums& a, const RegionSums& b, const SharedB
 
 namespace {
 
-struct Edge {
+struct SharedEdge {
     std::uint32_t a = 0, b = 0;
     SharedBorder border;
     int version = 0;  // counts up when anything of it changes; what waits in the queue with another number is old
@@ -160,7 +160,7 @@ public:
         while (!queue_.empty()) {
             const Waiting next = queue_.top();
             queue_.pop();
-            const Edge& edge = edges_[next.edge];
+            const SharedEdge& edge = edges_[next.edge];
             if (edge.gone || edge.version != next.version) continue;
             join(next.edge);
         }
@@ -187,14 +187,14 @@ private:
         return edge;
     }
 
-    PairFeatures features(const Edge& edge) const { return features_of(sums_[edge.a], sums_[edge.b], edge.border); }
+    PairFeatures features(const SharedEdge& edge) const { return features_of(sums_[edge.a], sums_[edge.b], edge.border); }
 
     double score(const PairFeatures& f) const { return std::inner_product(f.begin(), f.end(), weights_.begin(), 0.0); }
 
-    bool is_small(const Edge& edge) const { return std::min(sums_[edge.a].area, sums_[edge.b].area) < least_; }
+    bool is_small(const SharedEdge& edge) const { return std::min(sums_[edge.a].area, sums_[edge.b].area) < least_; }
 
     void wait(std::uint32_t i) {
-        Edge& edge = edges_[i];
+        SharedEdge& edge = edges_[i];
         ++edge.version;
         const PairFeatures f = features(edge);
         constexpr double kFirst = 1e6;  // before any that is large enough
@@ -229,7 +229,7 @@ private:
         with_.resize(edges_of_.size(), kNone);
         for (const std::uint32_t old : {a, b})
             for (const std::uint32_t i : edges_of_[old]) {
-                Edge& edge = edges_[i];
+                SharedEdge& edge = edges_[i];
                 if (edge.gone) continue;
                 const std::uint32_t other = edge.a == old ? edge.b : edge.a;
                 if (with_[other] != kNone && with_[other] != i) {
@@ -254,7 +254,7 @@ private:
     double least_;
     const PairWeights& weights_;
     const PairWatcher& watcher_;
-    std::vector<Edge> edges_;
+    std::vector<SharedEdge> edges_;
     std::vector<std::vector<std::uint32_t>> edges_of_;  // of each node; may hold some that are gone
     std::vector<std::uint32_t> edge_of_arc_, joined_, with_;
     std::vector<End> ended_;

@@ -19,7 +19,7 @@ constexpr int kWidest = 24;
 constexpr double kFits = 0.30;
 // A straight line replaces the parabola, which is less sure, as long as this shifts the point by less than a tenth of a
 // pixel; in between the two are mixed, so that nothing jumps.
-constexpr double kStraight = 0.05, kCurved = 0.15;
+constexpr double kStraightBow = 0.05, kCurvedBow = 0.15;
 
 // Coordinates are far from overflow, and the square root is many times faster than std::hypot.
 double length(double x, double y) { return std::sqrt(x * x + y * y); }
@@ -85,7 +85,7 @@ struct Window {
         Fit fit;
         fit.bend = {(square.x - lift * even.x) * kMoments.spread[i], (square.y - lift * even.y) * kMoments.spread[i]};
         const double shift = length(fit.bend.x, fit.bend.y) * lift;  // of the straight line against the parabola
-        const double keep = std::clamp((shift - kStraight) / (kCurved - kStraight), 0.0, 1.0);
+        const double keep = std::clamp((shift - kStraightBow) / (kCurvedBow - kStraightBow), 0.0, 1.0);
         fit.bend = {keep * fit.bend.x, keep * fit.bend.y};
         fit.level = {middle.x + even.x * kMoments.count[i] - fit.bend.x * lift,
                      middle.y + even.y * kMoments.count[i] - fit.bend.y * lift};
@@ -150,7 +150,7 @@ std::pair<Fit, int> fit_end(At at, int least, int limit) {
     return {best.fit(at(best.h)), best.h};
 }
 
-constexpr int kLeast = 3;  // smaller windows leave the steps in
+constexpr int kLeastWindow = 3;  // smaller windows leave the steps in
 
 // A corner is where two straight sides of seven points fit well and the parabola through both does not, and where they turn
 // by 40 degrees or more, but not back by more than 170. The line passes as near to the point in which the sides would meet
@@ -158,7 +158,7 @@ constexpr int kLeast = 3;  // smaller windows leave the steps in
 constexpr int kSide = 7;
 constexpr double kSideFits = 0.3;
 constexpr double kTurn = 0.766, kBack = 0.985;  // cos 40, cos 10 degrees
-constexpr double kRounded = 2, kGrid = 0.5, kFarthest = 3;
+constexpr double kRounded = 2, kGrid = 0.5, kFarthestCorner = 3;
 
 struct Side {
     Point middle, direction;
@@ -211,7 +211,7 @@ std::vector<Corner> corners_of(At at, std::ptrdiff_t begin, std::ptrdiff_t end) 
         if (turn > kTurn || turn < -kBack) continue;
         const Point meeting = meeting_of(before, after);
         const double arc = kRounded * (1 / std::sqrt((1 + turn) / 2) - 1);
-        if (distance(meeting, b) > std::min(arc + kGrid, kFarthest)) continue;
+        if (distance(meeting, b) > std::min(arc + kGrid, kFarthestCorner)) continue;
         if (!corners.empty() && i - corners.back().sample < kSide) {
             if (turn >= corners.back().turn) continue;
             corners.pop_back();
@@ -228,7 +228,7 @@ std::vector<Point> smooth_loop(const std::vector<Point>& p) {
     std::vector<Point> result;
     const std::ptrdiff_t stride = n >= 16 ? 2 : 1;
     for (std::ptrdiff_t i = 0; i + stride <= n; i += stride)
-        result.push_back(fit_around(at, i, std::min(kLeast, limit), limit).level);
+        result.push_back(fit_around(at, i, std::min(kLeastWindow, limit), limit).level);
     return result;
 }
 
@@ -238,8 +238,8 @@ void smooth_piece(const std::vector<Point>& p, std::ptrdiff_t first, std::ptrdif
     const int limit = static_cast<int>(std::min<std::ptrdiff_t>(kWidest, (n - 1) / 2));
     const auto forward = [&](std::ptrdiff_t i) { return p[static_cast<std::size_t>(first + i)]; };
     const auto backward = [&](std::ptrdiff_t i) { return p[static_cast<std::size_t>(last - i)]; };
-    const auto [head, head_h] = fit_end(forward, kLeast, limit);
-    const auto [tail, tail_h] = fit_end(backward, kLeast, limit);
+    const auto [head, head_h] = fit_end(forward, kLeastWindow, limit);
+    const auto [tail, tail_h] = fit_end(backward, kLeastWindow, limit);
     for (std::ptrdiff_t i = 0; i + 1 < n; i += 2) {
         const std::ptrdiff_t left = n - 1 - i;
         if (i < head_h && i <= left)
@@ -247,7 +247,8 @@ void smooth_piece(const std::vector<Point>& p, std::ptrdiff_t first, std::ptrdif
         else if (left < tail_h)
             result.push_back(tail.at(static_cast<double>(left - tail_h)));
         else
-            result.push_back(fit_around(forward, i, kLeast, static_cast<int>(std::min<std::ptrdiff_t>({limit, i, left}))).level);
+            result.push_back(
+                fit_around(forward, i, kLeastWindow, static_cast<int>(std::min<std::ptrdiff_t>({limit, i, left}))).level);
     }
 }
 
@@ -255,7 +256,7 @@ void smooth_piece(const std::vector<Point>& p, std::ptrdiff_t first, std::ptrdif
 Point smooth_end(const std::vector<Point>& p, std::ptrdiff_t first) {
     const auto last = static_cast<std::ptrdiff_t>(p.size()) - 1;
     const int limit = static_cast<int>(std::min<std::ptrdiff_t>(kWidest, (last - first) / 2));
-    const auto [tail, h] = fit_end([&](std::ptrdiff_t i) { return p[static_cast<std::size_t>(last - i)]; }, kLeast, limit);
+    const auto [tail, h] = fit_end([&](std::ptrdiff_t i) { return p[static_cast<std::size_t>(last - i)]; }, kLeastWindow, limit);
     return tail.at(-h);
 }
 

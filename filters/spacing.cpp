@@ -86,12 +86,12 @@ std::vector<Sample> samples_of(const Stroke& stroke, double step, std::size_t ow
     return samples;
 }
 
-struct Run {
+struct NearRun {
     std::size_t begin, end;  // samples; end is behind the last and may lie beyond a closed stroke's last sample
 };
 
 // That part of a stroke, with the stroke's own points between the two samples at its ends.
-Stroke piece_of(const Stroke& stroke, const std::vector<Sample>& samples, Run run) {
+Stroke piece_of(const Stroke& stroke, const std::vector<Sample>& samples, NearRun run) {
     const std::size_t n = samples.size();
     const Sample &from = samples[run.begin % n], &to = samples[(run.end - 1) % n];
     const double length = length_of(stroke);
@@ -172,7 +172,7 @@ private:
         }
         widen_cuts(stroke.closed, samples, apart);
         auto runs = clear_runs(stroke.closed, apart);
-        std::stable_sort(runs.begin(), runs.end(), [](Run a, Run b) { return a.end - a.begin > b.end - b.begin; });
+        std::stable_sort(runs.begin(), runs.end(), [](NearRun a, NearRun b) { return a.end - a.begin > b.end - b.begin; });
         // The longest piece is drawn; the others are lines of their own now and must keep clear of it too.
         for (std::size_t i = 0; i < runs.size(); ++i) {
             if (static_cast<double>(runs[i].end - runs[i].begin) * gap_ / kStepsPerGap < shortest_)
@@ -232,7 +232,7 @@ private:
         }
     }
 
-    std::vector<Run> clear_runs(bool closed, const std::vector<double>& apart) const {
+    std::vector<NearRun> clear_runs(bool closed, const std::vector<double>& apart) const {
         const std::size_t n = apart.size();
         const auto blocked = [&](std::size_t i) { return apart[i % n] < gap_; };
         std::size_t start = 0;
@@ -240,7 +240,7 @@ private:
             while (start < n && !blocked(start)) ++start;
             if (start == n) return {{0, n}};
         }
-        std::vector<Run> runs;
+        std::vector<NearRun> runs;
         for (std::size_t i = start; i < start + n;) {
             if (blocked(i)) {
                 ++i;

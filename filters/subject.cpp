@@ -16,7 +16,7 @@ namespace {
 
 // Chosen on every second of the validation photographs of BSDS500; the overlap with what people agree on changes by 0.02 when one
 // of them is halved or doubled.
-constexpr double kBlur = 8;          // CIELAB: colours so near are alike
+constexpr double kAlikeBlur = 8;     // CIELAB: colours so near are alike
 constexpr double kColours = 0.5;     // how much colours count beside the vote
 constexpr double kFit = 15;          // a candidate's vote is e to the power of this times how well its box fits
 constexpr double kSure = 15;         // and of this times the mean chance of its outline
@@ -26,7 +26,7 @@ constexpr double kInside = 0.75;     // less of a face in the box, and it is gro
 constexpr double kLeastFit = 0.3;    // the box of what is found must agree with the box around it so much
 constexpr double kLeastSure = 0.08;  // mean chance of an outline that is one
 constexpr std::size_t kPaired = 24;  // nodes that are tried in pairs
-constexpr int kRounds = 3;           // in which the colours inside are those of what was found
+constexpr int kSubjectRounds = 3;    // in which the colours inside are those of what was found
 
 // What a person drew around the thing.
 struct Bounds {
@@ -108,8 +108,8 @@ std::vector<double> colour_odds(const RegionTree& tree, const std::vector<double
                 const double one = static_cast<double>(tree.nodes[f].colour[c]) - static_cast<double>(tree.nodes[g].colour[c]);
                 d += one * one;
             }
-            if (d > 12 * kBlur * kBlur) continue;
-            const double near = std::exp(-d / (2 * kBlur * kBlur)) * tree.nodes[g].area;
+            if (d > 12 * kAlikeBlur * kAlikeBlur) continue;
+            const double near = std::exp(-d / (2 * kAlikeBlur * kAlikeBlur)) * tree.nodes[g].area;
             in += near * thing[g] / all_in;
             out += near * (1 - thing[g]) / all_out;
         }
@@ -160,7 +160,7 @@ std::vector<bool> in_box(const RegionTree& tree, std::span<const float> chances,
     const std::vector<double> votes = votes_of(tree, ranked);
     std::vector<double> thing = bounds.inside;
     std::vector<bool> found(tree.faces(), false);
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kSubjectRounds; ++round) {
         std::vector<double> likely = colour_odds(tree, thing);
         for (std::size_t f = 0; f < likely.size(); ++f) likely[f] = kColours * likely[f] + (1 - kColours) * votes[f];
         found = cut_out(tree, chances, bounds, likely);

@@ -11,14 +11,14 @@ namespace tactics {
 
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
-constexpr double kBlur = 1;     // pixels; a minimum narrower than that is chance
-constexpr int kReach = 2;       // a minimum is the least of 5x5 pixels
-constexpr int kHeights = 2048;  // of 255 grey levels; what is left of equal height floods in the order in which it is reached
+constexpr std::uint32_t kNoBasin = 0xffffffff;
+constexpr double kMinimumBlur = 1;  // pixels; a minimum narrower than that is chance
+constexpr int kReach = 2;           // a minimum is the least of 5x5 pixels
+constexpr int kHeights = 2048;      // of 255 grey levels; what is left of equal height floods in the order in which it is reached
 
 std::vector<std::uint16_t> heights_of(const EdgeMap& map) {
     cv::Mat blurred;
-    cv::GaussianBlur(view_of(map), blurred, cv::Size(), kBlur, kBlur, cv::BORDER_REPLICATE);
+    cv::GaussianBlur(view_of(map), blurred, cv::Size(), kMinimumBlur, kMinimumBlur, cv::BORDER_REPLICATE);
     std::vector<std::uint16_t> heights(map.strength.size());
     const float* strength = blurred.ptr<float>();
     for (std::size_t i = 0; i < heights.size(); ++i)
@@ -32,11 +32,11 @@ std::vector<std::uint32_t> minima_of(std::vector<std::uint16_t>& heights, int wi
     const cv::Mat view(height, width, CV_16U, heights.data());
     cv::Mat least;
     cv::erode(view, least, cv::getStructuringElement(cv::MORPH_RECT, {2 * kReach + 1, 2 * kReach + 1}));
-    std::vector<std::uint32_t> label(heights.size(), kNone), front;
+    std::vector<std::uint32_t> label(heights.size(), kNoBasin), front;
     std::uint32_t count = 0;
     const auto is_least = [&](std::size_t i) { return heights[i] == least.ptr<std::uint16_t>()[i]; };
     for (std::size_t start = 0; start < heights.size(); ++start) {
-        if (label[start] != kNone || !is_least(start)) continue;
+        if (label[start] != kNoBasin || !is_least(start)) continue;
         label[start] = count;
         front.assign(1, static_cast<std::uint32_t>(start));
         while (!front.empty()) {
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> minima_of(std::vector<std::uint16_t>& heights, int wi
                 for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
                     const std::size_t i =
                         static_cast<std::size_t>(v) * static_cast<std::size_t>(width) + static_cast<std::size_t>(u);
-                    if (label[i] != kNone || !is_least(i)) continue;
+                    if (label[i] != kNoBasin || !is_least(i)) continue;
                     label[i] = count;
                     front.push_back(static_cast<std::uint32_t>(i));
                 }
@@ -72,28 +72,28 @@ std::vector<std::uint32_t> basins_of(const EdgeMap& map) {
     };
     // Who waits has its basin already: that of the neighbour from which it was reached first.
     for (std::uint32_t i = 0; i < label.size(); ++i)
-        if (label[i] != kNone) waiting[heights[i]].push_back(i);
+        if (label[i] != kNoBasin) waiting[heights[i]].push_back(i);
     for (std::size_t level = 0; level < waiting.size(); ++level)
         for (std::size_t n = 0; n < waiting[level].size(); ++n) {
             const std::uint32_t from = waiting[level][n];
             neighbours(from, [&](std::uint32_t i) {
-                if (label[i] != kNone) return;
+                if (label[i] != kNoBasin) return;
                 label[i] = label[from];
                 waiting[std::max<std::size_t>(heights[i], level)].push_back(i);
             });
         }
     // A minimum of pixels that touch by a corner may be two pieces for those who walk by sides; each piece is a basin of its own.
-    std::vector<std::uint32_t> basin(label.size(), kNone), front;
+    std::vector<std::uint32_t> basin(label.size(), kNoBasin), front;
     std::uint32_t count = 0;
     for (std::uint32_t start = 0; start < label.size(); ++start) {
-        if (basin[start] != kNone) continue;
+        if (basin[start] != kNoBasin) continue;
         basin[start] = count;
         front.assign(1, start);
         while (!front.empty()) {
             const std::uint32_t from = front.back();
             front.pop_back();
             neighbours(from, [&](std::uint32_t i) {
-                if (basin[i] != kNone || label[i] != label[start]) return;
+                if (basin[i] != kNoBasin || label[i] != label[start]) return;
                 basin[i] = count;
                 front.push_back(i);
             });

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostTriangles = 10'000'000;  // 500 MB; slicers give up far below
 constexpr std::size_t kHeaderBytes = 84, kTriangleBytes = 50;
 
-using Corner = std::array<float, 3>;
+using StlCorner = std::array<float, 3>;
 
 void put(char* to, std::uint32_t value) {
     for (int i = 0; i < 4; ++i) to[i] = static_cast<char>(static_cast<unsigned char>(value >> (8 * i)));
@@ -37,7 +37,7 @@ public:
         const int last = sheet_.rows + 1;  // rows of corners: 0 and last are at the edges
         std::vector<float> above, row = next(rows, 0), below = row;
         for (int j = 0; j <= last; ++j) {
-            std::vector<Corner> line;
+            std::vector<StlCorner> line;
             for (int i = 0; i <= sheet_.columns + 1; ++i)
                 if (is_kept(above, row, below, static_cast<std::size_t>(i)))
                     line.push_back({x_of(i), y_of(j), row[static_cast<std::size_t>(i)]});
@@ -85,7 +85,7 @@ private:
         return differs(row) || differs(above) || differs(below);
     }
 
-    void add(const Corner& a, const Corner& b, const Corner& c) {
+    void add(const StlCorner& a, const StlCorner& b, const StlCorner& c) {
         if (file_.size() >= kHeaderBytes + kTriangleBytes * kMostTriangles)
             throw Error(Fault::usage, place_,
                         phrase("this solid would have over {0} million triangles; take a larger pitch",
@@ -93,15 +93,15 @@ private:
         const double ux = b[0] - a[0], uy = b[1] - a[1], uz = b[2] - a[2], vx = c[0] - a[0], vy = c[1] - a[1], vz = c[2] - a[2];
         const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx,
                      size = std::sqrt(nx * nx + ny * ny + nz * nz);
-        const std::array<Corner, 4> all{
-            Corner{static_cast<float>(nx / size), static_cast<float>(ny / size), static_cast<float>(nz / size)}, a, b, c};
+        const std::array<StlCorner, 4> all{
+            StlCorner{static_cast<float>(nx / size), static_cast<float>(ny / size), static_cast<float>(nz / size)}, a, b, c};
         std::array<char, kTriangleBytes> bytes{};
         for (std::size_t i = 0; i < 12; ++i) put(bytes.data() + 4 * i, std::bit_cast<std::uint32_t>(all[i / 3][i % 3]));
         file_.append(bytes.data(), bytes.size());
     }
 
     // Between two rows, from left to right, always to the nearer next corner.
-    void add_strip(const std::vector<Corner>& upper, const std::vector<Corner>& lower) {
+    void add_strip(const std::vector<StlCorner>& upper, const std::vector<StlCorner>& lower) {
         std::size_t a = 0, b = 0;
         while (a + 1 < upper.size() || b + 1 < lower.size()) {
             const bool down = a + 1 == upper.size() || (b + 1 < lower.size() && lower[b + 1][0] <= upper[a + 1][0]);
@@ -117,15 +117,16 @@ private:
 
     // Upright sides, and the bottom as a fan around its middle.
     void add_sides() {
-        std::vector<Corner> around(line_.begin(), line_.end());  // anticlockwise as seen from above, from the left lower corner
+        std::vector<StlCorner> around(line_.begin(),
+                                      line_.end());  // anticlockwise as seen from above, from the left lower corner
         around.insert(around.end(), right_.rbegin() + 1, right_.rend());
         around.insert(around.end(), top_.rbegin() + 1, top_.rend());
         around.insert(around.end(), left_.begin() + 1, left_.end() - 1);
-        const Corner middle{static_cast<float>(sheet_.columns * sheet_.pitch / 2),
-                            static_cast<float>(sheet_.rows * sheet_.pitch / 2), 0};
+        const StlCorner middle{static_cast<float>(sheet_.columns * sheet_.pitch / 2),
+                               static_cast<float>(sheet_.rows * sheet_.pitch / 2), 0};
         for (std::size_t i = 0; i < around.size(); ++i) {
-            const Corner &p = around[i], &q = around[(i + 1) % around.size()];
-            const Corner under_p{p[0], p[1], 0}, under_q{q[0], q[1], 0};
+            const StlCorner &p = around[i], &q = around[(i + 1) % around.size()];
+            const StlCorner under_p{p[0], p[1], 0}, under_q{q[0], q[1], 0};
             add(under_p, under_q, q);
             add(under_p, q, p);
             add(middle, under_q, under_p);
@@ -136,7 +137,7 @@ private:
     double base_;
     std::string_view place_;
     std::string file_;
-    std::vector<Corner> line_, top_, left_, right_;
+    std::vector<StlCorner> line_, top_, left_, right_;
 };
 
 }  // namespace

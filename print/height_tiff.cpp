@@ -16,7 +16,7 @@ namespace tactics {
 
 namespace {
 
-constexpr int kLevel = 4;                        // as PngFile
+constexpr int kTiffLevel = 4;                    // as PngFile
 constexpr std::size_t kStripBytes = 256 * 1024;  // TIFF 6.0 asks for about 8 kB, of the time of small memories
 
 void append(std::string& text, std::uint32_t value, int bytes) {
@@ -97,7 +97,7 @@ std::string tiff_of(const HeightSheet& sheet, const HeightRows& rows, bool decim
     std::vector<float> heights(static_cast<std::size_t>(sheet.columns));
     std::vector<std::uint8_t> bytes;
     for (int top = 0; top < sheet.rows; top += strip_rows) {
-        Deflater strip(kLevel);
+        Deflater strip(kTiffLevel);
         for (int y = top; y < std::min(top + strip_rows, sheet.rows); ++y) {
             rows(y, heights);
             bytes.clear();

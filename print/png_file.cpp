@@ -12,7 +12,7 @@ namespace {
 
 // Line drawings compress to a few hundredths at any level, and heights are no smaller at 6; higher ones only take longer
 // (measured: A4 at 300 dpi; heights at 0.1 mm, where 6 takes a third longer).
-constexpr int kLevel = 4;
+constexpr int kPngLevel = 4;
 
 void append_long(std::string& text, std::uint32_t value) {
     for (const unsigned shift : {24u, 16u, 8u, 0u}) text += static_cast<char>(static_cast<unsigned char>(value >> shift));
@@ -20,7 +20,7 @@ void append_long(std::string& text, std::uint32_t value) {
 
 }  // namespace
 
-PngFile::PngFile(std::uint32_t width, std::uint32_t height, int bits) : file_("\x89PNG\r\n\x1a\n"), data_(kLevel) {
+PngFile::PngFile(std::uint32_t width, std::uint32_t height, int bits) : file_("\x89PNG\r\n\x1a\n"), data_(kPngLevel) {
     std::string header;
     append_long(header, width);
     append_long(header, height);

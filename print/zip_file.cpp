@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-constexpr int kLevel = 6;
+constexpr int kZipLevel = 6;
 
 void append_little(std::string& text, std::uint64_t value, int bytes) {
     for (int i = 0; i < bytes; ++i, value >>= 8) text += static_cast<char>(value & 0xFF);
@@ -25,7 +25,7 @@ std::uint32_t checksum(std::string_view bytes) {
 
 // ZIP uses zlib's format without its two header bytes and the trailing checksum.
 std::string packed(std::string_view bytes) {
-    std::string all = deflated(bytes, kLevel);
+    std::string all = deflated(bytes, kZipLevel);
     return all.substr(2, all.size() - 6);
 }
 

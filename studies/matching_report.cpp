@@ -49,7 +49,7 @@ std::string paper_rate(std::string_view recipe) {
     return "";
 }
 
-double middle_of(std::vector<double> values) {
+double middle_of_unsorted(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     return values[values.size() / 2];
 }
@@ -229,7 +229,7 @@ std::string matching_text(const MatchingStudy& study) {
         const Means means = means_of(recipe);
         const Interval interval = wilson(recipe.hits(), study.trials());
         rows.push_back({recipe.name, fixed(rate_of(study, recipe), 3), fixed(interval.low, 2) + "-" + fixed(interval.high, 2),
-                        fixed(middle_of(recipe.random), 2), fixed(100 * means.ink, 1) + " %",
+                        fixed(middle_of_unsorted(recipe.random), 2), fixed(100 * means.ink, 1) + " %",
                         means.length > 0 ? fixed(means.length, 0) : "",
                         means.contours.truth > 0 ? fixed(means.contours.recall(), 2) : "", std::to_string(recipe.empty()),
                         paper_rate(recipe.name)});

@@ -39,7 +39,7 @@ std::vector<ChartLevel> felt_levels(const Plot& levels, const PlotSurface& surfa
 Plot chosen_levels(const Plot& plot, const PlotSurface& surface, int wanted, Point field) {
     if (wanted > 0) return levels_of(plot, surface, contour_levels(surface, wanted));
     Plot levels;
-    for (int most = kMostLevels; most >= kFewestLevels; --most) {
+    for (int most = kMostContourLevels; most >= kFewestLevels; --most) {
         levels = levels_of(plot, surface, contour_levels(surface, most));
         if (share_near(felt_levels(levels, surface, field)) <= kMostNear) break;
     }

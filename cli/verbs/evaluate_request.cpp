@@ -100,7 +100,7 @@ bool has_filter(const Recipe& recipe, std::string_view name) {
     return std::any_of(recipe.steps.begin(), recipe.steps.end(), [&](const Step& step) { return step.filter->name == name; });
 }
 
-std::string label_of(const std::vector<Step>& steps) {
+std::string label_of_steps(const std::vector<Step>& steps) {
     std::string label;
     for (const Step& step : steps) {
         const std::string settings = step.settings.to_text();
@@ -112,8 +112,8 @@ std::string label_of(const std::vector<Step>& steps) {
 Candidate make_candidate(const std::string& name, RecipeWish chain, const std::vector<Change>& sweep) {
     Candidate candidate;
     candidate.name = name;
-    if (name.empty()) candidate.name = label_of(chain.base->steps);
-    if (!name.empty() && !chain.added.empty()) candidate.name += ", " + label_of(chain.added);
+    if (name.empty()) candidate.name = label_of_steps(chain.base->steps);
+    if (!name.empty() && !chain.added.empty()) candidate.name += ", " + label_of_steps(chain.added);
     if (chain.base) {
         for (const Change& change : sweep) {
             RecipeWish changed = chain;

@@ -6,14 +6,14 @@ namespace tactics {
 namespace {
 
 // A user who cancels a job does not want to wait as long as for a page.
-constexpr std::chrono::seconds kPatience{5};
+constexpr std::chrono::seconds kPatienceWithDevice{5};
 
 }  // namespace
 
 std::string end_job(Channel& channel, std::string_view end, const std::function<bool()>& given_up) {
     using Cancel = DeliveryWish::Cancel;
     DeliveryWish wish;
-    wish.patience = kPatience;
+    wish.patience = kPatienceWithDevice;
     wish.cancel = [&] { return given_up() ? Cancel::at_once : Cancel::no; };
     if (deliver(channel, end, wish).ending == Ending::done) return "";
     return "what ends a job did not go to the machine, which may wait for the rest of this one; switch it off and on before the "

@@ -16,11 +16,10 @@ namespace tactics {
 
 namespace {
 
-std::string bits(double count) { return fixed(count, count < 10 ? 1 : 0); }
 std::string ratio(double of) { return fixed(of, of < 0.01 ? 6 : 4); }
 // "488201 to 489030", or once where both are the same.
 std::string interval(const Measures& measures) {
-    const std::string low = bits(measures.low), high = bits(measures.high);
+    const std::string low = fixed_count(measures.low), high = fixed_count(measures.high);
     return low == high ? high : low + " to " + high;
 }
 
@@ -36,11 +35,12 @@ std::string scene_lines(const MeasureReport& report) {
                                          : std::to_string(grid.levels) + " levels from " + rounded(scene.low, 0.001) + " to " +
                                                rounded(scene.high, 0.001) + " mm\n");
     text += "bits in it: " + interval(measures) + " (" + fixed(measures.low / cells, 3) + " to " +
-            fixed(measures.high / cells, 3) + " a cell); " + bits(measures.raw) + " as it is written\n";
+            fixed(measures.high / cells, 3) + " a cell); " + fixed_count(measures.raw) + " as it is written\n";
     text += "of its levels alone: " + fixed(measures.alone.corrected, 3) + " bits a cell; topology index " +
             fixed(measures.topology, 3) + "\n";
     if (measures.felt)
-        text += "enough for a finger that feels " + rounded(kFeltHeight, 0.001) + " mm: " + bits(*measures.felt) + " bits\n";
+        text +=
+            "enough for a finger that feels " + rounded(kFeltHeight, 0.001) + " mm: " + fixed_count(*measures.felt) + " bits\n";
     return text;
 }
 
@@ -49,7 +49,7 @@ std::string media_table(const MeasureReport& report) {
     for (const MeasuredMedium& medium : report.media) {
         const Carried& carried = medium.carried;
         rows.push_back({medium.channel.name, std::to_string(carried.columns) + "x" + std::to_string(carried.rows),
-                        std::to_string(carried.fit.levels), interval(report.found.scene.measures), bits(carried.bits),
+                        std::to_string(carried.fit.levels), interval(report.found.scene.measures), fixed_count(carried.bits),
                         ratio(carried.ratio), exact_percent(carried.loss),
                         joined({carried.lost.begin(), carried.lost.end()}, "; ", "; ")});
         if (carried.lost.empty()) rows.back().back() = "nothing";
@@ -68,7 +68,7 @@ std::string least_lines(const MeasureReport& report) {
 std::string level_table(const MeasureReport& report) {
     std::vector<Row> rows = {{"cells", "bits", "of all", "bits a cell in common", "error in mm"}};
     for (const DetailLevel& level : report.levels)
-        rows.push_back({std::to_string(level.columns) + "x" + std::to_string(level.rows), bits(level.bits),
+        rows.push_back({std::to_string(level.columns) + "x" + std::to_string(level.rows), fixed_count(level.bits),
                         exact_percent(level.bits / report.found.scene.measures.high), fixed(level.mutual, 3),
                         report.found.scene.is_drawn() ? "" : fixed(level.error, 3)});
     return aligned(std::move(rows));

@@ -14,9 +14,9 @@ namespace tactics {
 
 namespace {
 
-constexpr int kMostTicks = 6;    // of an axis, as on paper
-constexpr double kInset = 0.06;  // of the values' range, between points and the sides of the field
-constexpr double kSteep = 0.4;   // of the field that a surface is high
+constexpr int kMostAxisTicks = 6;  // of an axis, as on paper
+constexpr double kInset = 0.06;    // of the values' range, between points and the sides of the field
+constexpr double kSteep = 0.4;     // of the field that a surface is high
 
 struct Extent {
     double low = INFINITY, high = -INFINITY;
@@ -33,7 +33,7 @@ struct Extent {
 
 // `exact`: from the least value to the largest, and no round one beyond.
 FeltAxis felt_axis(const Axis& axis, const Extent& extent, bool exact) {
-    Ticks ticks = ticks_for(extent.low, extent.high, axis.logarithmic, kMostTicks);
+    Ticks ticks = ticks_for(extent.low, extent.high, axis.logarithmic, kMostAxisTicks);
     if (exact && extent.high > extent.low) {
         ticks.low = extent.low;
         ticks.high = extent.high;

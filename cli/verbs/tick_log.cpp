@@ -21,8 +21,8 @@ namespace tactics {
 namespace {
 
 constexpr std::chrono::milliseconds kPause{100};
-constexpr std::chrono::seconds kPatience{2};  // with a reader that reads nothing, when all is to end
-constexpr std::size_t kAtOnce = 4096;         // what poll promises to a pipe (PIPE_BUF): more might wait
+constexpr std::chrono::seconds kPatienceWithLog{2};  // with a reader that reads nothing, when all is to end
+constexpr std::size_t kAtOnce = 4096;                // what poll promises to a pipe (PIPE_BUF): more might wait
 
 bool is_output(const std::string& path) { return path == "-" || path == "/dev/stdout"; }
 
@@ -117,7 +117,7 @@ void TickLog::write(std::string_view text) {
         if (!wait_for(file_->number(), kPause)) {
             const auto now = std::chrono::steady_clock::now();
             const bool ends = done_ || interrupts() > 0;
-            if (ends && given_up == std::chrono::steady_clock::time_point::max()) given_up = now + kPatience;
+            if (ends && given_up == std::chrono::steady_clock::time_point::max()) given_up = now + kPatienceWithLog;
             if (now >= given_up) fail("nobody reads it");
             continue;
         }

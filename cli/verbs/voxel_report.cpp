@@ -27,7 +27,7 @@ VoxelLevels levels_of(const Voxels& voxels, std::vector<std::string>& notes) {
         levels.low = -levels.high;
         levels.levels = kMostLevels - 1;
     }
-    notes.push_back("its numbers are counted in " + std::to_string(levels.levels) + " levels from " + to_text(levels.low) +
+    notes.push_back("its numbers are fixed_count in " + std::to_string(levels.levels) + " levels from " + to_text(levels.low) +
                     " to " + to_text(levels.high));
     return levels;
 }
@@ -48,8 +48,6 @@ std::string size_of(int columns, int rows, int slices) {
     return std::to_string(columns) + " x " + std::to_string(rows) + " x " + std::to_string(slices);
 }
 
-std::string bits(double count) { return fixed(count, count < 10 ? 1 : 0); }
-
 }  // namespace
 
 VoxelReport voxel_report(const std::string& file, Voxels voxels, bool with_details) {
@@ -65,15 +63,16 @@ std::string text_of(const VoxelReport& report) {
     std::string text = report.file + ": NRRD of " + size_of(report.columns, report.rows, report.slices) + " voxels" +
                        (report.levels.components > 1 ? " with three components each, " : ", ") +
                        std::to_string(report.levels.levels) + " levels\n";
-    text += "bits in it: " + bits(measured.low) + " to " + bits(measured.high) + " (" + fixed(measured.low / count, 3) + " to " +
-            fixed(measured.high / count, 3) + " a voxel); " + bits(measured.raw) + " as it is written\n";
+    text += "bits in it: " + fixed_count(measured.low) + " to " + fixed_count(measured.high) + " (" +
+            fixed(measured.low / count, 3) + " to " + fixed(measured.high / count, 3) + " a voxel); " +
+            fixed_count(measured.raw) + " as it is written\n";
     for (const Measures& along : measured.along)
         text += "of its levels alone: " + fixed(along.alone.corrected, 3) + " bits a voxel; topology index " +
                 fixed(along.topology, 3) + "\n";
     if (measured.details.empty()) return text;
     std::vector<Row> rows = {{"voxels", "bits", "of all", "error if the rest is interpolated"}};
     for (const VoxelDetail& detail : measured.details)
-        rows.push_back({size_of(detail.columns, detail.rows, detail.slices), bits(detail.bits),
+        rows.push_back({size_of(detail.columns, detail.rows, detail.slices), fixed_count(detail.bits),
                         exact_percent(measured.high > 0 ? detail.bits / measured.high : 1), fixed(detail.error, 3)});
     return text + "\n" + aligned(std::move(rows));
 }

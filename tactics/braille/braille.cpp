@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestTableName = 255;
+constexpr std::size_t kLongestShownTable = 255;
 constexpr std::size_t kMostCells = 4u << 20;  // of an answer: a hundred and more for each letter of the longest text
 constexpr const char* kTables = TACTICS_LOUIS_TABLES;
 
@@ -65,7 +65,7 @@ std::string path_of_table(const std::string& name) {
 FoundTable find_table(std::string_view name) {
     const std::string shown(name.substr(0, name.find('\0')));
     const FoundTable none{{"", shown}, {}};
-    if (shown.size() > kLongestTableName || shown.size() != name.size()) return none;
+    if (shown.size() > kLongestShownTable || shown.size() != name.size()) return none;
     FoundTable found = none;
     for (const std::string& part : parts_of(shown)) {
         const std::string path = path_of_table(part);

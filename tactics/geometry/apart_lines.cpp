@@ -14,9 +14,9 @@ namespace tactics {
 
 namespace {
 
-constexpr double kMeeting = 0.2;  // mm: so near, lines are drawn to meet
-constexpr double kExcused = 2;    // times `apart`: so far from where they meet, lines may be near
-constexpr double kSteps = 6;      // looks at a line for each `apart`
+constexpr double kMeeting = 0.2;   // mm: so near, lines are drawn to meet
+constexpr double kExcused = 2;     // times `apart`: so far from where they meet, lines may be near
+constexpr double kLooksApart = 6;  // looks at a line for each `apart`
 // More places would be lines side by side over all of the largest paper.
 constexpr std::size_t kMostPlaces = 2'000'000;
 
@@ -76,13 +76,13 @@ public:
 
     std::vector<Stroke> take(const Stroke& stroke) {
         std::vector<Stroke> kept;
-        const std::vector<Sample> samples = samples_of(stroke, apart_ / kSteps);
+        const std::vector<Sample> samples = samples_of(stroke, apart_ / kLooksApart);
         if (taken_.size() + samples.size() > kMostPlaces) return kept;
         const std::vector<char> near = near_others(samples, stroke.closed);
         for (Stroke& piece : pieces_of(stroke, samples, near))
             if (length_of(piece) >= shortest_) kept.push_back(std::move(piece));
         for (const Stroke& piece : kept)
-            for (const Sample& one : samples_of(piece, apart_ / kSteps)) taken_.add(one.at);
+            for (const Sample& one : samples_of(piece, apart_ / kLooksApart)) taken_.add(one.at);
         return kept;
     }
 

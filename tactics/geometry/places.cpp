@@ -7,18 +7,18 @@ namespace tactics {
 
 namespace {
 
-constexpr double kMostCells = 1000;  // each way
+constexpr double kMostPlaceCells = 1000;  // each way
 
-std::size_t cells_of(double length, double cell) { return length > 0 ? 1 + static_cast<std::size_t>(length / cell) : 1; }
+std::size_t cells_over(double length, double cell) { return length > 0 ? 1 + static_cast<std::size_t>(length / cell) : 1; }
 
 }  // namespace
 
 Places::Places(const Box& area, double cell)
     : left_(area.left),
       top_(area.top),
-      cell_(std::max({cell, (area.right - area.left) / kMostCells, (area.bottom - area.top) / kMostCells})),
-      columns_(cells_of(area.right - area.left, cell_)),
-      rows_(cells_of(area.bottom - area.top, cell_)),
+      cell_(std::max({cell, (area.right - area.left) / kMostPlaceCells, (area.bottom - area.top) / kMostPlaceCells})),
+      columns_(cells_over(area.right - area.left, cell_)),
+      rows_(cells_over(area.bottom - area.top, cell_)),
       newest_(columns_ * rows_, kNone) {}
 
 void Places::add(Point point) {

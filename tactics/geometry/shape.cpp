@@ -26,7 +26,7 @@ constexpr double kNearPart = 0.015;
 // So many points tell any shape; it bounds the work on a stroke of any length.
 constexpr std::size_t kMostPoints = 1000;
 constexpr std::size_t kMostCorners = 200;
-constexpr std::size_t kSteps = 64;
+constexpr std::size_t kArcSteps = 64;
 
 double angle_between(double a, double b) {
     double turn = std::fmod(b - a, 2 * pi);
@@ -60,10 +60,10 @@ std::vector<Point> corners_of(std::vector<Point> points, bool closed, double tol
 // At equal steps along the course; the end of an open one is among them.
 std::vector<Point> evenly(std::vector<Point> points, bool closed, double length) {
     if (closed) points.push_back(points.front());
-    const double step = length / static_cast<double>(closed ? kSteps : kSteps - 1);
+    const double step = length / static_cast<double>(closed ? kArcSteps : kArcSteps - 1);
     std::vector<Point> out;
     Walk walk(points, false);
-    for (std::size_t i = 0; i < kSteps; ++i) out.push_back(walk.to(static_cast<double>(i) * step));
+    for (std::size_t i = 0; i < kArcSteps; ++i) out.push_back(walk.to(static_cast<double>(i) * step));
     return out;
 }
 
@@ -109,7 +109,7 @@ constexpr SourceWords kCircle = "circle";
 // A circle or an ellipse, whichever way it is turned.
 std::optional<Phrase> round_name(const std::vector<Point>& even) {
     Point mean;
-    for (const Point& p : even) mean = {mean.x + p.x / kSteps, mean.y + p.y / kSteps};
+    for (const Point& p : even) mean = {mean.x + p.x / kArcSteps, mean.y + p.y / kArcSteps};
     double xx = 0, xy = 0, yy = 0;
     for (const Point& p : even) {
         xx += (p.x - mean.x) * (p.x - mean.x);
@@ -125,7 +125,7 @@ std::optional<Phrase> round_name(const std::vector<Point>& even) {
     double off = 0;
     for (const Point& p : turned) {
         const double r = std::hypot((p.x - box.left - a) / a, (p.y - box.top - b) / b);
-        off += (r - 1) * (r - 1) / kSteps;
+        off += (r - 1) * (r - 1) / kArcSteps;
     }
     constexpr double kRound = 0.05;
     if (std::sqrt(off) > kRound) return std::nullopt;
@@ -181,7 +181,7 @@ struct OpenName {
 // The circle that the points follow, by least squares (Kasa).
 std::optional<OpenName> arc_name(const std::vector<Point>& even, double length, double tolerance) {
     Point mean;
-    for (const Point& p : even) mean = {mean.x + p.x / kSteps, mean.y + p.y / kSteps};
+    for (const Point& p : even) mean = {mean.x + p.x / kArcSteps, mean.y + p.y / kArcSteps};
     double uu = 0, uv = 0, vv = 0, ur = 0, vr = 0;
     for (const Point& p : even) {
         const double u = p.x - mean.x, v = p.y - mean.y, r = u * u + v * v;
@@ -191,13 +191,13 @@ std::optional<OpenName> arc_name(const std::vector<Point>& even, double length, 
     if (!(std::abs(determinant) > 1e-9)) return std::nullopt;
     const double u = (ur * vv - vr * uv) / determinant / 2, v = (vr * uu - ur * uv) / determinant / 2;
     const Point centre{mean.x + u, mean.y + v};
-    const double radius = std::sqrt(u * u + v * v + (uu + vv) / kSteps);
+    const double radius = std::sqrt(u * u + v * v + (uu + vv) / kArcSteps);
     for (const Point& p : even)
         if (std::abs(distance(p, centre) - radius) > tolerance) return std::nullopt;
     const double sweep = length / radius;
     // Round and round, or so flat that the next drawing of the same might bulge the other way.
     if (sweep > 2 * pi || radius * (1 - std::cos(sweep / 2)) < 2 * tolerance) return std::nullopt;
-    const double middle = direction(centre, even[kSteps / 2]);
+    const double middle = direction(centre, even[kArcSteps / 2]);
     if (sweep > 1.75 * pi) return OpenName{towards(kGapped, middle + pi), false, true};
     return OpenName{sweep >= pi * 0.9 ? towards(kOpen, middle + pi) : towards(kBulging, middle)};
 }
@@ -206,7 +206,7 @@ std::optional<OpenName> arc_name(const std::vector<Point>& even, double length, 
 bool is_wavy(const std::vector<Point>& even) {
     constexpr int kSwings = 4;
     Point mean;
-    for (const Point& p : even) mean = {mean.x + p.x / kSteps, mean.y + p.y / kSteps};
+    for (const Point& p : even) mean = {mean.x + p.x / kArcSteps, mean.y + p.y / kArcSteps};
     const double along = direction(even.front(), even.back()), c = std::cos(along), s = std::sin(along);
     std::vector<double> off;
     for (const Point& p : even) off.push_back(c * (p.y - mean.y) - s * (p.x - mean.x));

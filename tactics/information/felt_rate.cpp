@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kTile = 128, kMostTiles = 16, kMostCells = 500'000;
+constexpr std::size_t kTile = 128, kMostTiles = 16, kMostTileCells = 500'000;
 
 // Complex numbers in rows, their parts apart so that a row is worked on several at a time.
 struct Tile {
@@ -205,12 +205,12 @@ double water_level(const std::vector<double>& power, double square) {
     return high;
 }
 
-// Bands of rows evenly over it, together no more than kMostCells, which stand for the rest.
+// Bands of rows evenly over it, together no more than kMostTileCells, which stand for the rest.
 LevelGrid sample_of(const LevelGrid& grid) {
     constexpr std::size_t kBand = 32;
     const std::size_t rows = grid.count() / static_cast<std::size_t>(grid.columns), bands = rows / kBand,
-                      taken = std::max<std::size_t>(1, kMostCells / (kBand * static_cast<std::size_t>(grid.columns)));
-    if (grid.count() <= kMostCells || bands <= taken) return grid;
+                      taken = std::max<std::size_t>(1, kMostTileCells / (kBand * static_cast<std::size_t>(grid.columns)));
+    if (grid.count() <= kMostTileCells || bands <= taken) return grid;
     std::vector<std::uint16_t> values;
     for (std::size_t i = 0; i < taken; ++i)
         grid.values.visit([&](const auto* all) {

@@ -25,8 +25,6 @@ std::uint16_t part_of(double value, double low, double high, int parts) {
     throw Error(Fault::failed, name, "it has no samples, so there is nothing to measure");
 }
 
-double component(const Point3& force, int index) { return index == 0 ? force.x : index == 1 ? force.y : force.z; }
-
 LevelGrid components(std::span<const Point3> forces, LevelGrid grid, int index, double most, std::string_view name) {
     if (forces.empty()) no_sample(name);
     std::vector<std::uint16_t> values;

@@ -51,6 +51,9 @@ struct LevelGrid {
     std::size_t count() const { return values.size(); }
 };
 
+/// Along x, y and z: 0, 1 and 2.
+inline double component(const Point3& force, int index) { return index == 0 ? force.x : index == 1 ? force.y : force.z; }
+
 /// Throws std::logic_error: sizes or values that do not fit each other.
 void check_grid(const LevelGrid& grid);
 

@@ -10,8 +10,6 @@ namespace tactics {
 
 namespace {
 
-double component(const Point3& force, int which) { return which == 0 ? force.x : which == 1 ? force.y : force.z; }
-
 LevelGrid grid_along(const ForceField& field, int which, const VoxelLevels& levels) {
     std::vector<std::uint16_t> values;
     values.reserve(field.forces.size());

@@ -22,7 +22,7 @@ namespace {
 constexpr double kTimes[] = {0.25, 0.35, 0.5, 0.7, 1, 1.4, 2, 2.8, 4};
 constexpr double kFull = 16;  // of the usual line: all that anybody would draw
 // Losses that differ by less are about equal: what is known of people's lines is known no better.
-constexpr double kSame = 0.02;
+constexpr double kSameLoss = 0.02;
 constexpr float kCertain = 255;
 
 std::size_t budget_step(const Recipe& recipe) {
@@ -107,7 +107,7 @@ std::size_t best_of(const std::vector<TriedDetail>& tried) {
     std::size_t best = tried.size();
     const auto change = [&](std::size_t i) { return std::abs(std::log2(tried[i].times)); };
     for (std::size_t i = 0; i < tried.size(); ++i)
-        if (tried[i].broken == least.broken && tried[i].loss <= least.loss + kSame &&
+        if (tried[i].broken == least.broken && tried[i].loss <= least.loss + kSameLoss &&
             (best == tried.size() || change(i) < change(best)))
             best = i;
     return best;
@@ -147,7 +147,7 @@ Phrase explained(const DetailChoice& choice, const Medium& medium) {
         "{0} best takes {1} for {2}, which loses {3} of the bits about what people would draw ({4}); of {5} amounts it is the "
         "nearest to the usual within {6} of the least loss",
         spelled("detail"), amount(chosen.times), medium.name, percent(chosen.loss), row_of(others),
-        std::to_string(choice.tried.size()), percent(kSame));
+        std::to_string(choice.tried.size()), percent(kSameLoss));
 }
 
 Phrase remark_on(const DetailChoice& choice) {

@@ -16,15 +16,15 @@ namespace tactics {
 
 namespace {
 
-constexpr std::string_view kFormat = "heightmap";
+constexpr std::string_view kRaisedAs = "heightmap";
 
 bool is_silent(const HeightWish& wish) { return !wish.pitch && !wish.width && !wish.low && !wish.high; }
 
 // How a page is raised, as its format has it.
 Settings relief_settings(const HeightWish& wish) {
-    Settings settings(find_format(kFormat)->options);
+    Settings settings(find_format(kRaisedAs)->options);
     const auto set = [&](std::string_view option, std::string_view wished, const std::optional<double>& value) {
-        if (value) settings.set(option, to_text(*value), spelled(wished), kFormat);
+        if (value) settings.set(option, to_text(*value), spelled(wished), kRaisedAs);
     };
     set("pitch", "pitch", wish.pitch);
     set("height", "high", wish.high);
@@ -37,7 +37,7 @@ FeltHeights draw(Source source, const HeightWish& heights, Wishes wishes) {
     const Settings settings = relief_settings(heights);
     wishes.sheet.bare = true;
     if (heights.width) wishes.sheet.drawing_width = heights.width;
-    const Job job{{source.name, {{find_format(kFormat), "", ""}}}, std::move(wishes)};
+    const Job job{{source.name, {{find_format(kRaisedAs), "", ""}}}, std::move(wishes)};
     FeltHeights felt;
     felt.drawn = make_pages(std::move(source), job);
     if (!felt.drawn->error.empty()) throw Error(felt.drawn->fault, "", felt.drawn->error);
@@ -45,7 +45,7 @@ FeltHeights draw(Source source, const HeightWish& heights, Wishes wishes) {
     if (layout.empty)
         throw Error(Fault::failed, job.input,
                     phrase("nothing is drawn of it that could be felt; take another {0}", spelled("recipe")));
-    PageRelief relief(layout.shown.front(), settings, kFormat);
+    PageRelief relief(layout.shown.front(), settings, kRaisedAs);
     felt.file = {relief.map(), relief.sheet().low, relief.sheet().high, "drawing", {}};
     return felt;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/text/utf8.h"
+
 namespace tactics {
 
 namespace {
@@ -14,10 +16,6 @@ constexpr std::size_t kOneLine = 36;
 constexpr double kTop = 20, kMiddle = 25;  // percent: the title stands above that, and its middle not nearer to a side
 constexpr double kNextLine = 2.6;          // heights of capitals from line to line
 constexpr double kSameMiddle = 3;          // percent; lines of a title are centred
-
-std::size_t letters_in(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
 
 // A name of something right below it is short and as high as other names; a title is larger, says more, or stands free.
 bool may_be_title(const std::string& title, double height, double gap, const std::vector<double>& other_heights) {

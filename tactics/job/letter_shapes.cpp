@@ -73,9 +73,9 @@ char32_t plain_code(char32_t code) {
     return code == 0x210E ? U'h' : code;
 }
 
-class Reading {
+class ShapeReading {
 public:
-    Reading(FoundPage& figure, const Fonts& fonts) : figure_(figure), read_(figure.letter_shapes.size()) {
+    ShapeReading(FoundPage& figure, const Fonts& fonts) : figure_(figure), read_(figure.letter_shapes.size()) {
         std::map<std::string, std::vector<std::size_t>> by_font;
         for (const LetterShape& shape : figure.letter_shapes) {
             if (shape.code == 0 && outlines_.size() < kMostShapes) by_font[shape.font].push_back(outlines_.size());
@@ -230,7 +230,7 @@ private:
 }  // namespace
 
 void read_letter_shapes(FoundPage& figure, const Fonts& fonts) {
-    const Reading reading(figure, fonts);
+    const ShapeReading reading(figure, fonts);
     for (FoundWords& words : figure.words)
         if (!words.letters.empty()) reading.fill(words);
 }

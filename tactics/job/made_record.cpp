@@ -28,7 +28,7 @@ fs::path record_path(const Output& output) {
     return path.parent_path() / kRecordFolder / path.filename();
 }
 
-std::string bytes_of(const std::string& path, std::size_t most) {
+std::string text_of_record(const std::string& path, std::size_t most) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), std::fclose);
     std::string bytes;
     if (!file) return bytes;
@@ -88,7 +88,7 @@ std::optional<MadeWith> made_with(const MadeWith& settings, std::span<const Item
 }
 
 std::optional<Record> record_of(const Output& output) {
-    const std::string text = bytes_of(record_path(output).string(), kMostBytes);
+    const std::string text = text_of_record(record_path(output).string(), kMostBytes);
     Record record;
     for (std::string_view rest = text; !rest.empty();) {
         const auto end = rest.find('\n');

@@ -58,7 +58,7 @@ Phrase advice_for(const Sheet& sheet, const Drawing& drawing, const MendingTold&
 // Lines found in a photograph that are this short on average, as a share of the drawing's side, are pieces of fur, leaves or
 // waves rather than outlines of things. Of 100 photographs on A4 (tactics evaluate --study repair, recipe photo) 9 are such:
 // their F against what people drew is 0.33, that of the others 0.52.
-constexpr double kPieces = 0.09;
+constexpr double kShareOfPieces = 0.09;
 constexpr std::size_t kFewLines = 8;
 
 Phrase advice_for_pieces(const Drawing& drawing) {
@@ -67,7 +67,7 @@ Phrase advice_for_pieces(const Drawing& drawing) {
         std::any_of(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& stroke) { return stroke.strength > 0; });
     if (!seen || count <= kFewLines) return {};
     const double mean = total_stroke_length(drawing) / static_cast<double>(count);
-    if (mean >= kPieces * std::sqrt(drawing.width * drawing.height)) return {};
+    if (mean >= kShareOfPieces * std::sqrt(drawing.width * drawing.height)) return {};
     return phrase(
         "its {0} lines are short pieces, {1} mm on average, which seldom show what is depicted; take a picture with a "
         "calmer ground, draw a part of it with {2} \"crop ...\", or describe it instead: tactics describe",

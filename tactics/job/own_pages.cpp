@@ -18,9 +18,9 @@ namespace tactics {
 
 namespace {
 
-constexpr double kSame = 0.02;  // mm
+constexpr double kSamePlace = 0.02;  // mm
 
-bool is_same(double a, double b) { return std::abs(a - b) < kSame; }
+bool is_same(double a, double b) { return std::abs(a - b) < kSamePlace; }
 
 const Medium* medium_named(std::string_view name) {
     for (const Medium& medium : media())

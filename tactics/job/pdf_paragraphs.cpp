@@ -26,22 +26,22 @@ double height_of(const PdfLine& line) {
     return high;
 }
 
-enum class Level { on_line, above, below };
+enum class LineLevel { on_line, above, below };
 
 // The baseline of a font as a share of a word's box from its top: between those of Helvetica and DejaVu.
 double base_of(const Rect& box) { return box.top + 0.78 * box.height; }
 
 // Exponents, indices and marks of notes are smaller than the word beside them and a little off its line. An initial that is
 // several lines high is none of their words.
-Level level_of(const Rect& word, const Rect& beside) {
+LineLevel level_of(const Rect& word, const Rect& beside) {
     constexpr double kSmallest = 0.45, kLargest = 0.85, kLeastOff = 0.1, kMostOff = 0.55;  // shares of the height beside it
     const double size = word.height / beside.height, off = (base_of(beside) - base_of(word)) / beside.height;
-    if (size < kSmallest || size > kLargest || std::abs(off) < kLeastOff || std::abs(off) > kMostOff) return Level::on_line;
-    return off > 0 ? Level::above : Level::below;
+    if (size < kSmallest || size > kLargest || std::abs(off) < kLeastOff || std::abs(off) > kMostOff) return LineLevel::on_line;
+    return off > 0 ? LineLevel::above : LineLevel::below;
 }
 
-std::vector<Level> levels_in(const PdfLine& line) {
-    std::vector<Level> levels(line.words.size(), Level::on_line);
+std::vector<LineLevel> levels_in(const PdfLine& line) {
+    std::vector<LineLevel> levels(line.words.size(), LineLevel::on_line);
     if (line.upwards || line.downwards) return levels;
     const double high = height_of(line);
     const auto first =
@@ -49,17 +49,17 @@ std::vector<Level> levels_in(const PdfLine& line) {
     const Rect* beside = &first->box;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         levels[i] = level_of(line.words[i].box, *beside);
-        if (levels[i] == Level::on_line) beside = &line.words[i].box;
+        if (levels[i] == LineLevel::on_line) beside = &line.words[i].box;
     }
     return levels;
 }
 
-bool is_number(std::string_view text) { return text.find_first_not_of("0123456789") == std::string_view::npos; }
+bool is_footnote_number(std::string_view text) { return text.find_first_not_of("0123456789") == std::string_view::npos; }
 
 // In the form of one line of characters. "before" is the preceding character.
-std::string off_line(const std::string& text, Level level, std::string_view before) {
+std::string off_line(const std::string& text, LineLevel level, std::string_view before) {
     constexpr std::array<std::string_view, 4> kOrdinals = {"st", "nd", "rd", "th"};
-    if (level == Level::below) return is_number(text) ? text : "_(" + text + ")";
+    if (level == LineLevel::below) return is_footnote_number(text) ? text : "_(" + text + ")";
     const bool counts = !before.empty() && before.back() >= '0' && before.back() <= '9';
     if (counts && std::find(kOrdinals.begin(), kOrdinals.end(), text) != kOrdinals.end()) return text;
     const std::string power = raised(text);
@@ -84,15 +84,15 @@ bool goes_on_in(const TextBlock& block, const TextBlock& next) {
 }  // namespace
 
 std::string words_of(const PdfLine& line) {
-    const std::vector<Level> levels = levels_in(line);
+    const std::vector<LineLevel> levels = levels_in(line);
     std::string words;
     for (std::size_t i = 0; i < line.words.size();) {
-        const Level level = levels[i];
-        if (i > 0 && is_parted(line, i, level != Level::on_line)) words += ' ';
+        const LineLevel level = levels[i];
+        if (i > 0 && is_parted(line, i, level != LineLevel::on_line)) words += ' ';
         std::string piece = line.words[i].text;  // of one level
         while (++i < line.words.size() && levels[i] == level)
             piece += (is_parted(line, i, false) ? " " : "") + line.words[i].text;
-        words += level == Level::on_line ? piece : off_line(piece, level, words);
+        words += level == LineLevel::on_line ? piece : off_line(piece, level, words);
     }
     return words;
 }

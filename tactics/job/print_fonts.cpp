@@ -8,7 +8,7 @@ namespace tactics {
 namespace {
 
 constexpr std::size_t kMostFonts = 24;
-constexpr int kPieces = 8;  // of a curve
+constexpr int kCurvePieces = 8;  // of a curve
 
 FontShape shape_of(const Letter& letter) {
     const auto point = [](const Corner& corner) { return Point{corner.x / 1000.0, corner.y / 1000.0}; };
@@ -24,8 +24,8 @@ FontShape shape_of(const Letter& letter) {
             continue;
         }
         const Point b = point(step.corners[1]), end = point(step.corners[2]);
-        for (int i = 1; i <= kPieces; ++i) {
-            const double t = static_cast<double>(i) / kPieces, s = 1 - t;
+        for (int i = 1; i <= kCurvePieces; ++i) {
+            const double t = static_cast<double>(i) / kCurvePieces, s = 1 - t;
             const double k0 = s * s * s, k1 = 3 * s * s * t, k2 = 3 * s * t * t, k3 = t * t * t;
             shape.rings.back().push_back(
                 {k0 * at.x + k1 * a.x + k2 * b.x + k3 * end.x, k0 * at.y + k1 * a.y + k2 * b.y + k3 * end.y});

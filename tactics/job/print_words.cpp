@@ -21,7 +21,7 @@ namespace {
 // The distance from its place at which the name of an axis needs no lead line, mm. A setting: two braille lines.
 constexpr double kLoose = 24;
 
-bool is_number(std::string_view text) {
+bool is_one_number(std::string_view text) {
     if (text.starts_with("\u2212")) text.remove_prefix(std::string_view("\u2212").size());
     return parse_number(text).has_value();
 }
@@ -62,12 +62,12 @@ std::string with_carets(std::string_view text) {
     return out;
 }
 
-std::string percent(double value) { return to_text(std::round(value * 10) / 10); }
+std::string tenths(double value) { return to_text(std::round(value * 10) / 10); }
 
 }  // namespace
 
 void want_places(std::vector<ToldWords>& told, std::vector<PrintPlace> places) {
-    for (std::size_t i = 0; i < places.size(); ++i) places[i].number = is_number(told[i].text);
+    for (std::size_t i = 0; i < places.size(); ++i) places[i].number = is_one_number(told[i].text);
     place_axis_names(places, 100);
     for (std::size_t i = 0; i < places.size(); ++i) {
         told[i].wanted = places[i].at;
@@ -87,7 +87,7 @@ void keep_what_has_braille(std::vector<ToldWords>& told, const std::string& tabl
 
 namespace {
 
-bool is_number(const std::string& text) {
+bool is_all_figures(const std::string& text) {
     bool digit = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
@@ -107,7 +107,7 @@ std::size_t thin_out(std::vector<ToldWords>& told, double ToldWords::*along, dou
     constexpr std::size_t kRow = 4;
     std::vector<ToldWords*> numbers;
     for (ToldWords& one : told)
-        if (one.set && is_number(one.text)) numbers.push_back(&one);
+        if (one.set && is_all_figures(one.text)) numbers.push_back(&one);
     std::stable_sort(numbers.begin(), numbers.end(),
                      [&](const ToldWords* a, const ToldWords* b) { return a->*across < b->*across; });
     std::size_t left_out = 0;
@@ -154,7 +154,7 @@ bool PrintWords::any_set() const {
     return std::any_of(told.begin(), told.end(), [](const ToldWords& words) { return words.set && !words.title; });
 }
 
-std::string origin_of(const ToldWords& words) { return "the print at " + percent(words.x) + " %, " + percent(words.y) + " %"; }
+std::string origin_of(const ToldWords& words) { return "the print at " + tenths(words.x) + " %, " + tenths(words.y) + " %"; }
 
 std::vector<Name> PrintWords::names_on(const Drawing& drawing) const {
     std::vector<Name> names;
@@ -284,7 +284,7 @@ Phrase unsure_line(const ToldWords& words) {
     return phrase(
         "print at {0} %, {1} % was read as \"{2}\" with little sureness ({3} of 100) and is left in the lines; if it is "
         "words, give it with {4} \"{0}%,{1}%=...\"",
-        percent(words.x), percent(words.y), words.text, to_text(std::round(words.sureness)), spelled("label"));
+        tenths(words.x), tenths(words.y), words.text, to_text(std::round(words.sureness)), spelled("label"));
 }
 
 }  // namespace tactics

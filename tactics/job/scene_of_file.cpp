@@ -17,7 +17,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::string_view kFormat = "png";  // whose page a drawing is laid out on
+constexpr std::string_view kLaidOutAs = "png";  // whose page a drawing is laid out on
 
 FileScene of_heights(HeightFile file, const std::string& name) {
     const HeightMap& map = file.map;
@@ -51,13 +51,13 @@ Drawing lines_of(const Page& page) {
 
 FileDrawing drawn(Source source, Wishes wishes) {
     wishes.sheet.bare = true;
-    const Job job{{source.name, {{find_format(kFormat), "", ""}}}, std::move(wishes)};
+    const Job job{{source.name, {{find_format(kLaidOutAs), "", ""}}}, std::move(wishes)};
     const Outcome made = make_pages(std::move(source), job);
     if (!made.error.empty()) throw Error(made.fault, "", made.error);
     const Layout& layout = made.layouts.front();
     const Page& page = layout.shown.front();
     const double dpi = layout.sheet.medium->dpi;
-    const PixelSize size = pixels_at(page, dpi, kFormat);
+    const PixelSize size = pixels_at(page, dpi, kLaidOutAs);
     std::vector<std::uint8_t> black;
     black.reserve(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
     draw_rows(page, size, [&](const std::uint8_t* row) {

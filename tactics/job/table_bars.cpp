@@ -19,9 +19,7 @@ namespace {
 constexpr double kLeastValue = 1e-4;  // of the largest: ticks are written to 1e-6
 constexpr double kNone = NAN;
 
-std::string bare_name(const std::string& column) { return std::string(name_and_unit(column).name); }
-
-std::string quoted(const std::string& text) { return "\"" + beginning_of(text) + "\""; }
+std::string in_quotes(const std::string& text) { return "\"" + beginning_of(text) + "\""; }
 
 struct BarColumns {
     std::optional<std::size_t> category;  // nothing: the number of the row
@@ -100,7 +98,7 @@ BarColumns choose_bar_columns(TableHead& head, const TableWish& wish, std::vecto
         if (columns.values.size() > most) {
             notes.push_back(most == 1
                                 ? phrase("of its {0} columns of numbers {1} is shown; name others by {2}",
-                                         std::to_string(columns.values.size()), quoted(columns.values[0].name), spelled("y"))
+                                         std::to_string(columns.values.size()), in_quotes(columns.values[0].name), spelled("y"))
                                 : phrase("of its {0} columns of numbers the first five are shown; name others by {1}",
                                          std::to_string(columns.values.size()), spelled("y")));
             columns.values.resize(most);
@@ -158,9 +156,9 @@ public:
                             group.empty()
                                 ? phrase("{0} stands there for the second time; a column that tells its rows apart can be named "
                                          "by {1}; leave one of them out, or add them up",
-                                         quoted(name), spelled("group"))
+                                         in_quotes(name), spelled("group"))
                                 : phrase("{0} stands there for the second time in {1}; leave one of them out, or add them up",
-                                         quoted(name), quoted(group)));
+                                         in_quotes(name), in_quotes(group)));
             taken_[first + k][category] = true;
             set(series, category, values, k, line);
         }
@@ -256,8 +254,8 @@ void take_shares(const TableHead& head, PlotBars& bars, std::vector<Phrase>& not
         const double value = bars.series[0].values[i];
         if (value < 0)
             throw Error(Fault::failed, head.name,
-                        phrase("{0} is less than 0, which is no share of a whole; take {1} grouped", quoted(bars.categories[i]),
-                               spelled("bars")));
+                        phrase("{0} is less than 0, which is no share of a whole; take {1} grouped",
+                               in_quotes(bars.categories[i]), spelled("bars")));
         if (!std::isnan(value)) sum += value;
     }
     if (!(sum > 0))

@@ -39,8 +39,6 @@ void tell_left_out(std::size_t count, std::vector<Phrase>& notes) {
                                 "{0} rows have no number for the chart and are left out"));
 }
 
-std::string bare(const std::string& column) { return std::string(name_and_unit(column).name); }
-
 // Rows become curves and marks as they come.
 class CurveTable {
 public:
@@ -61,7 +59,7 @@ public:
         if (columns.group) wanted_.push_back(*columns.group);
         if (columns.label) wanted_.push_back(*columns.label);
         const std::string across = columns.x ? columns.x->name : phrase("row").in(wish.language);
-        plot_.title = phrase("{0} against {1}", bare_names(ups_), bare(across)).in(wish.language);
+        plot_.title = phrase("{0} against {1}", bare_names(ups_), bare_name(across)).in(wish.language);
         const bool comma = wish.written.value_or(columns.y.decimal) == Decimal::comma;
         plot_.x = {across, columns.x && columns.x->logarithmic, columns.x && columns.x->dates.has_value(), false, comma};
         plot_.y = {name_of_all(ups_), columns.y.logarithmic, columns.y.dates.has_value(), false, comma};
@@ -258,7 +256,7 @@ Plot histogram_plot(Source& source, const TableHead& head, const TableColumns& c
     tell_left_out(left_out, notes);
     if (bins == 0) bins = bins_for(values);
     Plot plot;
-    plot.title = phrase("How often {0} is where", bare(column.name)).in(wish.language);
+    plot.title = phrase("How often {0} is where", bare_name(column.name)).in(wish.language);
     plot.x = {column.name, false, column.dates.has_value()};
     plot.x.comma = decimal == Decimal::comma;
     plot.y = {phrase("count").in(wish.language)};

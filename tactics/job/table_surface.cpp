@@ -17,9 +17,7 @@ namespace tactics {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostHeights = kMostTableRows;  // of a surface: 160 MB
-
-std::string bare(const std::string& column) { return std::string(name_and_unit(column).name); }
+constexpr std::size_t kMostSurfaceHeights = kMostTableRows;  // of a surface: 160 MB
 
 std::vector<double> once_each(std::vector<double> values) {
     std::sort(values.begin(), values.end());
@@ -112,7 +110,7 @@ Borders borders_of(const TableHead& head, Decimal decimal, bool asked) {
 std::optional<PlotSurface> surface_of(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z) {
     PlotSurface surface{"", once_each(x), once_each(y), {}};
     const std::size_t columns = surface.x.size(), rows = surface.y.size();
-    if (columns < 2 || rows < 2 || columns > kMostHeights / rows || columns * rows > 2 * x.size()) return std::nullopt;
+    if (columns < 2 || rows < 2 || columns > kMostSurfaceHeights / rows || columns * rows > 2 * x.size()) return std::nullopt;
     surface.z.assign(columns * rows, kUnknown);
     std::vector<bool> taken(columns * rows);
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -142,8 +140,8 @@ Plot spatial_plot(Source& source, const TableHead& head, const TableColumns& col
         z.push_back(height.value_or(kUnknown));
     });
     Plot plot;
-    plot.title =
-        phrase("{0} over {1} and {2}", bare(columns.z->name), bare(columns.x->name), bare(columns.y.name)).in(wish.language);
+    plot.title = phrase("{0} over {1} and {2}", bare_name(columns.z->name), bare_name(columns.x->name), bare_name(columns.y.name))
+                     .in(wish.language);
     plot.x = {columns.x->name, columns.x->logarithmic, columns.x->dates.has_value()};
     plot.y = {columns.y.name, columns.y.logarithmic, columns.y.dates.has_value()};
     plot.z = {columns.z->name, false, columns.z->dates.has_value()};
@@ -230,10 +228,10 @@ Plot matrix_plot(Source& source, const TableHead& head, const TableWish& wish, s
             const auto up = value_in(head, {"y", "y", 0, false, {}, decimal}, line, cells.front());
             surface.y.push_back(up.value_or(kUnknown));
         }
-        if (surface.z.size() + cells.size() > kMostHeights)
+        if (surface.z.size() + cells.size() > kMostSurfaceHeights)
             throw Error(
                 Fault::failed, head.name,
-                phrase("there are more than {0} heights; keep every second row and column", std::to_string(kMostHeights)));
+                phrase("there are more than {0} heights; keep every second row and column", std::to_string(kMostSurfaceHeights)));
         if (heights && !surface.x.empty() && cells.size() != surface.x.size())
             throw Error(Fault::failed, head.name + ":" + std::to_string(line),
                         phrase("this row of z has {0} heights for {1} of x; write null for gaps", std::to_string(cells.size()),

@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // a live area of exactly 40 cells has 40
+constexpr double kGridRounding = 1e-6;  // a live area of exactly 40 cells has 40
 constexpr std::string_view kNoRoom = "there is no room for a braille cell on the page; take larger paper or a smaller margin";
 constexpr std::string_view kTooMany = "the page has over 16 million dots; take smaller paper";
 
@@ -22,7 +22,8 @@ constexpr std::string_view kTooMany = "the page has over 16 million dots; take s
 std::vector<double> centres(double first, double pitch, int dots, double step, double low, double high) {
     std::vector<double> found;
     const double extent = (dots - 1) * step;
-    for (double at = first + std::ceil((low - first) / pitch - kRounding) * pitch; at + extent <= high + kRounding; at += pitch)
+    for (double at = first + std::ceil((low - first) / pitch - kGridRounding) * pitch; at + extent <= high + kGridRounding;
+         at += pitch)
         for (int dot = 0; dot < dots; ++dot) found.push_back(at + dot * step);
     return found;
 }
@@ -59,8 +60,8 @@ void put_on_dots(Page& page) {
 DotGrid cell_grid(const Rect& live, const CellSize& cell) {
     if (!(cell.dot_pitch > 0) || !(cell.cell_pitch > cell.dot_pitch) || !(cell.line_pitch > 2 * cell.dot_pitch))
         throw std::logic_error("braille cells overlap");
-    const double cells = std::floor((live.width - cell.dot_pitch + kRounding) / cell.cell_pitch) + 1;
-    const double lines = std::floor((live.height - 2 * cell.dot_pitch + kRounding) / cell.line_pitch) + 1;
+    const double cells = std::floor((live.width - cell.dot_pitch + kGridRounding) / cell.cell_pitch) + 1;
+    const double lines = std::floor((live.height - 2 * cell.dot_pitch + kGridRounding) / cell.line_pitch) + 1;
     if (!(cells >= 1) || !(lines >= 1)) throw Error(Fault::usage, "", std::string(kNoRoom));
     if (cells * lines * 6 > kMostDots) throw Error(Fault::usage, "", std::string(kTooMany));
     // The remaining space is divided equally between both sides, so that no edge is farther from a dot than the grid's own gaps.

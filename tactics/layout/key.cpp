@@ -18,7 +18,7 @@ using Cells = std::vector<std::uint8_t>;
 // letters at the left does not meet it.
 constexpr std::size_t kRunoverFrom = kWordsFrom + 2;
 // Between columns: a reading hand takes one blank cell for the end of a word, two for the end of a sentence. Own choice.
-constexpr std::size_t kBetween = 3;
+constexpr std::size_t kCellsBetween = 3;
 
 struct KeyTitle {
     std::string_view language, alone, behind;
@@ -83,7 +83,7 @@ public:
                         phrase("the title leaves no room for the key on a page of its own; shorten it or take larger paper"));
         most_ = static_cast<std::size_t>(fit);
         width_ = std::min(longest, most_);
-        columns_ = (most_ + kBetween) / (width_ + kBetween);
+        columns_ = (most_ + kCellsBetween) / (width_ + kCellsBetween);
         rows_ = static_cast<std::size_t>(std::floor(down / drawn.cell.line_pitch + 1e-9)) + 1;
     }
 
@@ -95,7 +95,7 @@ public:
             if (row_ == rows_) begin_column();
             const Point dot{
                 drawn_.live.left + drawn_.braille_dot / 2 +
-                    static_cast<double>(column_ * (width_ + kBetween)) * drawn_.cell.cell_pitch,
+                    static_cast<double>(column_ * (width_ + kCellsBetween)) * drawn_.cell.cell_pitch,
                 drawn_.live.top + band_.height + drawn_.braille_dot / 2 + static_cast<double>(row_) * drawn_.cell.line_pitch};
             Page& page = pages_.back();
             if (&line == &lines.front() || page.words.empty() || page.words.back().kind != WordsKind::key)

@@ -14,8 +14,9 @@ namespace tactics {
 
 namespace {
 
-constexpr double kPrintSize = 3.53;  // mm, 10 pt: read by sighted people at reading distance
-constexpr double kBetween = 1.5;     // mm from print to braille: they are for different senses, but dots must stay clear of ink
+constexpr double kLabelPrintSize = 3.53;  // mm, 10 pt: read by sighted people at reading distance
+constexpr double kPrintToBraille =
+    1.5;  // mm from print to braille: they are for different senses, but dots must stay clear of ink
 
 }  // namespace
 
@@ -24,16 +25,16 @@ LabelBlock set_label(const std::string& text, const Sheet& sheet) {
     const std::string line = to_line(text);
     if (line.empty()) return block;
     if (sheet.print_title) {
-        block.print.push_back({{0, kAscent * kPrintSize}, kPrintSize, line});
-        block.width = print_width(line) * kPrintSize;
-        block.height = (kAscent + kDescent) * kPrintSize;
+        block.print.push_back({{0, kAscent * kLabelPrintSize}, kLabelPrintSize, line});
+        block.width = print_width(line) * kLabelPrintSize;
+        block.height = (kAscent + kDescent) * kLabelPrintSize;
     }
     if (sheet.braille_table.empty()) return block;
     const CellSize& cell = sheet.cell;
     const double dot = cell.dot;
     BrailleLine braille{{dot / 2, dot / 2}, to_braille(line, sheet.braille_table, "the words \"" + line + "\"")};
     if (braille.cells.empty()) return block;
-    if (block.height > 0) block.height += kBetween;
+    if (block.height > 0) block.height += kPrintToBraille;
     braille.first_dot.y += block.height;
     const bool eight_dots = *std::max_element(braille.cells.begin(), braille.cells.end()) > 0x3F;
     block.height += (eight_dots ? 3 : 2) * cell.dot_pitch + dot;

@@ -12,15 +12,15 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kBlock = 32;  // sides; a curve of a plot has thousands
-constexpr double kStep = 0.5;       // mm between the examined places of a lead line
-constexpr double kPiece = 10;       // mm of a lead line whose surroundings are looked up at a time
-constexpr double kOn = kStep / 2;   // mm from a middle line to one that crosses it, at such a place
+constexpr std::size_t kBlock = 32;     // sides; a curve of a plot has thousands
+constexpr double kLeadStep = 0.5;      // mm between the examined places of a lead line
+constexpr double kPiece = 10;          // mm of a lead line whose surroundings are looked up at a time
+constexpr double kOn = kLeadStep / 2;  // mm from a middle line to one that crosses it, at such a place
 // As in the rule gap (rules/narrow.h): there is no gap where the path through ink is at most four times as long. Slightly less
 // here.
 constexpr double kBend = 3.5;
 // What files leave of a place: hundredths, at both ends.
-constexpr double kRounding = 0.02;
+constexpr double kLeadRounding = 0.02;
 
 // An alternative end along the same line if the nearest place is hemmed in: no farther than a fingertip feels at once.
 constexpr double kAside = 2;  // mm
@@ -65,7 +65,7 @@ bool lies_in(Point p, const std::vector<std::vector<Point>>& rings) {
 
 }  // namespace
 
-Leads::Leads(const Page& page, double width, double clear) : half_(width / 2), clear_(clear + kRounding) {
+Leads::Leads(const Page& page, double width, double clear) : half_(width / 2), clear_(clear + kLeadRounding) {
     for (const PageStroke& stroke : page.strokes) add_chain(stroke.points, stroke.closed, stroke.width / 2);
     for (const Area& area : page.areas) {
         for (const auto& ring : area.rings) add_chain(ring, true, 0);
@@ -162,7 +162,7 @@ bool Leads::is_clear(const Lead& lead, bool across) const {
         return Point{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};
     };
     for (int piece = 0; piece < pieces; ++piece) {
-        const Box box = box_of(Segment{on_way(piece), on_way(piece + 1)}, half_ + clear_ + kRounding);
+        const Box box = box_of(Segment{on_way(piece), on_way(piece + 1)}, half_ + clear_ + kLeadRounding);
         if (grid_.any_near(
                 box, [&](std::size_t chain) { return clear.insert(chain).second && !is_clear_of(chains_[chain], lead, across); }))
             return false;
@@ -180,7 +180,7 @@ bool Leads::is_clear_of(const Chain& chain, const Lead& lead, bool across) const
     };
     std::vector<Close> close;
     const double length = distance(lead.from, lead.to);
-    const int steps = 1 + static_cast<int>(length / kStep);
+    const int steps = 1 + static_cast<int>(length / kLeadStep);
     const double ink = chain.half_width + half_;
     const Box around = box_of(course, near);
     for (const Block& block : chain.blocks) {
@@ -203,7 +203,7 @@ bool Leads::is_clear_of(const Chain& chain, const Lead& lead, bool across) const
                     const Point p{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};
                     const Point q = nearest_on_segment(p, a, b);
                     const double apart = distance(p, q);
-                    if (!across && apart <= ink && t * length < length - 2 * ink - kStep) return false;
+                    if (!across && apart <= ink && t * length < length - 2 * ink - kLeadStep) return false;
                     if (apart < near) close.push_back({t * length, along + distance(a, q), apart});
                 }
             }

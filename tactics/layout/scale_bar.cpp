@@ -19,7 +19,7 @@ constexpr double kLongest = 60;  // mm
 // A line on its own is felt as one from 1/2 in on (rules/line_length.cpp).
 constexpr double kShortest = 12.7;  // mm
 // Lines closer than 6 mm are hard to tell apart (BRI, APH guide); as of the title.
-constexpr double kClear = 6;  // mm
+constexpr double kClearOfBar = 6;  // mm
 
 // Longer than a cell is high, or in dots the bar would be read as braille; on an embosser's rows of dots, which stand up to 5 mm
 // apart, still above and below the bar. Own choice.
@@ -28,11 +28,11 @@ double tick_of(const Sheet& sheet) {
 }
 
 // The braille, or the print where there is none, is level with the bar: a finger that leaves the bar at its end finds it.
-struct Level {
+struct BarLevel {
     double above = 0, below = 0;  // mm of bar and words
     double down = 0;              // where the bar is in the words: 0 at their top, 1 at the bottom
 };
-Level level_of(const LabelBlock& words, const Sheet& sheet) {
+BarLevel level_of(const LabelBlock& words, const Sheet& sheet) {
     const double last = words.braille.empty() ? words.height : words.height - words.braille[0].first_dot.y + sheet.cell.dot / 2;
     const double middle = words.height - last / 2, tick = tick_of(sheet) / 2;
     return {std::max(middle, tick), std::max(last / 2, tick), middle / words.height};
@@ -54,14 +54,14 @@ Phrase real_length(double mm) {
 }
 
 double scale_bar_height(const Sheet& sheet) {
-    const Level level = level_of(set_label("1 m", sheet), sheet);
-    return level.above + level.below + std::max(kClear, sheet.medium->gap) +
+    const BarLevel level = level_of(set_label("1 m", sheet), sheet);
+    return level.above + level.below + std::max(kClearOfBar, sheet.medium->gap) +
            sheet.medium->thick_line / 2;  // half of the widest line stands out of the drawing
 }
 
 void set_scale_bar(Page& page, const Rect& room, double scale, const Sheet& sheet) {
     const double line = sheet.medium->line, tick = tick_of(sheet);
-    const double before = line + kClear;  // of the words, besides the bar
+    const double before = line + kClearOfBar;  // of the words, besides the bar
     // From the longest round length down.
     for (int step = static_cast<int>(std::ceil(std::log10(kLongest / scale))) * 3 + 2;; --step) {
         constexpr std::array<double, 3> kRound{1, 2, 5};
@@ -74,7 +74,7 @@ void set_scale_bar(Page& page, const Rect& room, double scale, const Sheet& shee
         const std::string text = real_length(real).in(sheet.language);
         LabelBlock words = set_label(text, sheet);
         if (length + before + words.width > room.width) continue;
-        const Level level = level_of(words, sheet);
+        const BarLevel level = level_of(words, sheet);
         const double middle = room.top + room.height - level.below;
         const double left = room.left + line / 2, right = left + length;
         page.scale = PageScale{
@@ -82,7 +82,7 @@ void set_scale_bar(Page& page, const Rect& room, double scale, const Sheet& shee
         const auto draw = [&](Point from, Point to) { page.strokes.push_back({{from, to}, false, line, Role::scale}); };
         draw({left, middle}, {right, middle});
         for (const double x : {left, right}) draw({x, middle - tick / 2 + line / 2}, {x, middle + tick / 2 - line / 2});
-        words = placed(std::move(words), Label{{}, 0, level.down, text}, {right + line / 2 + kClear, middle}, page.cell,
+        words = placed(std::move(words), Label{{}, 0, level.down, text}, {right + line / 2 + kClearOfBar, middle}, page.cell,
                        page.width, page.height);
         say(words, page, {WordsKind::scale, text});
         std::move(words.print.begin(), words.print.end(), std::back_inserter(page.print));

@@ -22,7 +22,6 @@ constexpr std::size_t kIndent = 2, kLeastCells = 10, kLeastRows = 3;
 constexpr std::size_t kMostPages = 20'000;
 constexpr std::size_t kLongestHyphen = 3;  // cells; a table that writes more for it has none
 constexpr std::size_t kCentred = 3;        // cells that stay empty on each side of a heading, at least
-constexpr std::string_view kOrigin = "the text";
 
 Cells behind(std::size_t empty, const Cells& cells) {
     Cells line(empty, 0);
@@ -134,7 +133,7 @@ public:
 
     std::vector<Page> finish() {
         for (std::size_t i = 0; i < pages_.size(); ++i) {
-            const Cells number = to_braille(std::to_string(number_ + i), sheet_.braille_table, kOrigin);
+            const Cells number = to_braille(std::to_string(number_ + i), sheet_.braille_table, "the text");
             top_ = top_of(i);
             place(pages_[i], rows_below(top_) - 1, cells_ - std::min(cells_, number.size()), number);
             put_on_dots(pages_[i]);

@@ -18,10 +18,10 @@ namespace {
 constexpr std::size_t kLongestTitle = 10'000;  // bytes
 
 // 14 pt is read at arm's length over the shoulder of the reader; below 8 pt print is not read any more.
-constexpr double kPrintSize = 4.94;   // mm
-constexpr double kSmallPrint = 2.82;  // mm
+constexpr double kTitlePrintSize = 4.94;  // mm
+constexpr double kSmallPrint = 2.82;      // mm
 // Lines closer than 6 mm are hard to tell apart (BRI, APH guide); the same keeps braille clear of what stands near it.
-constexpr double kClear = 6.0;  // mm
+constexpr double kClearOfTitle = 6.0;  // mm
 
 constexpr char32_t kEllipsis = 0x2026;  // where a line is cut
 
@@ -39,9 +39,9 @@ double widest(char32_t letter) {
 
 // One line: smaller print if it must be, and if that does not do, the rest is left out.
 PrintLine print_line(const std::string& text, const Rect& live) {
-    PrintLine line{{live.left, 0}, kPrintSize, text};
+    PrintLine line{{live.left, 0}, kTitlePrintSize, text};
     const double width = print_width(text);
-    if (width * kPrintSize > live.width) line.size = std::max(kSmallPrint, live.width / width);
+    if (width * kTitlePrintSize > live.width) line.size = std::max(kSmallPrint, live.width / width);
     if (width * line.size > live.width) {
         const double room = live.width / line.size - widest(kEllipsis);
         line.text.clear();
@@ -158,7 +158,7 @@ TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live) {
     constexpr std::size_t kCaptionFrom = 6, kCaptionRunover = 4;
     TitleBand band;
     if (sheet.bare) return band;
-    const double clear = std::max(kClear, sheet.medium->gap), dot = sheet.cell.dot;
+    const double clear = std::max(kClearOfTitle, sheet.medium->gap), dot = sheet.cell.dot;
     const double cells = (live.width - dot - sheet.cell.dot_pitch) / sheet.cell.cell_pitch;
     const auto most = static_cast<std::size_t>(std::max(0.0, std::floor(cells + 1e-9))) + 1;
     double y = live.top;

@@ -24,7 +24,7 @@ const Medium& medium_of(const Page& page) {
     return media().front();
 }
 
-double dots_width(std::size_t cells, const Page& page) {
+double dots_span(std::size_t cells, const Page& page) {
     return cells == 0 ? 0 : static_cast<double>(cells - 1) * page.cell.cell_pitch + page.cell.dot_pitch;
 }
 
@@ -93,8 +93,8 @@ Phrase set_line_anew(Page& page, int words) {
     if (const auto line = std::find_if(page.braille.begin(), page.braille.end(), is_its);
         line != page.braille.end() && said.kind != WordsKind::letters) {
         Cells cells = cells_for(said, page);
-        const double wider = dots_width(cells.size(), page) - dots_width(line->cells.size(), page);
-        const double right = page.width - page.braille_dot / 2 - dots_width(cells.size(), page);
+        const double wider = dots_span(cells.size(), page) - dots_span(line->cells.size(), page);
+        const double right = page.width - page.braille_dot / 2 - dots_span(cells.size(), page);
         if (right < page.braille_dot / 2 && said.kind == WordsKind::key)
             return phrase("\"{0}\" is longer than a line of the key in braille, which stays as it was; shorten it", said.text);
         if (right < page.braille_dot / 2)

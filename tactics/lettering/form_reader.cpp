@@ -17,16 +17,15 @@ namespace {
 constexpr double kMayBe = 0.6, kIs = 0.75, kTells = 0.8;
 constexpr double kAsAlike = 0.03;     // what is less likely than another by no more may be either
 constexpr double kAccent = 0.12;      // in small print a letter with an accent and one without hardly differ
-constexpr double kSpace = 0.14;       // em
+constexpr double kWordSpace = 0.14;   // em
 constexpr double kKnownBonus = 1.03;  // of the value in a size that other words have
 constexpr double kNeutral = 0.5;      // likeness that speaks neither for nor against a letter
 constexpr double kOffLine = 0.05;     // by so much must a raised letter be more likely than one on the line
-constexpr std::size_t kMostSizes = 6, kMostFeet = 5, kMostUnits = 120, kMostPieces = 4;
+constexpr std::size_t kMostSizes = 6, kMostFeet = 5, kMostUnits = 120, kMostLetterPieces = 4;
 
 // Pieces side by side that may be one letter.
 constexpr std::u32string_view kWide = U"%\u2030\u00bd\u00bc\u00be\"\u201c\u201d\u2033\u2026";
 
-bool is_digit(char32_t code) { return code >= '0' && code <= '9'; }
 bool is_accented(char32_t code) { return code >= 0xC0 && code <= 0xFF; }
 bool is_minus(char32_t code) { return code == '-' || code == 0x2212 || code == 0x2013; }
 bool may_be_off_line(char32_t code) {
@@ -68,7 +67,7 @@ public:
     Reader(const InkStrip& strip, FormFont& font, std::string_view guess, bool only_guessed)
         : strip_(strip), font_(font), count_(strip.units()), only_guessed_(only_guessed) {
         if (!guess.empty()) join_letters(guess);
-        for (std::size_t length = 1; length <= kMostPieces; ++length)
+        for (std::size_t length = 1; length <= kMostLetterPieces; ++length)
             for (std::size_t i = 0; i < count_; ++i) {
                 spans_.emplace_back();
                 if (i + 1 >= length) look(i + 1 - length, i, spans_.back());
@@ -255,7 +254,7 @@ private:
         std::vector<std::size_t> lengths(count_ + 1, 1);
         std::vector<FormLetter> last(count_ + 1);
         for (std::size_t end = 1; end <= count_; ++end) {
-            for (std::size_t length = 1; length <= std::min(end, kMostPieces); ++length) {
+            for (std::size_t length = 1; length <= std::min(end, kMostLetterPieces); ++length) {
                 FormLetter letter = letter_of(span(end - length, end - 1), rule);
                 if (length > 1 && letter.code == 0) continue;
                 const double value = best[end - length] + worth(letter);
@@ -338,7 +337,7 @@ std::string text_of(const FormReading& reading, FormFont& font) {
         if (form.empty()) continue;
         const double em = letter.place == FormLetter::Place::on_line ? reading.em : letter.box.height() / form.height();
         const double start = letter.box.left - form.left() * em;
-        if (!text.empty() && start - end > kSpace * reading.em) text += ' ';
+        if (!text.empty() && start - end > kWordSpace * reading.em) text += ' ';
         append_placed(text, letter);
         end = start + form.advance() * em;
     }

@@ -26,12 +26,10 @@ bool is_lower(char32_t code) {
     return (code >= 'a' && code <= 'z') || (code >= 0xDF && code <= 0xFF) || (code >= 0x3B1 && code <= 0x3C9);
 }
 bool is_upper(char32_t code) { return (code >= 'A' && code <= 'Z') || (code >= 0xC0 && code <= 0xDE); }
-bool is_digit(char32_t code) { return code >= '0' && code <= '9'; }
-bool is_dash(char32_t code) { return code == '-' || code == '~' || code == 0x2212 || (code >= 0x2010 && code <= 0x2015); }
 
 bool is_accented_i(char32_t code) { return (code >= 0xCC && code <= 0xCF) || (code >= 0xEC && code <= 0xEF); }
 
-std::vector<char32_t> letters_of(std::string_view text) {
+std::vector<char32_t> bare_letters_of(std::string_view text) {
     std::vector<char32_t> letters;
     while (!text.empty())
         if (const char32_t letter = take_letter(text); letter != ' ') letters.push_back(is_dash(letter) ? U'-' : letter);
@@ -50,7 +48,7 @@ char32_t plain_raised(char32_t code) {
 
 // Spaces, dashes and what is small do not matter.
 bool same_letters(std::string_view a, std::string_view b) {
-    std::vector<char32_t> one = letters_of(a), other = letters_of(b);
+    std::vector<char32_t> one = bare_letters_of(a), other = bare_letters_of(b);
     std::erase(other, U'^');
     std::transform(one.begin(), one.end(), one.begin(), plain_raised);
     std::transform(other.begin(), other.end(), other.begin(), plain_raised);
@@ -79,7 +77,7 @@ char32_t fitting(const std::vector<char32_t>& choices, char32_t before, char32_t
 void settle(FormWords& words, const OtherReading& other) {
     std::vector<FormLetter>& letters = words.reading.letters;
     words.settled = true;
-    const std::vector<char32_t> told = letters_of(other.text);
+    const std::vector<char32_t> told = bare_letters_of(other.text);
     for (std::size_t i = 0; i < letters.size(); ++i) {
         FormLetter& letter = letters[i];
         std::vector<char32_t> choices = letter.alike;

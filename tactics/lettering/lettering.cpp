@@ -27,11 +27,6 @@ constexpr int kLeastHeight = 9;
 
 constexpr double kSureAlone = 80;  // for a single letter in line with words. A setting
 
-bool is_dash(char32_t letter) {
-    return letter == '-' || letter == '~' || (letter >= 0x2010 && letter <= 0x2015) || letter == 0x2212;
-}
-bool is_digit(char32_t letter) { return letter >= '0' && letter <= '9'; }
-
 std::vector<char32_t> letters_of(std::string_view text) {
     std::vector<char32_t> letters;
     while (!text.empty()) letters.push_back(take_letter(text));

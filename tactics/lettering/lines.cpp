@@ -16,7 +16,7 @@ namespace tactics {
 namespace {
 
 // Below this many pixels letters cannot be distinguished; above, the ink is a drawn thing.
-constexpr int kLeastHeight = 5;
+constexpr int kLeastInkHeight = 5;
 constexpr int kMostHeight = 100;
 constexpr int kLeastTallest = 7;  // of a line: an x of 5 pixels stands beside capitals of 7
 // Of the height of the taller of two letters, which may both be small ones (0.52 em): a word space is 0.25 to 0.33 em and its
@@ -35,7 +35,7 @@ constexpr std::size_t kMostPieces = 4'000;  // at one level; more is texture, no
 PixelBox turned(const PixelBox& box, int height) { return {height - box.bottom, box.left, height - box.top, box.right}; }
 
 bool is_letter(const PixelBox& box) {
-    return box.height() >= kLeastHeight && box.height() <= kMostHeight && box.width() <= 3 * box.height();
+    return box.height() >= kLeastInkHeight && box.height() <= kMostHeight && box.width() <= 3 * box.height();
 }
 
 bool is_mark(const PixelBox& box, int letter_height) {
@@ -87,7 +87,7 @@ std::vector<Group> group(const std::vector<PixelBox>& boxes, const std::vector<b
     return groups;
 }
 
-std::uint8_t middle_of(std::vector<std::uint8_t>& values) {
+std::uint8_t middle_tone(std::vector<std::uint8_t>& values) {
     if (values.empty()) return 0;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
@@ -116,7 +116,7 @@ int off_middle(const Image& grey, const LetteringLine& line) {
     for (int y = box.top - 2; y < box.bottom + 2; ++y) add(box.left - 2, y), add(box.right + 1, y);
     constexpr double kOpen = 0.45;  // of the ring around it: with an axis or two beside it is half
     if (ground.empty() || static_cast<double>(ground.size()) < kOpen * static_cast<double>(ring)) return 256;
-    const int middle = middle_of(ground);
+    const int middle = middle_tone(ground);
     constexpr int kLeastContrast = 40;  // grey levels; print fainter than that is a watermark
     if (std::abs(middle - deepest) < kLeastContrast || (middle > deepest) == line.light) return 256;
     return std::abs((middle + deepest) / 2 - line.level);
@@ -140,7 +140,7 @@ double share_of_ink(const InkPiece& piece) {
 bool are_equals_sign(const PixelBox& upper, const PixelBox& lower) {
     const int width = std::max(upper.width(), lower.width());
     return upper.bottom < lower.top && lower.bottom - upper.top <= 0.8 * width && 3 * upper.height() <= width &&
-           3 * lower.height() <= width && width >= kLeastHeight && width <= kMostHeight &&
+           3 * lower.height() <= width && width >= kLeastInkHeight && width <= kMostHeight &&
            std::abs(upper.left - lower.left) <= 1 && std::abs(upper.right - lower.right) <= 1;
 }
 

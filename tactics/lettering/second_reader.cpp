@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-constexpr int kLeastHeight = 9;  // pixels, of the tallest letter of a line; smaller print is reported, not set. A setting
+constexpr int kLeastPrint = 9;  // pixels, of the tallest letter of a line; smaller print is reported, not set. A setting
 
 bool is_ink(const Image& grey, const LetteringLine& line, int x, int y) {
     return x >= 0 && y >= 0 && x < grey.width && y < grey.height && (grey.row(y)[x] < line.level) != line.light;
@@ -64,7 +64,7 @@ Held held(const Image& grey, ReadLine read, FormWords form) {
     const bool lost = parted && belief.text != read.words.text;
     read.words.text = std::move(belief.text);
     read.words.sureness = belief.sureness;
-    read.words.sure = belief.sure && !cut && !lost && read.line.letter_height >= kLeastHeight;
+    read.words.sure = belief.sure && !cut && !lost && read.line.letter_height >= kLeastPrint;
     read.tell = belief.tell || belief.sure;
     return {std::move(read), std::move(form)};
 }

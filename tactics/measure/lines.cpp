@@ -12,7 +12,7 @@ namespace tactics {
 namespace {
 
 constexpr float kAlways = std::numeric_limits<float>::max();
-constexpr float kLeast = std::numeric_limits<float>::min();
+constexpr float kTiny = std::numeric_limits<float>::min();
 
 std::size_t index_of(int x, int y, int width) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
@@ -90,7 +90,7 @@ void draw_drawing(EdgeMap& lines, const Drawing& drawing) {
     if (drawing.picture) draw_borders(lines, *drawing.picture);
     Pen pen(lines, drawing);
     for (const Stroke& stroke : drawing.strokes)
-        pen.draw(stroke.points, stroke.closed, graded ? std::max(stroke.strength, kLeast) : kAlways);
+        pen.draw(stroke.points, stroke.closed, graded ? std::max(stroke.strength, kTiny) : kAlways);
     for (const Area& area : drawing.areas)
         for (const auto& ring : area.rings) pen.draw(ring, true, kAlways);
 }
@@ -117,7 +117,7 @@ EdgeMap lines_of(const Artwork& artwork, int width, int height) {
 
 PixelSet cut_at(const EdgeMap& lines, float level) {
     InkMap ink(lines.width, lines.height);
-    const float least = std::max(level, kLeast);
+    const float least = std::max(level, kTiny);
     for (int y = 0; y < lines.height; ++y) {
         const float* from = lines.strength.data() + index_of(0, y, lines.width);
         std::uint8_t* to = ink.row(y);

@@ -15,7 +15,7 @@ constexpr int kLevels = 48;
 // From one grey level up, each level so many times the one below: 1.12^46 is 184, more than any threshold of use.
 constexpr double kStep = 1.12;
 
-double share(long long part, long long all) { return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 0; }
+double share_of(long long part, long long all) { return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 0; }
 
 // Lines against some annotators; the lines may change from call to call.
 class Referee {
@@ -57,8 +57,8 @@ Counts& Counts::operator+=(const Counts& other) {
     return *this;
 }
 
-double Counts::precision() const { return share(right, lines); }
-double Counts::recall() const { return share(found, truth); }
+double Counts::precision() const { return share_of(right, lines); }
+double Counts::recall() const { return share_of(found, truth); }
 double Counts::f() const {
     const double p = precision(), r = recall();
     return p + r > 0 ? 2 * p * r / (p + r) : 0;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "tactics/text/number.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -17,8 +18,6 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + '
 bool is_word(std::string_view cell, std::string_view word) {
     return std::equal(cell.begin(), cell.end(), word.begin(), word.end(), [](char a, char b) { return lower(a) == b; });
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 

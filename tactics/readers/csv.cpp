@@ -6,12 +6,13 @@
 
 #include "tactics/error.h"
 #include "tactics/readers/cell.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
 namespace {
 
-constexpr std::size_t kChunk = 256 * 1024;      // bytes that are read at a time
+constexpr std::size_t kCsvChunk = 256 * 1024;   // bytes that are read at a time
 constexpr std::size_t kSampledRecords = 100;    // used to find the separator
 constexpr std::size_t kSampledBytes = 1 << 20;  // at most
 
@@ -41,8 +42,6 @@ void split_by(std::string_view line, char separator, Take take) {
         line.remove_prefix(end + 1);
     }
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // By the first line alone: a comma between digits is one within a number where tabs or semicolons part the values.
 char separator_in(std::string_view header) {
@@ -86,7 +85,7 @@ double numbers_by(const Source& source, char separator, std::string& first_line)
 }  // namespace
 
 CsvRecords::CsvRecords(const Source& source, char separator) : source_(source), separator_(separator) {
-    buffer_.resize(kChunk);
+    buffer_.resize(kCsvChunk);
     if (source_.file == nullptr) return;
     std::rewind(source_.file.get());
     fill();
@@ -111,8 +110,8 @@ bool CsvRecords::fill() {
         ++number_;
         fail(phrase("the line is longer than {0} bytes; is this a table?", std::to_string(kLongestCsvRecord)));
     }
-    if (buffer_.size() < end_ + kChunk) buffer_.resize(end_ + kChunk);
-    const std::size_t count = std::fread(buffer_.data() + end_, 1, kChunk, source_.file.get());
+    if (buffer_.size() < end_ + kCsvChunk) buffer_.resize(end_ + kCsvChunk);
+    const std::size_t count = std::fread(buffer_.data() + end_, 1, kCsvChunk, source_.file.get());
     if (std::ferror(source_.file.get()) != 0) throw Error(Fault::failed, source_.name, phrase("it cannot be read"));
     end_ += count;
     return count > 0;

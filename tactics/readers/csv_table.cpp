@@ -31,7 +31,7 @@ void check_count(const TableHead& head, std::size_t line, std::size_t cells, boo
          phrase("there are {0} values for {1} columns; {2}", std::to_string(cells), std::to_string(head.columns.size()), mend));
 }
 
-std::size_t size_of(const Source& source) {
+std::size_t file_size(const Source& source) {
     std::fseek(source.file.get(), 0, SEEK_END);
     const long size = std::ftell(source.file.get());
     std::rewind(source.file.get());
@@ -52,7 +52,7 @@ TableHead csv_table_head(Source& source) {
     }
     if (head.rows.empty())
         throw Error(Fault::failed, head.name, phrase("there is no line in it; the first names the columns: dots a page,F"));
-    head.rows_expected = size_of(source) / std::max<std::size_t>(1, records.bytes() / head.rows.size()) + 1;
+    head.rows_expected = file_size(source) / std::max<std::size_t>(1, records.bytes() / head.rows.size()) + 1;
     const TableRow first = head.rows.front();
     const std::size_t count = head.rows.size() > 1 ? head.rows[1].cells.size() : first.cells.size();
     std::vector<std::string> names = names_in(records.comment(), head.separator, first.cells.size());

@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kChunk = 256 * 1024;
+constexpr std::size_t kJsonChunk = 256 * 1024;
 constexpr unsigned kDeepest = 32;  // of what is skipped
 
 // The input stream of RapidJSON. A value that is too long ends it.
@@ -21,7 +21,7 @@ class JsonBytes {
 public:
     using Ch = char;
 
-    JsonBytes(const Source& source, JsonPosition& position) : source_(source), position_(position), buffer_(kChunk) {
+    JsonBytes(const Source& source, JsonPosition& position) : source_(source), position_(position), buffer_(kJsonChunk) {
         std::rewind(source_.file.get());
         fill();
         if (std::string_view(buffer_.data(), end_).starts_with("\xEF\xBB\xBF")) position_.at = at_ = 3;

@@ -40,7 +40,7 @@ constexpr Type kTypes[] = {
     {"|double|", 8, true, true},
 };
 
-struct Head {
+struct NrrdHead {
     std::string type, sizes, encoding, endian;
     long long dimension = 0, line_skip = 0, byte_skip = 0;
     std::size_t data = 0;  // where it begins
@@ -102,8 +102,8 @@ private:
         return line.substr(0, line.find_last_not_of('\r') + 1);
     }
 
-    Head read_head() const {
-        Head head;
+    NrrdHead read_head() const {
+        NrrdHead head;
         std::size_t at = 0;
         line_at(at);
         for (std::string_view line = line_at(at); !line.empty(); line = line_at(at)) {
@@ -203,7 +203,7 @@ private:
 
     std::string_view bytes_;
     const std::string& name_;
-    Head head_;
+    NrrdHead head_;
 };
 
 }  // namespace

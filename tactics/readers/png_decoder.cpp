@@ -12,7 +12,7 @@ namespace tactics {
 namespace {
 
 // Chunks that cost time or memory to unpack and say nothing about the pixels.
-constexpr png_byte kUnread[] = "iCCP\0gAMA\0cHRM\0sRGB\0zTXt\0iTXt\0tEXt\0sPLT\0hIST\0pHYs\0tIME";
+constexpr png_byte kUnreadChunks[] = "iCCP\0gAMA\0cHRM\0sRGB\0zTXt\0iTXt\0tEXt\0sPLT\0hIST\0pHYs\0tIME";
 
 void on_warning(png_structp, png_const_charp) {}
 
@@ -30,7 +30,7 @@ void PngDecoder::open() {
         png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // judged below, in our own words
         png_set_chunk_malloc_max(png_, 4 << 20);
         png_set_chunk_cache_max(png_, 100);
-        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, kUnread, static_cast<int>(sizeof kUnread / 5));
+        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, kUnreadChunks, static_cast<int>(sizeof kUnreadChunks / 5));
         png_read_info(png_, info_);
     });
     height_ = png_get_image_height(png_, info_);

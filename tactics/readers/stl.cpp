@@ -14,7 +14,7 @@ namespace tactics {
 namespace {
 
 constexpr long long kHeaderBytes = 84, kTriangleBytes = 50;
-constexpr std::size_t kMostWord = 100;  // letters of a word or number of a text STL
+constexpr std::size_t kMostStlWord = 100;  // letters of a word or number of a text STL
 
 [[noreturn]] void fail(const Source& source, const Phrase& why) { throw Error(Fault::failed, source.name, why); }
 
@@ -27,7 +27,7 @@ long long size_of(Source& source) {
     return std::ftell(source.file.get());
 }
 
-struct Head {
+struct StlHead {
     std::array<unsigned char, kHeaderBytes> bytes{};
     long long size = 0;    ///< of the file
     long long needed = 0;  ///< for as many triangles as a binary file says
@@ -35,8 +35,8 @@ struct Head {
 };
 
 // Binary files may also begin with "solid"; then their size decides.
-Head head_of(Source& source) {
-    Head head;
+StlHead head_of(Source& source) {
+    StlHead head;
     head.size = size_of(source);
     if (head.size == 0) return head;
     std::rewind(source.file.get());
@@ -49,7 +49,7 @@ Head head_of(Source& source) {
     return head;
 }
 
-void each_binary(Source& source, const Head& head, const std::function<void(const Triangle&)>& take) {
+void each_binary(Source& source, const StlHead& head, const std::function<void(const Triangle&)>& take) {
     if (head.size < kHeaderBytes)
         fail(source, phrase("is cut short in its first {0} bytes, or is no STL model; get a complete copy of it",
                             std::to_string(kHeaderBytes)));
@@ -120,8 +120,8 @@ private:
         for (; c == ' ' || (c >= '\t' && c <= '\r'); c = letter())
             if (c == '\n') ++line_;
         for (; c != EOF && c != ' ' && !(c >= '\t' && c <= '\r'); c = letter()) {
-            if (word_.size() == kMostWord)
-                fail(phrase("there is a word of over {0} letters; this is no STL model", std::to_string(kMostWord)));
+            if (word_.size() == kMostStlWord)
+                fail(phrase("there is a word of over {0} letters; this is no STL model", std::to_string(kMostStlWord)));
             word_ += static_cast<char>(c);
         }
         if (c != EOF) std::ungetc(c, source_.file.get());
@@ -156,7 +156,7 @@ private:
 }  // namespace
 
 bool is_stl(Source& source) {
-    const Head head = head_of(source);
+    const StlHead head = head_of(source);
     if (head.text || (head.needed > kHeaderBytes && head.size == head.needed)) return true;
     std::string end = source.name.size() < 4 ? "" : source.name.substr(source.name.size() - 4);
     for (char& c : end) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -164,7 +164,7 @@ bool is_stl(Source& source) {
 }
 
 void each_triangle(Source& source, const std::function<void(const Triangle&)>& take) {
-    const Head head = head_of(source);
+    const StlHead head = head_of(source);
     if (head.text)
         TextStl(source).each(take);
     else

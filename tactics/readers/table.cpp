@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& name, std::size_t line, const Phrase& message) {
+[[noreturn]] void fail_at(const std::string& name, std::size_t line, const Phrase& message) {
     throw Error(Fault::failed, name + ":" + std::to_string(line), message);
 }
 
@@ -43,9 +43,9 @@ void name_columns(TableHead& head, std::vector<std::string> names, std::size_t l
         names[i] = to_line(names[i]);
         if (names[i].empty()) names[i] = "column " + std::to_string(i + 1);
         if (!known.emplace(names[i], i).second)
-            fail(head.name, line,
-                 phrase("two columns are called \"{0}\"; the first line names each column in its own way",
-                        beginning_of(names[i])));
+            fail_at(head.name, line,
+                    phrase("two columns are called \"{0}\"; the first line names each column in its own way",
+                           beginning_of(names[i])));
     }
     head.columns = std::move(names);
 }

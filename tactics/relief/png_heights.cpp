@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostText = 200;  // bytes of one of our words
+constexpr std::size_t kMostOurs = 200;  // bytes of one of our words
 constexpr int kMostChunks = 1'000'000;
 
 std::uint32_t number(const unsigned char* bytes) {
@@ -31,9 +31,9 @@ HeightWords png_height_words(Source& source) {
         const std::uint32_t size = number(head.data());
         const std::string_view name(reinterpret_cast<const char*>(head.data()) + 4, 4);
         if (name == "IEND" || size > 0x7FFFFFFF) break;
-        std::array<unsigned char, kMostText> data{};
+        std::array<unsigned char, kMostOurs> data{};
         std::uint32_t got = 0;
-        if ((name == "tEXt" || name == "pHYs") && size <= kMostText) {
+        if ((name == "tEXt" || name == "pHYs") && size <= kMostOurs) {
             got = static_cast<std::uint32_t>(std::fread(data.data(), 1, size, file));
             if (got != size) break;
             const std::string_view text(reinterpret_cast<const char*>(data.data()), size);

@@ -19,11 +19,11 @@ namespace {
 // hand.
 constexpr double kDash = 8, kShortestDash = 6, kShare = 0.5, kLongGap = 1.4;
 constexpr double kBent = 1.05;  // on a curve it is less far straight across than along the line
-constexpr double kStep = 0.5;
+constexpr double kDashStep = 0.5;
 constexpr double kMostDashes = 2000;  // of a line; a page has room for far fewer
 constexpr double kMostOfAll = 50000;  // of a drawing: several sheets full of them; lines beyond stay whole
 
-struct Span {
+struct DashSpan {
     double from, to;  // mm along the middle of the line
 };
 
@@ -59,7 +59,7 @@ public:
         const double most = length / lengths.dash;
         if (length < 2 * lengths.shortest + lengths.gap || most > std::min(kMostDashes, left_)) return {line};
         left_ -= most;
-        std::vector<Span> dashes = held(number, length);
+        std::vector<DashSpan> dashes = held(number, length);
         if (line.closed) {
             if (dashes.empty()) dashes.push_back({0, lengths.dash});
             dashes.push_back({dashes.front().from + length, dashes.front().to + length});
@@ -77,7 +77,7 @@ public:
         }
         if (dashes.size() < 2) return {line};
         std::vector<Stroke> strokes;
-        for (const Span& dash : dashes) {
+        for (const DashSpan& dash : dashes) {
             Stroke stroke{part_of(line.points, line.closed, dash.from, dash.to), false, line.line, line.strength, Role::dash};
             if (stroke.points.size() > 1) strokes.push_back(std::move(stroke));
         }
@@ -103,16 +103,16 @@ private:
     }
 
     // Where others are near: a dash each.
-    std::vector<Span> held(std::size_t number, double length) const {
-        std::vector<Span> spans;
+    std::vector<DashSpan> held(std::size_t number, double length) const {
+        std::vector<DashSpan> spans;
         const std::size_t chain = chain_of_[number];
         if (chain == geometry_.chains.size()) return spans;
         const Chain& own = geometry_.chains[chain];
-        const auto steps = static_cast<std::size_t>(std::ceil(length / kStep));
+        const auto steps = static_cast<std::size_t>(std::ceil(length / kDashStep));
         for (std::size_t i = 0; i <= steps; ++i) {
-            const double along = std::min(static_cast<double>(i) * kStep, length);
+            const double along = std::min(static_cast<double>(i) * kDashStep, length);
             if (!is_near(own, chain, geometry_.point_at({chain, along}))) continue;
-            const Span span{std::max(0.0, along - kStep), std::min(length, along + kStep)};
+            const DashSpan span{std::max(0.0, along - kDashStep), std::min(length, along + kDashStep)};
             if (!spans.empty() && spans.back().to >= span.from)
                 spans.back().to = span.to;
             else
@@ -122,8 +122,8 @@ private:
     }
 
     // Dashes between those that are given, as even as may be; where there is no room for a gap two become one.
-    static std::vector<Span> filled(const std::vector<Span>& given, const Lengths& usual) {
-        std::vector<Span> all{given.front()};
+    static std::vector<DashSpan> filled(const std::vector<DashSpan>& given, const Lengths& usual) {
+        std::vector<DashSpan> all{given.front()};
         for (std::size_t i = 1; i < given.size(); ++i) {
             const double from = all.back().to, room = given[i].from - from;
             if (room < usual.least_gap) {

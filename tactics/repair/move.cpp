@@ -14,8 +14,8 @@ namespace tactics {
 
 namespace {
 
-constexpr double kStep = 1;  // mm between the points of a line that may bend
-constexpr int kRounds = 8;   // of pushing
+constexpr double kBendStep = 1;  // mm between the points of a line that may bend
+constexpr int kRounds = 8;       // of pushing
 // Two metres of line beside line. Where there is more, nothing has a place to go.
 constexpr std::size_t kMostPairs = 12'000;
 // The first rounds help most. Where each has so much to look at, black heaps of lines for the most part, there are fewer: each of
@@ -38,7 +38,7 @@ std::vector<Point> in_steps(const Stroke& stroke) {
         const Point a = stroke.points[i], b = stroke.points[(i + 1) % n];
         const double side = distance(a, b);
         if (side == 0) continue;
-        const auto cuts = static_cast<std::size_t>(std::ceil(side / kStep));
+        const auto cuts = static_cast<std::size_t>(std::ceil(side / kBendStep));
         for (std::size_t k = 0; k < cuts; ++k) {
             const double t = static_cast<double>(k) / static_cast<double>(cuts);
             points.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
@@ -111,7 +111,7 @@ private:
         for (const Stroke& stroke : start_.strokes)
             for (const Point& at : stroke.points) area.take(at);
         if (area.left > area.right) return;
-        Places places(area, kStep);
+        Places places(area, kBendStep);
         std::vector<Point> way;  // of each place
         for (std::size_t s = 0; s < moved_.size(); ++s)
             for (std::size_t i = 0; i < moved_[s].size(); ++i) {
@@ -119,7 +119,7 @@ private:
                 way.push_back(moved_[s][i]);
             }
         const auto gone_with = [&](Point at) {
-            double nearest = kStep / 2;
+            double nearest = kBendStep / 2;
             std::size_t by = way.size();
             places.any_near(at, nearest, [&](std::size_t number) {
                 const double off = distance(places[number], at);

@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kFinest = 0.1;  // mm from line to line
+constexpr double kFinestLines = 0.1;  // mm from line to line
 constexpr double kMostLines = 3000;
 constexpr std::size_t kMostSpans = 100'000'000;
 // Of shapes along all lines; with more of them lines are farther apart. A4 that is covered with lines 1 mm wide has a tenth.
@@ -21,7 +21,7 @@ class Coverage {
 public:
     explicit Coverage(const PageGeometry& geometry) : geometry_(geometry) {
         const Page& page = geometry.page;
-        look_every(std::max(kFinest, page.height / kMostLines));
+        look_every(std::max(kFinestLines, page.height / kMostLines));
         for (const BrailleLine& line : page.braille)
             for (const Point& dot : dots_of(line, page.cell)) dots_.push_back(dot);
     }

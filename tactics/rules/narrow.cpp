@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostPairs = 100'000'000;
+constexpr std::size_t kMostNear = 100'000'000;
 // Pairs near enough for a closer examination.
 constexpr std::size_t kMostCandidates = 1'000'000;
 
@@ -65,7 +65,7 @@ public:
     }
 
     bool run() {
-        return geometry_.complete && grid_.pairs(kMostPairs, [this](std::size_t i, std::size_t j) { return look(i, j); });
+        return geometry_.complete && grid_.pairs(kMostNear, [this](std::size_t i, std::size_t j) { return look(i, j); });
     }
 
     NarrowPairs pairs() {
@@ -77,7 +77,7 @@ public:
     template <typename Take>
     bool suspects(Take take) {
         std::size_t count = 0;
-        return geometry_.complete && grid_.pairs(kMostPairs, [&](std::size_t i, std::size_t j) {
+        return geometry_.complete && grid_.pairs(kMostNear, [&](std::size_t i, std::size_t j) {
             ++looked_;
             if (is_far_or_bend(i, j)) return true;
             take(i, j);

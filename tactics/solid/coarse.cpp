@@ -57,7 +57,7 @@ std::size_t find_cells(const Model& model, const Frame& frame, int cells, std::v
 }
 
 // The place from which the planes of some faces are least far.
-class Nearest {
+class NearestCorners {
 public:
     // `at`: from the middle of the vertices, so that large coordinates cost no digits.
     void add_plane(const Point3& normal, const Point3& at, double weight) {
@@ -89,7 +89,7 @@ std::vector<Point3> vertices_of(const Model& model, double cell, const std::vect
         ++corners[into[vertex]];
     });
     for (std::size_t i = 0; i < count; ++i) middles[i] = (1 / corners[i]) * middles[i];
-    std::vector<Nearest> nearest(count);
+    std::vector<NearestCorners> nearest(count);
     for (const ModelObject& object : model.objects)
         for (std::uint32_t f = object.first; f < object.first + object.count; ++f) {
             const auto vertex = [&](std::size_t c) { return model.corners[model.faces[f].first + c]; };

@@ -16,7 +16,7 @@ namespace {
 constexpr double kStraightOn = 0.7;  // cosine of the turn up to which a line goes on through a meeting of several
 
 // A part of a straight line, mm from its origin.
-struct Stretch {
+struct SideStretch {
     double from, to;
     LineClass line;
     bool twice;
@@ -30,15 +30,16 @@ double angle_of(const DrawnSide& side) {
     return angle >= std::numbers::pi - kAlike ? angle - std::numbers::pi : angle;
 }
 
-std::vector<Stretch> put_together(std::vector<Stretch> stretches, double touching) {
-    std::stable_sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
-    std::vector<Stretch> whole;
-    for (Stretch one : stretches) {
+std::vector<SideStretch> put_together(std::vector<SideStretch> stretches, double touching) {
+    std::stable_sort(stretches.begin(), stretches.end(),
+                     [](const SideStretch& a, const SideStretch& b) { return a.from < b.from; });
+    std::vector<SideStretch> whole;
+    for (SideStretch one : stretches) {
         if (whole.empty() || one.from > whole.back().to + touching) {
             whole.push_back(one);
             continue;
         }
-        Stretch& last = whole.back();
+        SideStretch& last = whole.back();
         const bool overlap = one.from <= last.to - touching, alike = one.twice == last.twice && one.line == last.line;
         if (!overlap && !alike) {
             whole.push_back(one);
@@ -174,7 +175,7 @@ std::vector<DrawnSide> merged(const std::vector<DrawnSide>& sides, double touchi
         const Point along{(first.to.x - first.from.x) / length, (first.to.y - first.from.y) / length};
         const auto off = [&](Point at) { return std::abs((at.x - first.from.x) * along.y - (at.y - first.from.y) * along.x); };
         const auto on = [&](Point at) { return (at.x - first.from.x) * along.x + (at.y - first.from.y) * along.y; };
-        std::vector<Stretch> stretches;
+        std::vector<SideStretch> stretches;
         for (std::size_t j = i; j < order.size() && angle_of(sides[order[j]]) <= angle + kAlike; ++j) {
             const DrawnSide& other = sides[order[j]];
             if (done[order[j]] != 0 || off(other.from) > 2 * touching || off(other.to) > 2 * touching) continue;
@@ -182,7 +183,7 @@ std::vector<DrawnSide> merged(const std::vector<DrawnSide>& sides, double touchi
             const auto [from, to] = std::minmax({on(other.from), on(other.to)});
             stretches.push_back({from, to, other.line, other.twice});
         }
-        for (const Stretch& one : put_together(std::move(stretches), touching)) {
+        for (const SideStretch& one : put_together(std::move(stretches), touching)) {
             const auto at = [&](double t) { return Point{first.from.x + t * along.x, first.from.y + t * along.y}; };
             result.push_back({at(one.from), at(one.to), one.line, one.twice});
         }

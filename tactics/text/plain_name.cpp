@@ -22,8 +22,6 @@ constexpr std::string_view kObject = "OB_", kMesh = "ME_", kGroup = "group_ME_",
 // only beside the object's own name.
 constexpr std::string_view kShape = "Shape";
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 std::string_view without_digits(std::string_view name) {
     while (!name.empty() && is_digit(name.back())) name.remove_suffix(1);
     return name;
@@ -43,12 +41,6 @@ std::string_view without_copy(std::string_view name, bool marked) {
 
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
-
-std::size_t letters_in(std::string_view text) {
-    std::size_t count = 0;
-    for (; !text.empty(); take_letter(text)) ++count;
-    return count;
-}
 
 // Positions where a lower-case letter or a digit precedes a capital; none if a word would be too short.
 std::vector<std::size_t> humps_of(std::string_view word) {

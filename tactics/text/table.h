@@ -11,6 +11,8 @@ using Row = std::vector<std::string>;
 
 /// Without the locale, with all its digits: "0.640".
 std::string fixed(double value, int digits);
+/// A mean or estimated count, with tenths only below 10: "3.1", "31".
+inline std::string fixed_count(double count) { return fixed(count, count < 10 ? 1 : 0); }
 std::string percent(double share);
 /// To a tenth, but never 100 % if something is missing, nor 0 % if there is something: "> 99.9 %".
 std::string exact_percent(double share);

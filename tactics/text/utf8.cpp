@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/text/utf8.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -33,6 +34,10 @@ char32_t take_letter(std::string_view& rest) {
     }
     rest.remove_prefix(1);
     return kNoLetter;
+}
+
+std::size_t letters_in(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 void append_letter(std::string& text, char32_t letter) {

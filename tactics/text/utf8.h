@@ -2,6 +2,7 @@
 // Letters of UTF-8 text, cleaned of everything that could disturb a page or a file format.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,17 @@ bool steers(char32_t letter);
 bool runs_from_right(std::string_view text);
 
 void append_letter(std::string& text, char32_t letter);
+
+/// Whether it is one of 0 to 9; for letters and for bytes of UTF-8.
+constexpr bool is_digit(char32_t letter) { return letter >= '0' && letter <= '9'; }
+
+/// A hyphen, a dash, a minus sign or a tilde: which readers of print confuse.
+constexpr bool is_dash(char32_t letter) {
+    return letter == '-' || letter == '~' || (letter >= 0x2010 && letter <= 0x2015) || letter == 0x2212;
+}
+
+/// The number of letters in a UTF-8 text.
+std::size_t letters_in(std::string_view text);
 
 /// Text for one line: valid UTF-8 without invisible characters (control characters, marks of direction or shape); blanks and line
 /// ends become single spaces, with none at the ends; each run of invalid bytes becomes one question mark.

@@ -130,7 +130,7 @@ Running& running() {
 }
 
 // A program may close its output and go on. It has until `end`, too.
-int wait_for(pid_t child, Clock::time_point end) {
+int wait_for_end(pid_t child, Clock::time_point end) {
     int status = 0;
     for (;;) {
         {
@@ -199,7 +199,7 @@ ChildAnswer run(const std::vector<std::string>& words, int in, const ChildLimits
     answer.end = hear(from.number_, complaint.number_, answer, end, limits.bytes);
     from.shut();
     const bool heard = answer.end == ChildAnswer::End::done;
-    const int status = wait_for(child, heard ? end : Clock::now());
+    const int status = wait_for_end(child, heard ? end : Clock::now());
     hear_complaint(complaint.number_, answer.err);
     if (heard && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
         answer.end = Clock::now() >= end ? ChildAnswer::End::too_long : ChildAnswer::End::failed;
@@ -286,7 +286,7 @@ bool ChildBeside::runs() {
 }
 
 void ChildBeside::end() {
-    if (runs()) wait_for(child_, Clock::now());
+    if (runs()) wait_for_end(child_, Clock::now());
     child_ = -1;
 }
 

@@ -27,12 +27,12 @@ namespace tactics {
 
 namespace {
 
-class Descriptor {
+class OpenFile {
 public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() { end(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
+    explicit OpenFile(int number) : number_(number) {}
+    ~OpenFile() { end(); }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
     int number() const { return number_; }
     void end() {
         if (number_ >= 0) close(number_);
@@ -81,7 +81,7 @@ struct Output {
     std::string end;
 };
 
-[[noreturn]] void fail(const Output& output, int reason) {
+[[noreturn]] void fail_writing(const Output& output, int reason) {
     const std::string folder = folder_of(output.end);
     struct stat there {};
     // /proc and similar file systems answer in this way to a new file.
@@ -139,7 +139,7 @@ int write_all(int number, std::string_view bytes) {
 
 void write_straight(const Output& output, int number, std::string_view bytes) {
     const int reason = write_all(number, bytes);
-    if (reason != 0 && reason != EPIPE) fail(output, reason);
+    if (reason != 0 && reason != EPIPE) fail_writing(output, reason);
 }
 
 // The end of the symbolic links, whether or not a file exists yet.
@@ -152,7 +152,7 @@ std::string follow_links(const std::string& path) {
         const std::string next(target.data(), static_cast<std::size_t>(size));
         end = next[0] == '/' ? next : folder_of(end) + "/" + next;
     }
-    fail({path, path}, ELOOP);
+    fail_writing({path, path}, ELOOP);
 }
 
 constexpr int kTries = 100;  // of names that somebody else has left
@@ -185,7 +185,7 @@ public:
         else if (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL || errno == ENOENT)
             write_named(bytes);  // not every file system knows files without a name
         else
-            fail(output_, errno);
+            fail_writing(output_, errno);
     }
 
     // The last that may need room on the disk. A link cannot replace a file, so it gets a name for the moment.
@@ -199,13 +199,13 @@ public:
                 return file_.end();
             }
             if (errno == ENOENT) return copy_named();  // no /proc, or the folder has gone: the other road says which
-            if (errno != EEXIST) fail(output_, errno);
+            if (errno != EEXIST) fail_writing(output_, errno);
         }
-        fail(output_, EEXIST);
+        fail_writing(output_, EEXIST);
     }
 
     void take_name() {
-        if (rename(name_->text(), output_.end.c_str()) != 0) fail(output_, errno);
+        if (rename(name_->text(), output_.end.c_str()) != 0) fail_writing(output_, errno);
         name_->exists(false);
     }
 
@@ -219,19 +219,19 @@ public:
 
 private:
     void fill(int number, std::string_view bytes) const {
-        if (const int reason = complete(number, bytes, old_ ? &*old_ : nullptr)) fail(output_, reason);
+        if (const int reason = complete(number, bytes, old_ ? &*old_ : nullptr)) fail_writing(output_, reason);
         if (!kept_) return;
-        if (const int reason = keep_open(number)) fail(output_, reason);
+        if (const int reason = keep_open(number)) fail_writing(output_, reason);
     }
 
     void copy_named() {
         struct stat whole {};
-        if (fstat(file_.number(), &whole) != 0) fail(output_, errno);
+        if (fstat(file_.number(), &whole) != 0) fail_writing(output_, errno);
         std::string bytes(static_cast<std::size_t>(whole.st_size), '\0');
         std::size_t at = 0;
         while (at < bytes.size()) {
             const ssize_t count = pread(file_.number(), bytes.data() + at, bytes.size() - at, static_cast<off_t>(at));
-            if (count <= 0 && errno != EINTR) fail(output_, count == 0 ? EIO : errno);
+            if (count <= 0 && errno != EINTR) fail_writing(output_, count == 0 ? EIO : errno);
             if (count > 0) at += static_cast<std::size_t>(count);
         }
         write_named(bytes);
@@ -241,20 +241,20 @@ private:
     void write_named(std::string_view bytes) {
         for (int i = 0; i < kTries; ++i) {
             name_.emplace(folder_of(output_.end));
-            const Descriptor file(open_again(name_->text(), O_WRONLY | O_CREAT | O_EXCL, 0666));
+            const OpenFile file(open_again(name_->text(), O_WRONLY | O_CREAT | O_EXCL, 0666));
             if (file.number() >= 0) {
                 name_->exists(true);
                 return fill(file.number(), bytes);
             }
-            if (errno != EEXIST) fail(output_, errno);
+            if (errno != EEXIST) fail_writing(output_, errno);
         }
-        fail(output_, EEXIST);
+        fail_writing(output_, EEXIST);
     }
 
     Output output_;
     std::optional<struct stat> old_;
     bool kept_;
-    Descriptor file_;
+    OpenFile file_;
     std::optional<UnfinishedName> name_;
 };
 
@@ -268,13 +268,13 @@ void write_straight(const Straight& straight) {
     const auto& [output, bytes] = straight;
     // Opened again, a standard output that goes to the end of a file would begin at its start.
     if (output.end == "-" || output.end == "/dev/stdout") return write_straight(output, STDOUT_FILENO, bytes);
-    const Descriptor device(open_again(output.end.c_str(), O_WRONLY | O_NOCTTY));
-    if (device.number() < 0) fail(output, errno);
+    const OpenFile device(open_again(output.end.c_str(), O_WRONLY | O_NOCTTY));
+    if (device.number() < 0) fail_writing(output, errno);
     write_straight(output, device.number(), bytes);
 }
 
 // So many descriptors are open at most; the others have a name that is theirs for now.
-constexpr std::size_t kMostOpen = 32;
+constexpr std::size_t kMostUnfinished = 32;
 
 }  // namespace
 
@@ -295,18 +295,18 @@ void NewFiles::add(const std::string& path, std::string_view bytes) {
     struct stat old {};
     const bool standard = path == "-" || path == "/dev/stdout";
     const bool exists = !standard && stat(path.c_str(), &old) == 0;
-    if (!standard && !exists && errno != ENOENT) fail({path, path}, errno);
-    if (exists && S_ISDIR(old.st_mode)) fail({path, path}, EISDIR);
+    if (!standard && !exists && errno != ENOENT) fail_writing({path, path}, errno);
+    if (exists && S_ISDIR(old.st_mode)) fail_writing({path, path}, EISDIR);
     if (standard) check_terminal(bytes);
     if (standard || (exists && !S_ISREG(old.st_mode))) {
         parts_->straight.push_back({{path == "-" ? "standard output" : path, path}, std::string(bytes)});
         return;
     }
     Output output{path, follow_links(path)};
-    if (output.end.back() == '/') fail(output, ENOENT);
-    if (exists && faccessat(AT_FDCWD, output.end.c_str(), W_OK, AT_EACCESS) != 0) fail(output, errno);
+    if (output.end.back() == '/') fail_writing(output, ENOENT);
+    if (exists && faccessat(AT_FDCWD, output.end.c_str(), W_OK, AT_EACCESS) != 0) fail_writing(output, errno);
     parts_->waiting.emplace_back(std::move(output), bytes, exists ? &old : nullptr, parts_->kept);
-    if (parts_->waiting.size() > kMostOpen) parts_->waiting.back().name_for_now();
+    if (parts_->waiting.size() > kMostUnfinished) parts_->waiting.back().name_for_now();
 }
 
 void NewFiles::take_names() {
@@ -321,7 +321,7 @@ void NewFiles::take_names() {
         std::set<std::string> folders;
         for (const Waiting& file : waiting)
             if (folders.insert(file.folder()).second)
-                if (const int reason = keep_folder(file.folder())) fail(file.output(), reason);
+                if (const int reason = keep_folder(file.folder())) fail_writing(file.output(), reason);
     } catch (const Error&) {
         while (next != waiting.rbegin()) (--next)->withdraw();
         throw;
@@ -335,7 +335,7 @@ int keep_open(int descriptor) {
 }
 
 int keep_folder(const std::string& folder) {
-    const Descriptor opened(open_again(folder.c_str(), O_RDONLY | O_DIRECTORY));
+    const OpenFile opened(open_again(folder.c_str(), O_RDONLY | O_DIRECTORY));
     return opened.number() < 0 ? 0 : keep_open(opened.number());  // one that we may write but not list is left to the system
 }
 
@@ -349,9 +349,9 @@ void check_folder_of(const std::string& path) {
     struct stat there {};
     if (stat(path.c_str(), &there) == 0) return;
     const std::string folder = folder_of(path);
-    if (stat(folder.c_str(), &there) != 0) fail({path, path}, errno);
-    if (!S_ISDIR(there.st_mode)) fail({path, path}, ENOTDIR);
-    if (access(folder.c_str(), W_OK | X_OK) != 0) fail({path, path}, errno);
+    if (stat(folder.c_str(), &there) != 0) fail_writing({path, path}, errno);
+    if (!S_ISDIR(there.st_mode)) fail_writing({path, path}, ENOTDIR);
+    if (access(folder.c_str(), W_OK | X_OK) != 0) fail_writing({path, path}, errno);
 }
 
 void write_file(const std::string& path, std::string_view bytes) { write_files({{path, bytes}}); }

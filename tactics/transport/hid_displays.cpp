@@ -32,11 +32,11 @@ std::string property_of(const fs::path& device, const std::string& name) {
     return "";
 }
 
-constexpr std::string_view kDigits = "0123456789abcdefABCDEF";
+constexpr std::string_view kHexDigits = "0123456789abcdefABCDEF";
 
 // Of eight digits those that number a vendor or a product; empty: it is none.
 std::string four_digits(std::string_view part) {
-    return part.size() == 8 && part.find_first_not_of(kDigits) == std::string_view::npos ? std::string(part.substr(4)) : "";
+    return part.size() == 8 && part.find_first_not_of(kHexDigits) == std::string_view::npos ? std::string(part.substr(4)) : "";
 }
 
 std::string in_small_letters(std::string text) {
@@ -50,7 +50,7 @@ std::string in_small_letters(std::string text) {
 std::string udev_match(std::string_view id) {
     if (id.size() != 22 || id[4] != ':' || id[13] != ':') return "";
     const std::string vendor = four_digits(id.substr(5, 8)), product = four_digits(id.substr(14));
-    if (vendor.empty() || product.empty() || id.substr(0, 4).find_first_not_of(kDigits) != std::string_view::npos) return "";
+    if (vendor.empty() || product.empty() || id.substr(0, 4).find_first_not_of(kHexDigits) != std::string_view::npos) return "";
     if (id.starts_with("0003:"))
         return "ATTRS{idVendor}==\"" + in_small_letters(vendor) + "\", ATTRS{idProduct}==\"" + in_small_letters(product) + "\"";
     return "KERNELS==\"" + std::string(id.substr(0, 5)) + vendor + ":" + product + ".*\"";

@@ -16,7 +16,7 @@ namespace tactics {
 
 namespace {
 
-std::string folder_of(std::string_view path) {
+std::string parent_of(std::string_view path) {
     const auto slash = path.rfind('/');
     return std::string(path.substr(0, slash == std::string_view::npos ? 0 : slash));
 }
@@ -41,11 +41,11 @@ std::string file_with(std::uintptr_t address) {
 std::string folder_of_program() {
     std::array<char, PATH_MAX> path{};
     const auto size = readlink("/proc/self/exe", path.data(), path.size());
-    return folder_of(std::string_view(path.data(), size > 0 ? static_cast<std::size_t>(size) : 0));
+    return parent_of(std::string_view(path.data(), size > 0 ? static_cast<std::size_t>(size) : 0));
 }
 
 std::string folder_of_library() {
-    static const std::string kFolder = folder_of(file_with(reinterpret_cast<std::uintptr_t>(&folder_of_library)));
+    static const std::string kFolder = parent_of(file_with(reinterpret_cast<std::uintptr_t>(&folder_of_library)));
     return kFolder;
 }
 

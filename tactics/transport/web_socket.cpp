@@ -17,7 +17,7 @@ namespace {
 
 namespace asio = boost::asio;
 namespace beast = boost::beast;
-using Stream = beast::websocket::stream<beast::tcp_stream>;
+using Stream = beast::websocket::stream<beast::tcp_stream, false>;  // what is not compressed needs no compressor compiled
 using std::chrono::milliseconds;
 using Fate = std::optional<beast::error_code>;  // result of the operation; nothing while it is in progress
 

@@ -12,7 +12,7 @@ namespace {
 constexpr double kMmPerM = 1000;  // and g per kg
 constexpr double kStep = 250e-6;  // s
 constexpr double kBraked = 0.6;   // of the deceleration, in planning where to begin it: the rest corrects
-constexpr double kStill = 20;     // mm/s: slower than this, and at the target, a way is over
+constexpr double kWayOver = 20;   // mm/s: slower than this, and at the target, a way is over
 constexpr double kClose = 4;      // ticks to the target at the end of the way
 
 double mm_per_s2(double force, double mass_g) { return force / mass_g * kMmPerM * kMmPerM; }
@@ -74,7 +74,7 @@ void Governor::follow(double target, double dt) noexcept {
     force_ = force_towards(target, dt);
     const int steps = static_cast<int>(std::clamp(std::ceil(dt / kStep), 1.0, 100.0));
     for (int i = 0; i < steps; ++i) move(state_, lever_, &finger_, force_, dt / steps);
-    if (std::abs(target - height()) < kStill * dt && std::abs(velocity()) < kStill) under_way_ = false;
+    if (std::abs(target - height()) < kWayOver * dt && std::abs(velocity()) < kWayOver) under_way_ = false;
 }
 
 }  // namespace tactics

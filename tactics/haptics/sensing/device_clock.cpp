@@ -15,7 +15,7 @@ constexpr double kSlowest = 0.5;
 constexpr double kAhead = 0.5;
 // s: so late for so long: it is no waiting queue (64 reports in the kernel), it has another clock.
 constexpr double kLate = 0.1, kPatience = 1;
-constexpr double kLeast = 1e-6;  // s
+constexpr double kLeastSpan = 1e-6;  // s
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void DeviceClock::begin(double arrival) noexcept {
     late_ = false;
     device_ = 0;
     offset_ = arrival;
-    last_ = std::max(arrival, last_ + kLeast);
+    last_ = std::max(arrival, last_ + kLeastSpan);
 }
 
 double DeviceClock::time(std::uint32_t microseconds, double arrival) noexcept {

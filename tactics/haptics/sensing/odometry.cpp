@@ -8,9 +8,9 @@ namespace tactics {
 
 namespace {
 
-constexpr double kFastest = 10'000;    // mm/s: no optical sensor follows a mouse that fast, and no hand moves it so
-constexpr double kLeastPassed = 1e-3;  // s: steps may come in bundles
-constexpr int kPatience = 4;           // stamps out of order in a row: then it is the clock that has changed
+constexpr double kFastestMouse = 10'000;  // mm/s: no optical sensor follows a mouse that fast, and no hand moves it so
+constexpr double kLeastPassed = 1e-3;     // s: steps may come in bundles
+constexpr int kMostDisordered = 4;        // stamps out of order in a row: then it is the clock that has changed
 
 // True: a stamp that is to be taken. `out_of_order` counts those that were not, -1 before the first.
 bool in_order(double stamp, double& time, int& out_of_order, bool& restarted) {
@@ -18,7 +18,7 @@ bool in_order(double stamp, double& time, int& out_of_order, bool& restarted) {
     if (!(std::abs(stamp) < 1e12)) return false;
     if (out_of_order >= 0 && stamp <= time) {
         // A repeat is no sign of another clock.
-        if (stamp == time || ++out_of_order < kPatience) return false;
+        if (stamp == time || ++out_of_order < kMostDisordered) return false;
         restarted = true;
     }
     time = stamp;
@@ -39,7 +39,7 @@ bool Odometry::takes(const OpticalStep& step, double& passed, bool& restarted) n
     restarted = false;
     if (!is_place(step.first) || !is_place(step.second) || !in_order(step.time, time_, out_of_order_, restarted)) return false;
     passed = first || restarted ? kLeastPassed : time_ - before;
-    const double most = kFastest * std::max(passed, kLeastPassed);
+    const double most = kFastestMouse * std::max(passed, kLeastPassed);
     return distance({}, step.first) < most && distance({}, step.second) < most;
 }
 

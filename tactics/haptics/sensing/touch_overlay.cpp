@@ -13,8 +13,8 @@ namespace {
 constexpr int kMostFrames = 256;                     // taken in one tick
 constexpr double kSmallest = 10, kLargest = 10'000;  // mm, of a field
 // The possible movement of a finger since it was seen: a contact farther away is another one, as long as the finger is not seen.
-constexpr double kNear = 20;      // mm
-constexpr double kFastest = 500;  // mm/s
+constexpr double kNear = 20;            // mm
+constexpr double kFastestFinger = 500;  // mm/s
 // The kernel reports only changes, and nothing for a resting finger: its position is repeated this long after the last report.
 constexpr double kStill = 0.1;  // s
 
@@ -83,7 +83,7 @@ private:
         });
         const Point at = place_of(*found);
         const bool same = seen_ && found->order == order_;
-        if (seen_ && !same && distance(at, last_) > kNear + kFastest * std::max(0.0, frame.time - time_)) return false;
+        if (seen_ && !same && distance(at, last_) > kNear + kFastestFinger * std::max(0.0, frame.time - time_)) return false;
         seen_ = true;
         order_ = found->order;
         last_ = at;

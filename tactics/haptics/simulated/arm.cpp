@@ -12,10 +12,10 @@ namespace tactics {
 
 namespace {
 
-constexpr double kStep = 50e-6;  // s, as the lever's
-constexpr double kMmPerM = 1000, kGPerKg = 1000;
+constexpr double kArmStep = 50e-6;  // s, as the lever's
+constexpr double kArmMmPerM = 1000, kArmGPerKg = 1000;
 
-constexpr FileParameter kParameters[] = {
+constexpr FileParameter kArmParameters[] = {
     {"arm.width", "mm", 20, 2000, "of its workspace, from left to right"},
     {"arm.height", "mm", 20, 2000, "upwards"},
     {"arm.depth", "mm", 20, 2000, "towards the person"},
@@ -41,7 +41,7 @@ constexpr double ArmSettings::*kOfArm[] = {&ArmSettings::width,          &ArmSet
 constexpr double FingerSettings::*kOfFinger[] = {&FingerSettings::mass_g, &FingerSettings::stiffness,
                                                  &FingerSettings::damping_ns_per_m, &FingerSettings::pad_stiffness,
                                                  &FingerSettings::pad_damping_ns_per_m};
-static_assert(std::size(kOfArm) + std::size(kOfFinger) == std::size(kParameters));
+static_assert(std::size(kOfArm) + std::size(kOfFinger) == std::size(kArmParameters));
 
 double& value_of(std::size_t index, ArmFile& file) {
     return index < std::size(kOfArm) ? file.arm.*kOfArm[index] : file.finger.*kOfFinger[index - std::size(kOfArm)];
@@ -61,14 +61,14 @@ ArmFile read_arm(std::string_view text, std::string_view origin) {
             file.finger = preset(kFingers, word, place, name).finger;
     };
     read_parameters(text, origin,
-                    {"an arm", kPresets, kParameters, take, [&](std::size_t i, double value) { value_of(i, file) = value; }});
+                    {"an arm", kPresets, kArmParameters, take, [&](std::size_t i, double value) { value_of(i, file) = value; }});
     return file;
 }
 
 std::string to_text(const ArmFile& file) {
     std::string text = file.lifted ? "finger = none\n" : "";
     ArmFile copy = file;
-    for (std::size_t i = 0; i < std::size(kParameters); ++i) text += parameter_line(kParameters[i], value_of(i, copy));
+    for (std::size_t i = 0; i < std::size(kArmParameters); ++i) text += parameter_line(kArmParameters[i], value_of(i, copy));
     return text;
 }
 
@@ -95,14 +95,14 @@ void SimulatedArm::push(const Point3& force) noexcept {
 Point3 SimulatedArm::on_finger() const noexcept {
     if (!finger_) return {};
     return finger_->pad_stiffness * (place_ - fingertip_) +
-           finger_->pad_damping_ns_per_m / kMmPerM * (velocity_ - finger_velocity_);
+           finger_->pad_damping_ns_per_m / kArmMmPerM * (velocity_ - finger_velocity_);
 }
 
 // Velocities first, places from the new velocities: keeps the energy of springs bounded.
 void SimulatedArm::step(const Point3& force, const Point3& hand, const Point3& hand_velocity, double dt) noexcept {
     const Point3 pad = on_finger();
-    const double gain = kMmPerM * dt / (arm_.mass_g / kGPerKg);
-    velocity_ = velocity_ + gain * (force - pad - arm_.damping_ns_per_m / kMmPerM * velocity_);
+    const double gain = kArmMmPerM * dt / (arm_.mass_g / kArmGPerKg);
+    velocity_ = velocity_ + gain * (force - pad - arm_.damping_ns_per_m / kArmMmPerM * velocity_);
     // Dry friction takes velocity away, and holds what it can stop.
     const double speed = length_of(velocity_), lost = arm_.friction * gain;
     velocity_ = speed > lost ? (1 - lost / speed) * velocity_ : Point3{};
@@ -117,8 +117,8 @@ void SimulatedArm::step(const Point3& force, const Point3& hand, const Point3& h
     stop(place_.z, velocity_.z, arm_.depth / 2);
     if (!finger_) return;
     const Point3 held =
-        finger_->stiffness * (hand - fingertip_) + finger_->damping_ns_per_m / kMmPerM * (hand_velocity - finger_velocity_);
-    finger_velocity_ = finger_velocity_ + kMmPerM * dt / (finger_->mass_g / kGPerKg) * (pad + held);
+        finger_->stiffness * (hand - fingertip_) + finger_->damping_ns_per_m / kArmMmPerM * (hand_velocity - finger_velocity_);
+    finger_velocity_ = finger_velocity_ + kArmMmPerM * dt / (finger_->mass_g / kArmGPerKg) * (pad + held);
     fingertip_ = fingertip_ + dt * finger_velocity_;
 }
 
@@ -129,7 +129,7 @@ void SimulatedArm::advance(double seconds, const Point3& hand) noexcept {
     const Point3 from = hand_, hand_velocity = 1 / seconds * (hand - from);
     while (end - time_ > kNow) {
         pushed_ = forces_.at(time_ + kNow);
-        const double whole = std::min(end, time_ + kStep),
+        const double whole = std::min(end, time_ + kArmStep),
                      until = std::min(whole, std::max(forces_.next(whole), time_ + 2 * kNow));
         step(pushed_, from + (time_ - begin) * hand_velocity, hand_velocity, until - time_);
         time_ = until;

@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kFrames = kToneRate / kTonesPerSecond;
+constexpr std::size_t kFramesOfTone = kToneRate / kTonesPerSecond;
 constexpr double kPeriod = 1.0 / kTonesPerSecond;
 
 }  // namespace
@@ -68,9 +68,9 @@ void WavFile::write_head(std::uint32_t bytes) {
 
 void WavFile::finish(const std::vector<Tone>& tones) {
     constexpr std::size_t kFade = 2;  // tones of silence
-    write_head(static_cast<std::uint32_t>((tones.size() + kFade) * kFrames * 4));
+    write_head(static_cast<std::uint32_t>((tones.size() + kFade) * kFramesOfTone * 4));
     ToneSynthesiser synthesiser;
-    std::array<std::int16_t, 2 * kFrames> samples{};
+    std::array<std::int16_t, 2 * kFramesOfTone> samples{};
     std::string bytes;
     for (std::size_t i = 0; i < tones.size() + kFade; ++i) {
         synthesiser.render(i < tones.size() ? tones[i] : Tone{}, samples);

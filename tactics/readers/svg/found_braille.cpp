@@ -21,7 +21,7 @@ constexpr double kLeastCells = 2.12, kMostCells = 2.95;
 // One text: no blank wider than a cell (a jumbo one) between words, nothing further below than the next line.
 constexpr double kWords = 21, kLines = 5.5;
 constexpr std::size_t kMostPairs = 50'000'000;
-constexpr double kOff = 0.2;  // mm that a dot may be off its place
+constexpr double kOffPlace = 0.2;  // mm that a dot may be off its place
 
 struct Row {
     double y;
@@ -40,9 +40,9 @@ public:
         ++counts_[static_cast<std::size_t>(bin)];
         sums_[static_cast<std::size_t>(bin)] += step;
     }
-    // The shortest of those that are common: at least `share` of the commonest. What is within kOff is one.
+    // The shortest of those that are common: at least `share` of the commonest. What is within kOffPlace is one.
     std::optional<double> common(double share) const {
-        constexpr auto kWindow = static_cast<std::size_t>(kOff * 100) + 1;
+        constexpr auto kWindow = static_cast<std::size_t>(kOffPlace * 100) + 1;
         std::vector<std::size_t> within(counts_.size());  // from each on
         std::size_t sum = 0, most = 0;
         for (std::size_t i = counts_.size(); i-- > 0;) {
@@ -78,8 +78,8 @@ public:
     std::optional<double> dot_pitch() const {
         Steps steps(kLeastPitch, kMostPitch);
         const bool all = pairs([&](std::size_t, std::size_t, double right, double down) {
-            if (down <= kOff) steps.add(right);
-            if (right <= kOff) steps.add(down);
+            if (down <= kOffPlace) steps.add(right);
+            if (right <= kOffPlace) steps.add(down);
         });
         return all ? steps.common(0.25) : std::nullopt;
     }
@@ -114,7 +114,7 @@ public:
 
 private:
     // Two texts beside each other are out of step, but for a chance of a hundredth; what is drawn in whole tenths is in step.
-    static constexpr double kInStep = kOff / 2;
+    static constexpr double kInStep = kOffPlace / 2;
 
     static std::vector<Box> boxes_of(const std::vector<Disc>& discs) {
         std::vector<Box> boxes;
@@ -148,7 +148,7 @@ std::vector<Row> rows_of(std::vector<Disc> discs) {
     std::sort(discs.begin(), discs.end(), [](const Disc& a, const Disc& b) { return a.middle.y < b.middle.y; });
     std::vector<Row> rows;
     for (const Disc& disc : discs) {
-        if (rows.empty() || disc.middle.y - rows.back().y > kOff) rows.push_back({disc.middle.y, {}});
+        if (rows.empty() || disc.middle.y - rows.back().y > kOffPlace) rows.push_back({disc.middle.y, {}});
         rows.back().discs.push_back(disc);
     }
     for (Row& row : rows)
@@ -156,13 +156,13 @@ std::vector<Row> rows_of(std::vector<Disc> discs) {
     return rows;
 }
 
-// The middle one of those within kOff of each other that are most, or nothing.
+// The middle one of those within kOffPlace of each other that are most, or nothing.
 std::optional<double> commonest(std::vector<double> values) {
     if (values.empty()) return std::nullopt;
     std::sort(values.begin(), values.end());
     std::size_t best = 0, best_begin = 0, begin = 0;
     for (std::size_t end = 0; end < values.size(); ++end) {
-        while (values[end] - values[begin] > kOff) ++begin;
+        while (values[end] - values[begin] > kOffPlace) ++begin;
         if (end - begin + 1 > best) {
             best = end - begin + 1;
             best_begin = begin;
@@ -179,7 +179,7 @@ std::vector<double> places_of(const std::vector<const Row*>& rows) {
     std::sort(places.begin(), places.end());
     std::vector<double> apart;
     for (const double x : places)
-        if (apart.empty() || x - apart.back() > kOff) apart.push_back(x);
+        if (apart.empty() || x - apart.back() > kOffPlace) apart.push_back(x);
     return apart;
 }
 
@@ -190,7 +190,7 @@ double settled(double rough, const std::vector<std::vector<const Row*>>& lines) 
         const auto places = places_of(rows);
         for (const double place : places) {
             const double across = place - places[0], cells = std::round(across / rough);
-            if (cells < 1 || std::abs(across - cells * rough) > kOff) continue;
+            if (cells < 1 || std::abs(across - cells * rough) > kOffPlace) continue;
             products += across * cells;
             squares += cells * cells;
         }
@@ -202,7 +202,7 @@ double settled(double rough, const std::vector<std::vector<const Row*>>& lines) 
 std::optional<BrailleLine> set_text(const std::vector<std::pair<Point, int>>& dots, double top, double pitch, double cell) {
     if (dots.size() < 2) return std::nullopt;
     for (const auto& [at, row] : dots)
-        if (std::abs(at.y - top - row * pitch) > kOff) return std::nullopt;
+        if (std::abs(at.y - top - row * pitch) > kOffPlace) return std::nullopt;
     double left = dots.front().first.x;
     for (const auto& [at, row] : dots) left = std::min(left, at.x);
     for (const double start : {left, left - pitch}) {  // the first column may hold no dot
@@ -211,8 +211,8 @@ std::optional<BrailleLine> set_text(const std::vector<std::pair<Point, int>>& do
         double right = 0, low = 0;  // what all dots together are off
         for (const auto& [at, row] : dots) {
             const double across = at.x - start;
-            const double number = std::floor((across + kOff) / cell), within = across - number * cell;
-            const bool first = std::abs(within) <= kOff, second = std::abs(within - pitch) <= kOff;
+            const double number = std::floor((across + kOffPlace) / cell), within = across - number * cell;
+            const bool first = std::abs(within) <= kOffPlace, second = std::abs(within - pitch) <= kOffPlace;
             if (!first && !second) {
                 fits = false;
                 break;
@@ -235,7 +235,7 @@ std::optional<BrailleLine> set_text(const std::vector<std::pair<Point, int>>& do
 std::vector<Disc> take_other_sizes(std::vector<Disc>& discs, double size) {
     std::vector<Disc> others;
     std::erase_if(discs, [&](const Disc& disc) {
-        if (std::abs(disc.diameter - size) <= kOff) return false;
+        if (std::abs(disc.diameter - size) <= kOffPlace) return false;
         others.push_back(disc);
         return true;
     });
@@ -248,7 +248,7 @@ std::vector<std::vector<const Row*>> lines_of(const std::vector<std::vector<Row>
     for (const auto& rows : texts) {
         bool begun = false;
         for (const Row& row : rows) {
-            if (!begun || row.y - lines.back().front()->y > 2 * pitch + kOff) lines.emplace_back();
+            if (!begun || row.y - lines.back().front()->y > 2 * pitch + kOffPlace) lines.emplace_back();
             begun = true;
             lines.back().push_back(&row);
         }
@@ -311,7 +311,7 @@ std::vector<Disc> take_braille(std::vector<Disc> discs, Page& page) {
     for (const auto& line : lines)
         for (const auto& text : texts_in(line, *pitch, cell)) {
             // With no two cells in a row on the whole page, more than one is a pattern of dots and no text.
-            const bool pattern = !cell_pitch && text.back().first.x - text.front().first.x > *pitch + kOff;
+            const bool pattern = !cell_pitch && text.back().first.x - text.front().first.x > *pitch + kOffPlace;
             const auto set = pattern ? std::nullopt : set_text(text, line.front()->y, *pitch, cell);
             if (set)
                 page.braille.push_back(*set);

@@ -12,8 +12,6 @@ namespace tactics {
 
 namespace {
 
-constexpr double kSame = 0.02;  // mm, as in own_page.cpp
-
 // "1234 567 -8 9": steps of a hundredth of a millimetre, each point from the one before it.
 std::vector<Point> points_told(std::string_view text) {
     constexpr long kMost = 100'000'000;
@@ -78,9 +76,9 @@ std::optional<std::vector<Point>> course_told(const FoundMark& mark, const PageS
     // Some programs move a line by its points.
     const Point first = was[0].points.front(), now = drawn.points.front();
     Point moved{now.x - first.x, now.y - first.y};
-    if (std::hypot(moved.x, moved.y) < kSame) moved = {};
+    if (std::hypot(moved.x, moved.y) < kUnmoved) moved = {};
     for (Point& p : was[0].points) p = {p.x + moved.x, p.y + moved.y};
-    if (!run_alike(was[0].points, drawn.points, kSame)) return std::nullopt;
+    if (!run_alike(was[0].points, drawn.points, kUnmoved)) return std::nullopt;
     std::vector<Point> points = points_told(told);
     if (points.size() < 2 || (drawn.closed && points.size() < 3)) return std::nullopt;
     for (Point& p : points) {

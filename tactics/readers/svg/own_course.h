@@ -11,6 +11,9 @@
 
 namespace tactics {
 
+/// mm; nearer than this a thing has not been moved: programs write eight digits, and add what a group is moved by.
+inline constexpr double kUnmoved = 0.02;
+
 /// The points that it stood for, where they are now, in mm; nothing: it is drawn from point to point, or its curves were changed.
 /// `drawn` is what the element draws.
 std::optional<std::vector<Point>> course_told(const FoundMark& mark, const PageStroke& drawn);

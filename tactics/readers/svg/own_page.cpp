@@ -20,8 +20,6 @@ namespace tactics {
 
 namespace {
 
-// Programs write eight digits, and add what a group is moved by: nearer than this a thing has not been moved.
-constexpr double kSame = 0.02;  // mm
 // A table of the user's own is a file of this machine, which a stranger's page may not choose.
 bool is_file(const std::string& table) { return table.find('/') != std::string::npos; }
 
@@ -93,12 +91,12 @@ private:
         const SvgSize size = size_of_svg(root_, file_, std::nullopt);
         to_mm_ = size.to_mm;
         const auto take = [](double& side, double now) {
-            if (std::abs(side - now) > kSame) side = now;
+            if (std::abs(side - now) > kUnmoved) side = now;
         };
         take(page_.width, size.width);
         take(page_.height, size.height);
         // What is told of the drawing's place is of the page as it was.
-        if (distance(to_mm_(Point{}), Point{}) > kSame) page_.drawing = {};
+        if (distance(to_mm_(Point{}), Point{}) > kUnmoved) page_.drawing = {};
     }
 
     void take(const FoundMark& mark) {
@@ -143,8 +141,8 @@ private:
         if (words && *words < page_.words.size()) line.words = static_cast<int>(*words);
         if (const auto at = point_told(*mark.element, marks::kAt)) {
             const Point now = mark.transform(*at);
-            if (distance(now, line.first_dot) < 2 * kSame) line.first_dot = distance(now, *at) < kSame ? *at : now;
-            if (distance(line.first_dot, *at) >= kSame && line.words >= 0)
+            if (distance(now, line.first_dot) < 2 * kUnmoved) line.first_dot = distance(now, *at) < kUnmoved ? *at : now;
+            if (distance(line.first_dot, *at) >= kUnmoved && line.words >= 0)
                 moved_.emplace(line.words, Point{line.first_dot.x - at->x, line.first_dot.y - at->y});
         }
         braille_.add(number_told(*mark.element, marks::kNumber), std::move(line));
@@ -156,8 +154,8 @@ private:
         if (!told) return;
         const Rect was{(*told)[0], (*told)[1], (*told)[2], (*told)[3]};
         const Rect& now = page_.picture->place;
-        const bool same = std::abs(was.left - now.left) < kSame && std::abs(was.top - now.top) < kSame &&
-                          std::abs(was.width - now.width) < kSame && std::abs(was.height - now.height) < kSame;
+        const bool same = std::abs(was.left - now.left) < kUnmoved && std::abs(was.top - now.top) < kUnmoved &&
+                          std::abs(was.width - now.width) < kUnmoved && std::abs(was.height - now.height) < kUnmoved;
         if (same) page_.picture->place = was;
     }
 
@@ -196,8 +194,8 @@ private:
             const bool known = words && *words < page_.words.size();
             const Point was{(*told)[0], (*told)[1]}, place = text.transform(was);
             // Its place is exact where it is moved by a group around it or by its own transform.
-            const Point at = distance(place, text.at) < kSame ? place : text.at, moved{at.x - was.x, at.y - was.y};
-            const bool stands = std::hypot(moved.x, moved.y) < kSame;
+            const Point at = distance(place, text.at) < kUnmoved ? place : text.at, moved{at.x - was.x, at.y - was.y};
+            const bool stands = std::hypot(moved.x, moved.y) < kUnmoved;
             const bool typed = text.text != element.attribute(marks::kText);
             if (typed && known)
                 retyped_[static_cast<int>(*words)] =

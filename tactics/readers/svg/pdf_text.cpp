@@ -18,19 +18,15 @@ namespace {
 
 // In em. What a letter takes on average; a gap over which a line does not go on, as between the numbers of an axis; and one that
 // is no space.
-constexpr double kLetterWidth = 0.55, kPiece = 0.9, kWide = 3, kSpace = 0.12;
+constexpr double kPdfLetterWidth = 0.55, kPiece = 0.9, kWide = 3, kSpace = 0.12;
 // Shares of the size of a line: an exponent or an index is smaller, and off its base line.
-constexpr double kSmall = 0.85, kOff = 0.1;
+constexpr double kSmall = 0.85, kOffLine = 0.1;
 
 double number(std::string_view text) { return parse_number(text).value_or(0); }
 
 Rect box_of(const Element& element) {
     const double left = number(element.attribute("xMin")), top = number(element.attribute("yMin"));
     return {left, top, number(element.attribute("xMax")) - left, number(element.attribute("yMax")) - top};
-}
-
-std::size_t letters_in(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 // Words one above the other run up or down; a single word does so if it is much higher than wide.
@@ -66,7 +62,8 @@ double size_of(const PdfLine& line, const std::vector<PdfWord>& words) {
         high = std::max(high, at.high);
         letters += letters_in(word.text);
     }
-    return std::clamp(width / (kLetterWidth * static_cast<double>(std::max<std::size_t>(1, letters))), 0.45 * high, 0.9 * high);
+    return std::clamp(width / (kPdfLetterWidth * static_cast<double>(std::max<std::size_t>(1, letters))), 0.45 * high,
+                      0.9 * high);
 }
 
 // Letters of fonts that do not tell what they are may be any bytes, which XML has no place for.
@@ -156,7 +153,7 @@ std::string said(const Run& run, double size, double high, double base, CairoGly
         const bool minus =
             across && begins_with_digit(word) && glyphs.take_minus(seen.word->box, size_of(line, {*seen.word}), stands);
         if (minus) word = std::string(kMinus) + word;
-        const bool off = std::abs(rise) > kOff * size && i > 0;
+        const bool off = std::abs(rise) > kOffLine * size && i > 0;
         if (i > 0 && !off && here.from - along(line, *run.words[i - 1].word).to > kSpace * size) words += ' ';
         words += in_xml(off ? off_line(word, rise > 0) : word);
     }

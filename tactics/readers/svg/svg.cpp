@@ -38,10 +38,10 @@ constexpr std::size_t kMostPoints = 3'000'000;
 constexpr std::size_t kMostDashes = 10'000;  // of a line
 constexpr int kMostUses = 16;                // of a thing that uses a thing that uses ...
 
-class Reader {
+class SvgReader {
 public:
-    Reader(const std::string& file, FoundPage& found, SvgPurpose purpose, SvgLook look = SvgLook::plain,
-           std::vector<FoundMark>* marks = nullptr)
+    SvgReader(const std::string& file, FoundPage& found, SvgPurpose purpose, SvgLook look = SvgLook::plain,
+              std::vector<FoundMark>* marks = nullptr)
         : file_(file), found_(found), look_(look), figure_(purpose != SvgPurpose::page), marks_(marks), ground_(look) {}
 
     void run(const Element& root, double margin, const std::optional<Paper>& paper) {
@@ -382,7 +382,7 @@ private:
 
 FoundPage read_marked_svg(const Element& root, const std::string& file, std::vector<FoundMark>& marks) {
     FoundPage found;
-    Reader(file, found, SvgPurpose::page, SvgLook::plain, &marks).run(root, 0, std::nullopt);
+    SvgReader(file, found, SvgPurpose::page, SvgLook::plain, &marks).run(root, 0, std::nullopt);
     return found;
 }
 
@@ -390,12 +390,12 @@ FoundPage read_svg(std::string_view bytes, const std::string& file, double margi
                    SvgPurpose purpose, const LetterReader& read_letters) {
     const Element root = parse_xml(bytes, file);
     FoundPage found;
-    Reader(file, found, purpose).run(root, margin, paper);
+    SvgReader(file, found, purpose).run(root, margin, paper);
     // Who shows nothing so far may be all gleam, or drawn in white for a dark ground.
     for (const SvgLook look : {SvgLook::gleams, SvgLook::on_dark}) {
         if (purpose == SvgPurpose::page || !is_blank(found.page) || !found.words.empty() || !found.pictures.empty()) break;
         FoundPage again;
-        Reader(file, again, purpose, look).run(root, margin, paper);
+        SvgReader(file, again, purpose, look).run(root, margin, paper);
         if (is_blank(again.page)) continue;
         found = std::move(again);
         if (look == SvgLook::on_dark)

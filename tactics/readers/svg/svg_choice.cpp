@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kCapital = 0.72, kLetterWidth = 0.55;  // em, as of texts
+constexpr double kEmCapital = 0.72, kEmLetter = 0.55;  // em, as of texts
 
 bool begins_line(std::string_view name) { return name == "div" || name == "p" || name == "br" || name == "li" || name == "tr"; }
 
@@ -74,8 +74,8 @@ FoundWords words_of_html(const Element& foreign, const Transform& transform, con
     }
     const double size = font_size_in(foreign).value_or(style.font_size) * transform.scale();
     words.middle = transform(middle);
-    words.height = kCapital * size;
-    words.width = static_cast<double>(words.text.size()) * kLetterWidth * size;
+    words.height = kEmCapital * size;
+    words.width = static_cast<double>(words.text.size()) * kEmLetter * size;
     return words;
 }
 
@@ -95,7 +95,7 @@ FoundWords words_of_flow(const Element& flow, const Transform& transform, const 
     }
     words.text = to_line(words.text);
     words.middle = region.points > 0 ? region.box.middle() : transform({0, 0});
-    words.height = kCapital * style.font_size * transform.scale();
+    words.height = kEmCapital * style.font_size * transform.scale();
     words.width = region.box.width;
     return words;
 }

@@ -9,9 +9,9 @@ namespace tactics {
 
 namespace {
 
-constexpr double kAllOfIt = 0.97;    // of width and height: some leave a margin
-constexpr double kSame = 0.02;       // lightness
-constexpr std::size_t kCorners = 5;  // a rectangle, closed twice; what has more is an outline of something
+constexpr double kAllOfIt = 0.97;        // of width and height: some leave a margin
+constexpr double kSameLightness = 0.02;  // lightness
+constexpr std::size_t kCorners = 5;      // a rectangle, closed twice; what has more is an outline of something
 
 bool covers(const std::vector<Subpath>& surface, const Page& page) {
     if (surface.size() != 1 || surface[0].points.size() > kCorners) return false;
@@ -28,11 +28,11 @@ bool covers(const std::vector<Subpath>& surface, const Page& page) {
 bool Ground::takes(const std::vector<Subpath>& surface, Paint& fill, Paint& stroke, const Page& page) {
     if (!only_ && !fill.none && fill.opacity >= 0.5 && page.strokes.empty() && page.areas.empty() && covers(surface, page)) {
         lightness_ = fill.lightness;
-        const bool framed = !stroke.none && stroke.opacity >= 0.5 && std::abs(stroke.lightness - *lightness_) >= kSame;
+        const bool framed = !stroke.none && stroke.opacity >= 0.5 && std::abs(stroke.lightness - *lightness_) >= kSameLightness;
         if (!framed) return true;
     }
     // A surface in the ground's own colour is not seen on it.
-    if (lightness_ && std::abs(fill.lightness - *lightness_) < kSame) fill.none = true;
+    if (lightness_ && std::abs(fill.lightness - *lightness_) < kSameLightness) fill.none = true;
     for (Paint* paint : {&fill, &stroke}) paint->lightness = on_white(paint->lightness);
     return false;
 }

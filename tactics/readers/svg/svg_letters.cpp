@@ -8,12 +8,11 @@
 #include "tactics/readers/svg/cairo_glyphs.h"
 #include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/svg_path.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // "0-12" after its beginning; with `dash` between the numbers.
 bool is_two_numbers(std::string_view text, char dash) {
@@ -23,7 +22,7 @@ bool is_two_numbers(std::string_view text, char dash) {
 }
 
 // Settings, in heights of the tallest letter of the font: what parts letters of one line.
-constexpr double kOffLine = 0.08, kNextWord = 1.2, kNextLetter = 0.3, kBack = 1.5;
+constexpr double kOffBaseline = 0.08, kNextWord = 1.2, kNextLetter = 0.3, kBack = 1.5;
 
 constexpr double kStraight = 0.01;  // of a line's length
 
@@ -121,7 +120,7 @@ public:
     bool on_line(const Placed& a, const Placed& b) const {
         const double turned = a.way.x * b.way.x + a.way.y * b.way.y;
         const double down = (b.at.y - a.at.y) * a.way.x - (b.at.x - a.at.x) * a.way.y;
-        return turned > 0.999 && std::abs(down) < kOffLine * tall(a) && std::abs(a.scale / b.scale - 1) < 0.02;
+        return turned > 0.999 && std::abs(down) < kOffBaseline * tall(a) && std::abs(a.scale / b.scale - 1) < 0.02;
     }
 
 private:

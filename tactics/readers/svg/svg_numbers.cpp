@@ -3,13 +3,12 @@
 
 #include <array>
 
+#include "tactics/text/utf8.h"
 #include "tactics/units.h"
 
 namespace tactics {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 void take_separator(std::string_view& text) {
     bool comma = false;

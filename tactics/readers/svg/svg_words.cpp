@@ -48,10 +48,6 @@ std::optional<double> last_of(const Element& element, std::string_view name, dou
     return count > 1 ? last : std::nullopt;
 }
 
-double letters_in(std::string_view text) {
-    return static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 // A line of a text as it grows, in the text's own units.
 struct Line {
     Point start;
@@ -134,7 +130,7 @@ private:
         const std::string digits = power ? raised(without_svg_blanks(text)) : "";
         if (!digits.empty()) line.text = without_svg_blanks(line.text);  // line ends between elements
         line.text += digits.empty() ? std::string(text) : digits;
-        const double width = letters_in(without_svg_blanks(text)) * kLetterWidth * em;
+        const double width = static_cast<double>(letters_in(without_svg_blanks(text))) * kLetterWidth * em;
         line.width += width;
         pen_.x += width;
     }
@@ -153,7 +149,8 @@ private:
         double length = 0;
         for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
         if (!(length > 0)) return;
-        const double width = letters_in(without_svg_blanks(all_text(element))) * kLetterWidth * style.font_size;
+        const double width =
+            static_cast<double>(letters_in(without_svg_blanks(all_text(element)))) * kLetterWidth * style.font_size;
         const double share = style.anchor == "middle" ? 0 : style.anchor == "end" ? -0.5 : 0.5;
         const double at = parse_svg_length(element.attribute("startOffset"), length).value_or(0) + share * width;
         double left = std::clamp(at, 0.0, length);

@@ -12,8 +12,6 @@ namespace {
 
 using Places = std::vector<std::uint32_t>;
 
-std::uint32_t place(std::size_t at) { return static_cast<std::uint32_t>(at); }
-
 Point3 on_circle(std::size_t i, double radius, double y) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(kRoundSides);
     // Counter-clockwise for who looks from above, against y: from x towards -z.
@@ -55,7 +53,7 @@ void WorldShape::add_face(std::span<const std::uint32_t> places) {
         ++bad_faces;
         return;
     }
-    faces.push_back({place(first), place(count)});
+    faces.push_back({index32(first), index32(count)});
 }
 
 void WorldShape::turn_inside_out() {
@@ -96,17 +94,17 @@ WorldShape make_sphere(double radius) {
         for (std::size_t i = 0; i < kRoundSides; ++i)
             shape.vertices.push_back(on_circle(i, radius * std::cos(up), radius * std::sin(up)));
     }
-    const std::uint32_t south = place(shape.vertices.size()), north = south + 1;
+    const std::uint32_t south = index32(shape.vertices.size()), north = south + 1;
     shape.vertices.push_back({0, -radius, 0});
     shape.vertices.push_back({0, radius, 0});
     for (std::uint32_t i = 0; i < kRoundSides; ++i) {
         const std::uint32_t next = (i + 1) % kRoundSides;
         shape.add_face({south, next, i});
         for (std::uint32_t ring = 0; ring + 2 < kRings; ++ring) {
-            const std::uint32_t low = place(ring * kRoundSides), high = place((ring + 1) * kRoundSides);
+            const std::uint32_t low = index32(ring * kRoundSides), high = index32((ring + 1) * kRoundSides);
             shape.add_face({low + i, low + next, high + next, high + i});
         }
-        const std::uint32_t last = place((kRings - 2) * kRoundSides);
+        const std::uint32_t last = index32((kRings - 2) * kRoundSides);
         shape.add_face({last + i, last + next, north});
     }
     shape.primitive = Primitive::sphere;
@@ -120,9 +118,9 @@ WorldShape make_cylinder(double radius, double height, RoundParts parts) {
         for (std::size_t i = 0; i < kRoundSides; ++i) shape.vertices.push_back(on_circle(i, radius, y));
     for (std::uint32_t i = 0; parts.side && i < kRoundSides; ++i) {
         const std::uint32_t next = (i + 1) % kRoundSides;
-        shape.add_face({i, next, place(kRoundSides) + next, place(kRoundSides) + i});
+        shape.add_face({i, next, index32(kRoundSides) + next, index32(kRoundSides) + i});
     }
-    if (parts.top) add_disc(shape, place(kRoundSides), true);
+    if (parts.top) add_disc(shape, index32(kRoundSides), true);
     if (parts.bottom) add_disc(shape, 0, false);
     shape.primitive = Primitive::cylinder;
     shape.frame = {{}, {radius, 0, 0}, {0, 0, -radius}, {0, height / 2, 0}};
@@ -135,7 +133,7 @@ WorldShape make_cone(double radius, double height, RoundParts parts) {
     for (std::size_t i = 0; i < kRoundSides; ++i) shape.vertices.push_back(on_circle(i, radius, -height / 2));
     shape.vertices.push_back({0, height / 2, 0});
     for (std::uint32_t i = 0; parts.side && i < kRoundSides; ++i)
-        shape.add_face({i, static_cast<std::uint32_t>((i + 1) % kRoundSides), place(kRoundSides)});
+        shape.add_face({i, static_cast<std::uint32_t>((i + 1) % kRoundSides), index32(kRoundSides)});
     if (parts.bottom) add_disc(shape, 0, false);
     shape.primitive = Primitive::cone;
     shape.frame = {{}, {radius, 0, 0}, {0, 0, -radius}, {0, height / 2, 0}};
@@ -196,11 +194,11 @@ WorldShape make_faces(std::span<const double> points, std::span<const double> in
         } else {
             const auto at = static_cast<std::size_t>(index);
             if (few) {
-                const auto [found, fresh] = kept.try_emplace(at, place(shape.vertices.size()));
+                const auto [found, fresh] = kept.try_emplace(at, index32(shape.vertices.size()));
                 if (fresh) shape.vertices.push_back(point(at));
                 face.push_back(found->second);
             } else {
-                face.push_back(place(at));
+                face.push_back(index32(at));
             }
         }
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -15,6 +16,9 @@ namespace tactics {
 /// Round things become this many flat sides: their outline is nowhere off by over 0.5 % of the radius (1 - cos(pi / 32)), and
 /// their box is exact.
 inline constexpr std::size_t kRoundSides = 32;
+
+/// Places in a shape's lists, which models keep in 32 bits.
+constexpr std::uint32_t index32(std::size_t at) { return static_cast<std::uint32_t>(at); }
 
 struct WorldShape {
     std::vector<Point3> vertices;

@@ -12,8 +12,6 @@ namespace tactics {
 
 namespace {
 
-std::uint32_t place(std::size_t at) { return static_cast<std::uint32_t>(at); }
-
 Point3 point_of(std::span<const double> numbers, std::size_t i) {
     return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
 }
@@ -90,7 +88,7 @@ WorldShape make_elevation(const ElevationFields& fields) {
                                       static_cast<double>(j) * fields.along_step});
     for (std::size_t j = 0; j + 1 < fields.along; ++j)
         for (std::size_t i = 0; i + 1 < fields.across; ++i) {
-            const std::uint32_t at = place(i + j * fields.across), below = at + place(fields.across);
+            const std::uint32_t at = index32(i + j * fields.across), below = at + index32(fields.across);
             shape.add_face({at, below, below + 1, at + 1});
         }
     return shape;
@@ -117,7 +115,7 @@ WorldShape make_extrusion(const ExtrusionFields& fields) {
         if (const auto scale = of_list(fields.scales, 2, i); !scale.empty()) here = here * scaled({scale[0], 1, scale[1]});
         for (std::size_t j = 0; j < sides; ++j) shape.vertices.push_back(here(section(j)));
     }
-    const auto at = [&](std::size_t i, std::size_t j) { return place((i % stations) * sides + j % sides); };
+    const auto at = [&](std::size_t i, std::size_t j) { return index32((i % stations) * sides + j % sides); };
     for (std::size_t i = 0; i + 1 < stations; ++i)
         for (std::size_t j = 0; j + (ring ? 0 : 1) < sides; ++j)
             shape.add_face({at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)});
