@@ -12,6 +12,8 @@ namespace {
 constexpr double kParallel = 0.05;        // sine: 3 degrees
 constexpr double kAcross = 0.1;           // cosine up to which a move does not leave the line that an end must stay on
 constexpr double kLong = 3;               // times as long as wide: a strip; what is shorter is a shape of its own
+constexpr double kSame = 1 - 1e-9;        // of a cosine
+constexpr double kFarthest = 1.5;         // times the least distance that an end may move in all
 constexpr std::size_t kMostSides = 3000;  // every pair is looked at; a page with more is for no finger
 
 Point to(Point a, Point b) { return {b.x - a.x, b.y - a.y}; }
@@ -49,7 +51,9 @@ std::optional<double> beside(const DrawnSide& line, const DrawnSide& other, doub
 class Uniting {
 public:
     Uniting(std::vector<DrawnSide>& sides, double touching, double apart)
-        : sides_(sides), touching_(touching), apart_(apart), tied_(2 * sides.size()) {}
+        : sides_(sides), touching_(touching), apart_(apart), tied_(2 * sides.size()) {
+        for (const DrawnSide& side : sides) before_.insert(before_.end(), {side.from, side.to});
+    }
 
     std::size_t unite() {
         std::size_t moved = 0;
@@ -115,10 +119,12 @@ private:
         const std::vector<std::size_t> ends = ends_on(moved);
         for (const std::size_t number : ends) {
             const double by = -cross(along, to(line.from, end(number)));
-            if (std::abs(by) > 1.5 * apart_) return false;
             if (std::abs(by) <= 2 * touching_) continue;
+            const Point then{end(number).x + by * across.x, end(number).y + by * across.y};
+            if (distance(then, before_[number]) > kFarthest * apart_) return false;
+            // All that is tied in just this direction is on the line, and goes along.
             for (const Point& tie : tied_[number])
-                if (std::abs(dot(tie, across)) > kAcross) return false;
+                if (const double same = std::abs(dot(tie, across)); same > kAcross && same < kSame) return false;
         }
         for (const std::size_t number : ends) {
             Point& at = end(number);
@@ -132,6 +138,7 @@ private:
 
     std::vector<DrawnSide>& sides_;
     double touching_, apart_;
+    std::vector<Point> before_;             // each end
     std::vector<std::vector<Point>> tied_;  // of each end, the normals of the lines that it must stay on
 };
 
