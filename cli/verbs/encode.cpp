@@ -32,8 +32,8 @@ constexpr double kMostShare = 0.5;
 constexpr Flag kFlags[] = {
     {"--output", "-o", "OUT.felt", "where to write", false, "files"},
     {"--deadband", "", "SHARE",
-     "of a recording: store a force only where the prediction would miss it by more than this share (10%, at most 50%), or by "
-     "0.01 N; by default every force is kept exactly",
+     "of a recording: store a force only where the prediction misses it by more than this share (10%, at most 50%) and by more "
+     "than 0.01 N; by default every force is kept exactly",
      false, "5% 10% 15% 20%"},
     {"--predict", "", "hold|linear",
      "with --deadband, how forces in between are predicted: hold repeats the last one, linear continues a straight line; "

@@ -67,8 +67,8 @@ constexpr Option kOptions[] = {
      .fallback = 0,
      .min = 0,
      .max = 1,
-     .summary = "letters, as the American Printing House's BrailleBlaster sends them; or control bytes, as dotify does, for a "
-                "machine that embosses the letters of the commands or assumes another sheet length",
+     .summary = "letters, as the American Printing House's BrailleBlaster sends them; or control bytes, as dotify sends them: "
+                "for a machine that embosses the letters of commands or assumes another sheet length",
      .choices = "letters control"},
     kSides,
 };

@@ -65,7 +65,7 @@ constexpr ProtocolFact kFacts[] = {
     {"dots stand on a grid of 0.05 mm", "Index's Interface Protocol, at second hand", Confidence::uncertain},
     kFourDotSetUpFact,
     {"a form feed after an area ends its page", "this project, by analogy with text", Confidence::uncertain},
-    {"one side only: no source says from which edge coordinates on a back count", "this project", Confidence::uncertain},
+    {"one side only: no source says from which edge coordinates on the back are measured", "this project", Confidence::uncertain},
     kJobEndFact,
     kPacketFact,
     kIndexTextFact,

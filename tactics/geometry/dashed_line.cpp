@@ -2,6 +2,7 @@
 #include "tactics/geometry/dashed_line.h"
 
 #include <cmath>
+#include <iterator>
 
 #include "tactics/geometry/shape.h"
 
@@ -14,15 +15,26 @@ double cosine(Point a, Point b) {
     return lengths > 0 ? (a.x * b.x + a.y * b.y) / lengths : 1;
 }
 
-// Over the gap in the direction of the dash, and so the next one: not over to the dashes of a line beside it.
-bool goes_on(const std::vector<Point>& dash, const std::vector<Point>& next) {
-    constexpr double kLeast = 0.5;  // 60 degrees: a curve turns within a gap
-    const auto to = [](Point a, Point b) { return Point{b.x - a.x, b.y - a.y}; };
-    const Point over = to(dash.back(), next.front());
-    return cosine(to(dash.front(), dash.back()), over) > kLeast && cosine(over, to(next.front(), next.back())) > kLeast;
+constexpr double kHeading = 2;  // mm at an end of a dash that tell its direction: a dash may have a corner
+constexpr double kLeast = 0.5;  // cosine of 60 degrees: a curve turns within a gap
+
+// The first point of a line that is so far from its beginning; the last one if none is.
+template <typename Points>
+Point on_from(Points begin, Points end) {
+    for (Points at = begin; ++at != end;)
+        if (distance(*begin, *at) >= kHeading) return *at;
+    return *std::prev(end);
 }
 
+Point to(Point a, Point b) { return {b.x - a.x, b.y - a.y}; }
+
 }  // namespace
+
+bool goes_on(std::span<const Point> dash, std::span<const Point> next) {
+    const Point over = to(dash.back(), next.front());
+    return cosine(to(on_from(dash.rbegin(), dash.rend()), dash.back()), over) > kLeast &&
+           cosine(over, to(next.front(), on_from(next.begin(), next.end()))) > kLeast;
+}
 
 std::size_t last_of_line(const Page& page, std::size_t first) {
     const auto is_dash = [](const PageStroke& stroke) {

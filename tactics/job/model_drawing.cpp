@@ -73,13 +73,14 @@ const FoldOut& ModelDrawing::on(const Sheet& sheet) {
 
 std::vector<Phrase> fold_lines(const FoldOut& made) {
     std::vector<Phrase> lines, what;
-    int folded = 0, flattened = 0, wedges = 0, straightened = 0, lying = 0, left_out = 0;
+    int folded = 0, flattened = 0, wedges = 0, straightened = 0, lying = 0, hanging = 0, left_out = 0;
     for (const FoldedObject& one : made.objects) {
         folded += one.folded;
         flattened += one.flattened;
         wedges += one.wedges;
         straightened += one.straightened;
         lying += one.lying;
+        hanging += one.hanging;
         left_out += one.fate == FoldedObject::Fate::drawn ? one.left_out : 0;
     }
     const auto count = [&](int number, auto words) {
@@ -89,6 +90,9 @@ std::vector<Phrase> fold_lines(const FoldOut& made) {
     count(flattened, [](std::size_t n) { return phrases(n, "{0} slender part laid flat", "{0} slender parts laid flat"); });
     count(straightened, [](std::size_t n) { return phrases(n, "{0} part turned upright", "{0} parts turned upright"); });
     count(lying, [](std::size_t n) { return phrases(n, "{0} upright face laid down", "{0} upright faces laid down"); });
+    count(hanging, [](std::size_t n) {
+        return phrases(n, "{0} view from a side beside what hides it", "{0} views from a side beside what hides them");
+    });
     count(wedges, [](std::size_t n) {
         return phrases(n, "{0} slender part shown by a wedge, thick where it is near",
                        "{0} slender parts shown by wedges, thick where they are near");
@@ -117,8 +121,8 @@ std::string fold_json(const FoldOut& made) {
                 ",\"size_mm\":" + to_text(one.size) + ",\"kept\":" + std::to_string(one.kept) +
                 ",\"folded\":" + std::to_string(one.folded) + ",\"flattened\":" + std::to_string(one.flattened) +
                 ",\"straightened\":" + std::to_string(one.straightened) + ",\"lying\":" + std::to_string(one.lying) +
-                ",\"wedges\":" + std::to_string(one.wedges) + ",\"doubled\":" + std::to_string(one.doubled) +
-                ",\"left_out\":" + std::to_string(one.left_out);
+                ",\"hanging\":" + std::to_string(one.hanging) + ",\"wedges\":" + std::to_string(one.wedges) +
+                ",\"doubled\":" + std::to_string(one.doubled) + ",\"left_out\":" + std::to_string(one.left_out);
         if (one.fate == FoldedObject::Fate::drawn)
             text += ",\"x_percent\":" + to_text(100 * one.at.x / made.drawing.width) +
                     ",\"y_percent\":" + to_text(100 * one.at.y / made.drawing.height);

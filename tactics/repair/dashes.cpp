@@ -20,6 +20,8 @@ namespace {
 constexpr double kDash = 8, kShortestDash = 6, kShare = 0.5, kLongGap = 1.4;
 constexpr double kBent = 1.05;  // on a curve it is less far straight across than along the line
 constexpr double kDashStep = 0.5;
+constexpr double kCorner = 0.866;  // cosine of 30 degrees, by which a line turns at a corner within kTurn, mm, on both sides
+constexpr double kTurn = 1;
 constexpr double kMostDashes = 2000;  // of a line; a page has room for far fewer
 constexpr double kMostOfAll = 50000;  // of a drawing: several sheets full of them; lines beyond stay whole
 
@@ -59,7 +61,7 @@ public:
         const double most = length / lengths.dash;
         if (length < 2 * lengths.shortest + lengths.gap || most > std::min(kMostDashes, left_)) return {line};
         left_ -= most;
-        std::vector<DashSpan> dashes = held(number, length);
+        std::vector<DashSpan> dashes = whole_parts(number, length, lengths);
         if (line.closed) {
             if (dashes.empty()) dashes.push_back({0, lengths.dash});
             dashes.push_back({dashes.front().from + length, dashes.front().to + length});
@@ -119,6 +121,57 @@ private:
                 spans.push_back(span);
         }
         return spans;
+    }
+
+    // Where a dash goes round a corner: ends on both sides of it would be too close to each other, and the corner would not be
+    // felt. Of corners so close that there would be no gap between their dashes, the second has none.
+    static std::vector<DashSpan> corners(const Stroke& line, const Lengths& lengths) {
+        const std::vector<Point>& points = line.points;
+        const std::size_t n = points.size();
+        std::vector<DashSpan> spans;
+        double along = 0;
+        for (std::size_t i = line.closed ? 0 : 1; i + (line.closed ? 0 : 1) < n; ++i) {
+            if (i > 0) along += distance(points[i - 1], points[i]);
+            if (!is_corner(line, i)) continue;
+            if (!spans.empty() && along - spans.back().to < 2 * kTurn)
+                spans.back().to = along;  // a round one
+            else if (spans.empty() || along - spans.back().to >= lengths.shortest + lengths.least_gap)
+                spans.push_back({along, along});
+        }
+        return spans;
+    }
+
+    static bool is_corner(const Stroke& line, std::size_t i) {
+        const std::vector<Point>& points = line.points;
+        const std::size_t n = points.size(), most = line.closed ? n - 1 : n - 1 - i, most_back = line.closed ? n - 1 : i;
+        std::size_t on = 1, back = 1;
+        while (on < most && distance(points[i], points[(i + on) % n]) < kTurn) ++on;
+        while (back < most_back && distance(points[i], points[(i + n - back) % n]) < kTurn) ++back;
+        const Point a = points[(i + n - back) % n], b = points[i], c = points[(i + on) % n];
+        const double lengths = distance(a, b) * distance(b, c);
+        return lengths > 0 && (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) < kCorner * lengths;
+    }
+
+    // What must not have a gap, in its order, as long as a dash at least, and one where two meet.
+    std::vector<DashSpan> whole_parts(std::size_t number, double length, const Lengths& lengths) const {
+        const Stroke& line = drawing_.strokes[number];
+        std::vector<DashSpan> spans = held(number, length);
+        for (const DashSpan& corner : corners(line, lengths)) spans.push_back(corner);
+        std::sort(spans.begin(), spans.end(), [](const DashSpan& a, const DashSpan& b) { return a.from < b.from; });
+        std::vector<DashSpan> dashes;
+        for (DashSpan span : spans) {
+            const double more = std::max(0.0, lengths.shortest - (span.to - span.from)) / 2;
+            span = {span.from - more, span.to + more};
+            if (!line.closed) {
+                const double in = std::max(0.0, -span.from) - std::max(0.0, span.to - length);
+                span = {span.from + in, span.to + in};
+            }
+            if (!dashes.empty() && dashes.back().to >= span.from)
+                dashes.back().to = std::max(dashes.back().to, span.to);
+            else
+                dashes.push_back(span);
+        }
+        return dashes;
     }
 
     // Dashes between those that are given, as even as may be; where there is no room for a gap two become one.

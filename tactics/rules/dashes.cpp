@@ -15,10 +15,11 @@ std::vector<DashedLine> dashed_lines(const PageGeometry& geometry) {
     for (std::size_t c = 0; c < geometry.chains.size(); ++c) {
         const Chain& chain = geometry.chains[c];
         if (chain.ring || geometry.role_of(chain) != Role::dash || is_dot(chain)) continue;
-        const bool goes_on = !lines.empty() && lines.back().back() + 1 == c &&
-                             geometry.chains[c - 1].half_width == chain.half_width &&
-                             dash_gap(geometry, c - 1, c) <= kSameLine * felt_length(geometry.chains[c - 1]);
-        if (!goes_on) lines.emplace_back();
+        const bool same = !lines.empty() && lines.back().back() + 1 == c &&
+                          geometry.chains[c - 1].half_width == chain.half_width &&
+                          dash_gap(geometry, c - 1, c) <= kSameLine * felt_length(geometry.chains[c - 1]) &&
+                          goes_on(geometry.points_of(geometry.chains[c - 1]), geometry.points_of(chain));
+        if (!same) lines.emplace_back();
         lines.back().push_back(c);
     }
     return lines;

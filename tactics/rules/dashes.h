@@ -14,8 +14,8 @@ inline double felt_length(const Chain& chain) { return chain.length + 2 * chain.
 /// A mark no longer than wide is a dot, of a dotted line or between two dashes; the rules for dashes do not apply to it.
 inline bool is_dot(const Chain& chain) { return chain.length <= 2 * chain.half_width; }
 
-/// A line's dashes (chains) stand in their order on the page; what is farther from the last one than two of it begins another
-/// line.
+/// A line's dashes (chains) stand in their order on the page; what is farther from the last one than two of it, or not in
+/// its direction, begins another line.
 using DashedLine = std::vector<std::size_t>;
 std::vector<DashedLine> dashed_lines(const PageGeometry& geometry);
 

@@ -130,6 +130,25 @@ void take_faces(Model& made, const Model& model, const std::vector<std::uint32_t
     }
 }
 
+// Objects that had faces and have none: they are named, for nothing else on the page tells of them.
+void tell_vanished(const Model& model, const Model& made, std::vector<Phrase>& notes) {
+    constexpr std::size_t kMostNamed = 12;
+    std::size_t count = 0;
+    std::vector<Phrase> names;
+    for (std::size_t i = 0; i < model.objects.size(); ++i) {
+        if (model.objects[i].count == 0 || made.objects[i].count != 0) continue;
+        ++count;
+        const std::string name = spoken_name(model, static_cast<std::uint32_t>(i));
+        if (names.size() < kMostNamed && !name.empty()) names.emplace_back(name);
+    }
+    if (count == 0) return;
+    const auto vanished = [](std::size_t n) {
+        return phrases(n, "{0} object is so small that none of its faces is left",
+                       "{0} objects are so small that none of their faces is left");
+    };
+    notes.push_back(names.empty() ? vanished(count) : phrase("{0}: {1}", vanished(count), row_of(names)));
+}
+
 }  // namespace
 
 std::size_t corners_of(const Model& model) {
@@ -154,6 +173,7 @@ Model coarse(const Model& model, std::vector<Phrase>& notes) {
             phrase("of {0} faces {1} are left, as corners nearer to each other than about 1/{2} of the model were put together; "
                    "draw a part alone for more of it",
                    std::to_string(model.faces.size()), std::to_string(made.faces.size()), std::to_string(cells)));
+        tell_vanished(model, made, notes);
         return made;
     }
     throw Error(Fault::failed, "the model",

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "tactics/solid/close_sides.h"
 #include "tactics/solid/joined_sides.h"
 #include "tactics/solid/shown_twice.h"
 
@@ -84,7 +85,7 @@ void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const Ov
 }  // namespace
 
 std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels,
-                             const std::vector<std::uint32_t>& thing, double as_one) {
+                             const std::vector<std::uint32_t>& thing, double as_one, double apart) {
     const double touching = touching_in(parts);
     const std::vector<int> level = levels_of(layout, panels, thing, touching);
     // Panels that are hinged elsewhere than they lie together show that side twice.
@@ -129,7 +130,9 @@ std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPa
         over.drowning = over.hiding;
         take_visible(sides, {bar.from, bar.to, LineClass::normal, false}, over, touching, as_one);
     }
-    return joined(merged(sides, touching), touching);
+    sides = merged(sides, touching);
+    unite_close(sides, touching, apart);
+    return joined(sides, touching);
 }
 
 }  // namespace tactics

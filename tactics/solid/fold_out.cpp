@@ -205,7 +205,8 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
     Drawing& drawing = made.drawing;
     drawing.width = box.width() * fitted.scale + 2 * edge;
     drawing.height = box.height() * fitted.scale + 2 * edge;
-    for (Stroke& stroke : lines_of(laid.layout, fitted.felt, laid.panels, laid.thing, medium.line / fitted.scale)) {
+    const double apart = least_apart(medium, medium.line, medium.line) / fitted.scale;
+    for (Stroke& stroke : lines_of(laid.layout, fitted.felt, laid.panels, laid.thing, medium.line / fitted.scale, apart)) {
         for (Point& at : stroke.points) at = into.of(at);
         drawing.strokes.push_back(std::move(stroke));
     }

@@ -55,27 +55,34 @@ std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<M
                                          const Panels& panels, const FlatLayout& layout, const IntoDrawing& into) {
     std::vector<std::size_t> place;
     std::vector<FoldedObject> objects = all_of(model, parts, is_small, place);
-    const auto take = [&](std::uint32_t part, Handling handling, const auto& where) {
+    const auto take = [&](std::uint32_t part, const auto& where) -> FoldedObject& {
         FoldedObject& one = objects[place[felt[part].object]];
         if (one.fate != FoldedObject::Fate::drawn) one.at = into.of(where());
         one.fate = FoldedObject::Fate::drawn;
-        count(one, handling);
+        return one;
     };
     std::vector<char> laid(panels.panels.size(), 0), stands_for(felt.size(), 0);
     for (const PlacedPanel& placed : layout.panels) {
         laid[placed.panel] = 1;
-        if (panels.panels[placed.panel].kind == PanelKind::hanging) stands_for[panels.panels[placed.panel].part] = 1;
-        take(panels.panels[placed.panel].part, placed.handling, [&] {
+        const Panel& panel = panels.panels[placed.panel];
+        FoldedObject& one = take(panel.part, [&] {
             Region shape;
             shape.rings = placed.shape.rings;
             return place_in(shape);
         });
+        if (panel.kind == PanelKind::hanging) {
+            stands_for[panel.part] = 1;
+            ++one.hanging;
+        } else {
+            count(one, placed.handling);
+        }
     }
     for (const PlacedBar& bar : layout.bars) {
         if (panels.bars[bar.bar].is_edge) stands_for[panels.bars[bar.bar].part] = 1;
-        take(panels.bars[bar.bar].part, bar.handling, [&] {
+        FoldedObject& one = take(panels.bars[bar.bar].part, [&] {
             return Point{(bar.from.x + bar.to.x) / 2, (bar.from.y + bar.to.y) / 2};
         });
+        count(one, bar.handling);
     }
     for (const std::uint32_t hinge : shown_twice(layout, panels, touching_in(felt)))
         ++objects[place[felt[panels.panels[panels.hinges[hinge].one].part].object]].doubled;

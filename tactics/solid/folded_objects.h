@@ -20,6 +20,7 @@ struct FoldedObject {
     enum class Fate : std::uint8_t { drawn, small, hidden } fate = Fate::drawn;
     int kept = 0, straightened = 0, folded = 0, lying = 0, flattened = 0,
         wedges = 0;    ///< of its faces and bars
+    int hanging = 0;   ///< what it looks like from a side, beside the face that hides it
     int doubled = 0;   ///< sides that are shown in two places
     int left_out = 0;  ///< faces that a hand can reach and that had no room
     Point at;          ///< on it, mm in the drawing

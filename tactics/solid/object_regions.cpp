@@ -57,6 +57,9 @@ Phrase what_was_done(const FoldedObject& one, int held, const Phrase& seen) {
     else
         count(one.folded, [](std::size_t n) { return phrases(n, "a face folded out", "{0} faces folded out"); });
     count(one.lying, [](std::size_t n) { return phrases(n, "an upright face laid down", "{0} upright faces laid down"); });
+    count(one.hanging, [](std::size_t n) {
+        return phrases(n, "seen from its side, beside what is over it", "seen from {0} sides, beside what is over it");
+    });
     count(one.flattened, [](std::size_t n) { return phrases(n, "laid flat outward", "{0} slender parts laid flat outward"); });
     count(one.wedges,
           [](std::size_t n) { return phrases(n, "a wedge, thick where it is near", "{0} wedges, thick where they are near"); });
@@ -71,10 +74,10 @@ Phrase what_was_done(const FoldedObject& one, int held, const Phrase& seen) {
 
 std::vector<std::pair<std::string, int>> counts_of(const FoldedObject& one) {
     std::vector<std::pair<std::string, int>> counts;
-    const std::pair<const char*, int> all[] = {{"kept", one.kept},           {"straightened", one.straightened},
-                                               {"folded", one.folded},       {"lying", one.lying},
-                                               {"flattened", one.flattened}, {"wedges", one.wedges},
-                                               {"doubled", one.doubled},     {"left_out", one.left_out}};
+    const std::pair<const char*, int> all[] = {
+        {"kept", one.kept},     {"straightened", one.straightened}, {"folded", one.folded},
+        {"lying", one.lying},   {"hanging", one.hanging},           {"flattened", one.flattened},
+        {"wedges", one.wedges}, {"doubled", one.doubled},           {"left_out", one.left_out}};
     for (const auto& [what, count] : all)
         if (count > 0) counts.emplace_back(what, count);
     return counts;

@@ -81,6 +81,38 @@ TEST(Dashes, RunThroughWhereOthersCross) {
     }
 }
 
+// A finger finds a corner by the line that goes round it; ends on both sides of it would be one shape.
+TEST(Dashes, GoRoundCorners) {
+    const Medium& swell = find_medium("swell", "test");
+    for (const bool closed : {false, true})
+        for (int scene = 0; scene < 60; ++scene) {
+            Drawing drawing = blank();
+            const double wide = 40 + 0.7 * scene, high = 50 + 1.3 * scene;
+            const std::vector<Point> corners = {{20, 20}, {20 + wide, 20}, {20 + wide, 20 + high}, {20, 20 + high}};
+            drawing.strokes.push_back(dashed(corners, closed));
+            ASSERT_TRUE(cut_dashes(drawing, swell));
+            EXPECT_EQ(places(drawing, swell, {"gap", "dash-length", "dash-gaps"}), 0u) << scene;
+            for (const Point& corner : corners)
+                EXPECT_TRUE(std::any_of(drawing.strokes.begin(), drawing.strokes.end(),
+                                        [&](const Stroke& dash) {
+                                            return std::any_of(dash.points.begin(), dash.points.end(),
+                                                               [&](const Point& at) { return distance(at, corner) < 0.01; });
+                                        }))
+                    << scene << ": " << corner.x << " " << corner.y;
+        }
+}
+
+// So many corners that a dash round each would leave no gap.
+TEST(Dashes, HaveGapsBetweenCloseCorners) {
+    const Medium& swell = find_medium("swell", "test");
+    Drawing drawing = blank();
+    std::vector<Point> zigzag;
+    for (int i = 0; i < 30; ++i) zigzag.push_back({10 + 4.0 * i, i % 2 == 0 ? 50.0 : 54.0});
+    drawing.strokes.push_back(dashed(zigzag));
+    ASSERT_TRUE(cut_dashes(drawing, swell));
+    EXPECT_GT(drawing.strokes.size(), 8u);
+}
+
 TEST(Dashes, ShortLinesAndDashesThatAreCutAlreadyStayWhole) {
     Drawing drawing = blank();
     drawing.strokes.push_back(dashed({{10, 20}, {22, 20}}));

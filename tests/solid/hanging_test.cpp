@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tactics/solid/fold_out.h"
 #include "tactics/solid/lay_flat.h"
 #include "tactics/solid/reach.h"
 #include "tactics/solid/thing.h"
@@ -39,6 +40,19 @@ Hung hung(const Model& model) {
     find_reached(made.panels, made.parts, {});
     made.layout = lay_flat(made.parts, made.panels, thing, kFromAbove, {});
     return made;
+}
+
+TEST(Hanging, IsToldAsWhatItIs) {
+    Model bench;
+    const int all = add_group(bench, "Bench");
+    add_box(bench, "Top", all, {0, 0, 420}, {1600, 400, 40});
+    add_box(bench, "Left", all, {-600, 0, 200}, {150, 300, 400});
+    std::vector<Phrase> notes;
+    const FoldOut made = fold_out(bench, 180, 250, find_medium("swell", "test"), {.plane = FoldPlane::above}, notes);
+    for (const FoldedObject& one : made.objects) EXPECT_EQ(one.hanging, one.name == "Left" ? 1 : 0) << one.name;
+    for (const Region& region : made.drawing.regions)
+        EXPECT_EQ(region.description.english().find("from its side") != std::string::npos, region.name.english() == "Left")
+            << region.description.english();
 }
 
 TEST(Hanging, ThickLegsLieBesideTheTopInTheirTrueSize) {

@@ -54,7 +54,7 @@ std::unique_ptr<Scene> make_grid(const PlotFeel& feel, std::vector<std::string>&
 extern const PlotPart wall_part, axes_part, grid_part;
 const PlotPart wall_part{"wall", "the plane that the plot is drawn on", make_wall};
 const PlotPart axes_part{"axes", "walls at the left and at the bottom, with a bump at each tick", make_axes};
-const PlotPart grid_part{"grid", "thin layers at the ticks that drag like honey", make_grid};
+const PlotPart grid_part{"grid", "thin layers at the ticks in which the finger moves as through honey", make_grid};
 
 Felt PlotWall::feel(const Touch& touch, double) noexcept {
     Felt felt;

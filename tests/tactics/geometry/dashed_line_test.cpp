@@ -43,6 +43,16 @@ TEST(DashedLine, DoesNotGoOverToOneBesideIt) {
     EXPECT_EQ(last_of_line(page, 5), 9u);
 }
 
+TEST(DashedLine, GoesOnBehindADashRoundACorner) {
+    Page page;
+    page.strokes.push_back({{{20, 50}, {27, 50}}, false, 1, Role::dash});
+    page.strokes.push_back({{{32, 50}, {35, 50}, {33, 54}}, false, 1, Role::dash});  // 117 degrees
+    page.strokes.push_back({{{31, 58}, {28, 64}}, false, 1, Role::dash});
+    EXPECT_EQ(last_of_line(page, 0), 2u);
+    page.strokes[2].points = {{40, 52}, {47, 53}};  // on in the direction before the corner
+    EXPECT_EQ(last_of_line(page, 0), 1u);
+}
+
 TEST(DashedLine, IsToldAsOne) {
     const Description description = describe(page_with_dashes());
     ASSERT_EQ(description.things.size(), 4u);
