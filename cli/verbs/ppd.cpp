@@ -158,7 +158,7 @@ std::string choices_of(const Format& format) {
     std::vector<std::string> recipes{"auto"};
     for (const NamedRecipe& recipe : named_recipes()) recipes.emplace_back(recipe.name);
     text += choice_block("TacticsRecipe", "Recipe", recipes, "auto");
-    text += choice_block("TacticsDetail", "Detail", {"touch", "contours", "0.5", "2"}, "touch");
+    text += choice_block("TacticsDetail", "Detail", {"touch", "best", "contours", "0.5", "2"}, "touch");
     text += choice_block("TacticsLanguage", "Language", languages(), "en");
     text += choice_block("TacticsTitle", "Title", {"none", "job"}, "none");
     std::vector<std::string> tables{"auto", "none"};

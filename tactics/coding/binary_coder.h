@@ -49,6 +49,20 @@ public:
             shift();
         }
     }
+    /// So many zeros one after the other, quicker than one by one.
+    void put_zeros(Chance& chance, std::size_t count) {
+        Chance now = chance;
+        std::uint32_t range = range_;
+        while (count > 0) {
+            for (; count > 0 && range >= kLeastRange; --count) {
+                range = (range >> 16) * now.of_zero();
+                now.learn(false);
+            }
+            for (; range < kLeastRange; range <<= 8) shift();
+        }
+        range_ = range;
+        chance = now;
+    }
     /// Decisions that are as likely as not, the highest first.
     void put_even(std::uint32_t bits, unsigned count) {
         while (count-- > 0) {
@@ -110,6 +124,26 @@ public:
             code_ = code_ << 8 | next();
         }
         return bit;
+    }
+    /// The zeros that come next, at most so many. What comes after them is not taken.
+    std::size_t get_zeros(Chance& chance, std::size_t most) noexcept {
+        Chance now = chance;
+        std::uint32_t range = range_, code = code_;
+        std::size_t count = 0;
+        for (; count < most; ++count) {
+            const std::uint32_t bound = (range >> 16) * now.of_zero();
+            if (code >= bound) break;
+            range = bound;
+            now.learn(false);
+            while (range < BinaryEncoder::kLeastRange) {
+                range <<= 8;
+                code = code << 8 | next();
+            }
+        }
+        range_ = range;
+        code_ = code;
+        chance = now;
+        return count;
     }
     std::uint32_t get_even(unsigned count) noexcept {
         std::uint32_t bits = 0;

@@ -33,12 +33,27 @@ std::size_t budget_step(const Recipe& recipe) {
 
 double usual_line(const Step& step) { return step.settings.number(step.filter->budget); }
 
-void set_line(Step& step, double line) {
+// The nearest amount that the filter takes.
+double taken_line(const Step& step, double line) {
     const auto options = step.settings.options();
     const auto option =
         std::find_if(options.begin(), options.end(), [&](const Option& each) { return each.name == step.filter->budget; });
-    step.settings.set(step.filter->budget, to_text(std::clamp(line, option->min, option->max)), spelled("detail"),
-                      step.filter->name);
+    return std::clamp(line, option->min, option->max);
+}
+
+void set_line(Step& step, double line) {
+    step.settings.set(step.filter->budget, to_text(taken_line(step, line)), spelled("detail"), step.filter->name);
+}
+
+// From little to much, each once: at the limits of the filter several become one.
+std::vector<double> tried_times(const Step& step) {
+    const double usual = usual_line(step);
+    std::vector<double> all;
+    for (const double times : kTimes) {
+        const double line = taken_line(step, times * usual), taken = line == times * usual ? times : line / usual;
+        if (all.empty() || taken > all.back()) all.push_back(taken);
+    }
+    return all;
 }
 
 // What people would draw of it: each line has its chance as its strength.
@@ -113,7 +128,9 @@ std::size_t best_of(const std::vector<TriedDetail>& tried) {
     return best;
 }
 
-Phrase amount(double times) { return times == 1 ? phrase("the usual line") : phrase("{0} times the usual line", numeral(times)); }
+Phrase amount(double times) {
+    return times == 1 ? phrase("the usual line") : phrase("{0} times the usual line", numeral(std::round(times * 1000) / 1000));
+}
 
 }  // namespace
 
@@ -131,9 +148,9 @@ void check_chooses_detail(const Recipe& recipe) {
 DetailChoice choose_detail(Recipe& recipe, Artwork picture, const Sheet& sheet, const Rect& place, bool as_drawn) {
     const Trying trying(recipe, std::move(picture), sheet, place, as_drawn);
     DetailChoice choice;
-    for (const double times : kTimes) choice.tried.push_back(trying.at(times));
-    choice.best = best_of(choice.tried);
     Step& step = recipe.steps[budget_step(recipe)];
+    for (const double times : tried_times(step)) choice.tried.push_back(trying.at(times));
+    choice.best = best_of(choice.tried);
     set_line(step, choice.chosen().times * usual_line(step));
     return choice;
 }

@@ -15,7 +15,7 @@
 namespace tactics {
 
 struct TriedDetail {
-    double times = 1;        ///< the line that the recipe allows
+    double times = 1;        ///< the usual line of the recipe, within what its filter takes
     double line = 0;         ///< mm that are left of it when it is mended for the medium
     double agreed = 0;       ///< share of these that people would draw
     double loss = 1;         ///< AgreedBits::loss

@@ -71,12 +71,23 @@ bool is_blank_table(std::string_view text) {
     return rows >= 2 && columns >= 2;
 }
 
-// A line of names with something between them, and numbers below it.
-bool is_table(std::string_view text) {
+// A line of names and nothing below it: the file's own name says that it is one, or what parts the names, with no blank after it.
+bool is_line_of_names(std::string_view text, std::string_view file) {
+    const auto begin = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");
+    const std::string_view line = text.substr(begin, last + 1 - begin);
+    if (line.find('\n') != std::string_view::npos) return false;
+    if (file.ends_with(".csv") || file.ends_with(".tsv")) return true;
+    const auto mark = line.find_first_of(",;\t");
+    return mark != std::string_view::npos && mark + 1 < line.size() && line.find(' ') == std::string_view::npos;
+}
+
+// A line of names with something between them, and numbers below it; or the line alone, of which the reader of tables says so.
+bool is_table(std::string_view text, std::string_view file) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     const auto begin = text.find_first_not_of(" \t\r\n");
     if (begin == std::string_view::npos || has_control(text)) return false;
     if (text[begin] == '{' || text[begin] == '[') return is_json_table(text);
+    if (is_line_of_names(text, file)) return true;
     const auto end = text.find('\n');
     if (end == std::string_view::npos) return false;
     const std::string_view first = text.substr(0, end), rest = text.substr(end + 1), second = rest.substr(0, rest.find('\n'));
@@ -104,7 +115,7 @@ Holds look_at(Source& source) {
         return reader->recognises({reinterpret_cast<const unsigned char*>(text.data()), std::min(text.size(), kHead)});
     };
     if (std::any_of(readers().begin(), readers().end(), known)) return Holds::picture;
-    return is_table(text) ? Holds::table : Holds::picture;
+    return is_table(text, source.name) ? Holds::table : Holds::picture;
 }
 
 }  // namespace tactics

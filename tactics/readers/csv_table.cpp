@@ -73,6 +73,9 @@ TableHead csv_table_head(Source& source) {
         head.rows.erase(head.rows.begin());
         ended.erase(ended.begin());
     }
+    if (head.rows.empty())
+        throw Error(Fault::failed, head.name,
+                    phrase("the table has names of columns and no rows; write lines of values below the names"));
     if (head.rows.size() > kHeadRows) head.rows.pop_back();
     for (std::size_t i = 0; i < head.rows.size(); ++i) check_count(head, head.rows[i].line, head.rows[i].cells.size(), ended[i]);
     return head;

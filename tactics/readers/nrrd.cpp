@@ -78,7 +78,7 @@ public:
         if (head_.line_skip != 0 || head_.byte_skip != 0) fail("it skips a part of its data, which is not read here");
         const std::string_view data = bytes_.substr(head_.data);
         if (way == "ascii" || way == "text" || way == "txt") {
-            voxels.values = from_text(data, count);
+            voxels.values = from_text(data, count, type);
         } else if (way == "raw") {
             voxels.values = from_raw(data, count, type);
         } else if (way == "gzip" || way == "gz") {
@@ -86,8 +86,9 @@ public:
         } else {
             fail("its encoding is \"" + way.substr(0, 40) + "\"; raw, ascii and gzip are read");
         }
-        for (const double value : voxels.values)
-            if (!(std::abs(value) < kMostValue)) fail("one of its values is not a number, or far too large");
+        for (std::size_t i = 0; i < count; ++i)
+            if (!(std::abs(voxels.values[i]) < kMostValue))
+                fail("value " + std::to_string(i + 1) + " is not a number, or far too large");
         return voxels;
     }
 
@@ -161,15 +162,28 @@ private:
         fail("its type is \"" + head_.type.substr(0, 40) + "\"; whole numbers of up to 32 bits, float and double are read");
     }
 
-    std::vector<double> from_text(std::string_view text, std::size_t count) const {
+    // What is written as text may be none of the numbers that the head promises.
+    void check_holds(const Type& type, double value, std::size_t number, std::string_view text) const {
+        if (type.is_real) return;
+        const double all = std::ldexp(1.0, static_cast<int>(8 * type.bytes)), least = type.has_sign ? -all / 2 : 0;
+        if (value == std::floor(value) && value >= least && value < least + all) return;
+        fail("value " + std::to_string(number) + " is " + std::string(text) + ", and type " + head_.type +
+             " is whole numbers from " + to_text(least) + " to " + to_text(least + all - 1) +
+             "; correct it, or write \"type: float\" in the head");
+    }
+
+    std::vector<double> from_text(std::string_view text, std::size_t count, const Type& type) const {
         if (count > text.size()) fail("it is cut short");
         std::vector<double> values;
         values.reserve(count);
         for (std::size_t at = text.find_first_not_of(" \t\r\n,"); at != std::string_view::npos && values.size() < count;) {
             const std::size_t end = std::min(text.find_first_of(" \t\r\n,", at), text.size());
             const auto value = end - at <= kMostTextOfValue ? parse_number(text.substr(at, end - at)) : std::nullopt;
-            if (!value) fail("\"" + std::string(text.substr(at, std::min<std::size_t>(end - at, 40))) + "\" is not a number");
+            if (!value)
+                fail("value " + std::to_string(values.size() + 1) + ", \"" +
+                     std::string(text.substr(at, std::min<std::size_t>(end - at, 40))) + "\", is not a number");
             values.push_back(*value);
+            check_holds(type, *value, values.size(), text.substr(at, end - at));
             at = text.find_first_not_of(" \t\r\n,", end);
         }
         if (values.size() < count) fail("it is cut short");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <random>
 
 #include "tactics/coding/drawn_tile.h"
 #include "tests/coding/levels.h"
@@ -132,6 +133,22 @@ TEST(DrawnTile, APlainReaderReadsTheSame) {
             const LevelMap map = map_of(ground, 61, 47, top);
             const std::string bytes = drawn_bytes({map.levels.data(), 61, 47, 61}, top);
             ASSERT_EQ(plainly_read(bytes, 61, 47), map.levels) << static_cast<int>(ground) << " " << top;
+        }
+}
+
+// Long even rows, of which many levels are passed at once, up to a speck at any place.
+TEST(DrawnTile, APlainReaderReadsEvenGroundWithSpecks) {
+    std::mt19937 random(11);
+    for (const int top : {255, 65535})
+        for (const int columns : {1, 2, 5, 130}) {
+            std::vector<Level> levels(static_cast<std::size_t>(columns) * 40, Level{7});
+            for (Level& level : levels)
+                if (random() % 60 == 0) level = static_cast<Level>(random() % 3 == 0 ? top : 9);
+            const std::string bytes = drawn_bytes({levels.data(), columns, 40, static_cast<std::size_t>(columns)}, top);
+            ASSERT_EQ(plainly_read(bytes, columns, 40), levels) << columns << " " << top;
+            std::vector<Level> read(levels.size());
+            ASSERT_TRUE(read_drawn(bytes, {read.data(), columns, 40, static_cast<std::size_t>(columns)}, top));
+            ASSERT_EQ(read, levels);
         }
 }
 

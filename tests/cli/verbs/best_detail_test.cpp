@@ -69,6 +69,18 @@ TEST_F(BestDetail, IsToldOfEachMedium) {
         holds(run_tactics(folder, {"describe", "balloon.png", "-r", "photo", "--detail", "best"}).out, "It is drawn with "));
 }
 
+// The filter takes 100 m of line and no more.
+TEST_F(BestDetail, TellsTheAmountsThatWereDrawn) {
+    const Ending told =
+        convert({"balloon.png", "-r", "photo", "--set", "outlines.line=60000", "--detail", "best", "-o", "best.svg", "--json"});
+    ASSERT_EQ(told.code, 0) << told.err;
+    std::vector<double> tried;
+    for (std::size_t at = told.out.find("\"tried\":"); (at = told.out.find("{\"times\":", at)) != std::string::npos; ++at)
+        tried.push_back(member(told.out, "times", at));
+    EXPECT_EQ(tried.size(), 7u) << told.out;
+    EXPECT_NEAR(tried.back(), 100.0 / 60, 1e-6);
+}
+
 TEST_F(BestDetail, IsForRecipesWhoseLinesHaveChances) {
     const Ending fast = convert({"balloon.png", "-r", "fast", "--detail", "best", "-o", "page.pdf"});
     EXPECT_EQ(fast.code, 1);

@@ -164,7 +164,7 @@ TEST_F(ChartCommand, SaysWhatIsWrongAndWhere) {
     refused("a,b\n0,2\n1,3\n", {"--log-x"}, 2, "standard input:2: a is \"0\", and a logarithmic axis");
     refused("a,b\n1,1e300\n", {}, 2, "standard input:2: b is \"1e300\", too large");
     refused("a,b\n1,1e-7\n2,2e-7\n", {}, 2, "the numbers of b are too small");
-    refused("a,b\n", {}, 1, "no column of numbers");
+    refused("a,b\n", {}, 2, "the table has names of columns and no rows");
     refused("\n\n", {}, 2, "there is no line in it");
     refused("", {}, 2, "standard input: ");
     refused("a,b,c\n1,1,p\n2,2,q\n3,3,r\n", {"--points", "--group", "c"}, 1, "--points: a finger tells two groups");

@@ -128,6 +128,7 @@ TEST_F(CupsFilter, TakesTitleLabelsDetailAndLanguage) {
     EXPECT_EQ(filter("TacticsTitle=job", "disc.tif").out, made({"--title", "title"})) << "the third word of CUPS";
     EXPECT_EQ(filter("TacticsRecipe=photo TacticsDetail=contours", "disc.tif").out,
               made({"-r", "photo", "--detail", "contours"}));
+    EXPECT_EQ(filter("TacticsRecipe=photo TacticsDetail=best", "disc.tif").out, made({"-r", "photo", "--detail", "best"}));
     EXPECT_EQ(filter("TacticsLabels='5%,5%=Ring; 90%,90%=Way=out;' TacticsRecipe=none", "disc.tif").out,
               made({"-r", "none", "--label", "5%,5%=Ring", "--label", "90%,90%=Way=out"}));
     EXPECT_TRUE(

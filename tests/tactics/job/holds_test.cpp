@@ -11,8 +11,8 @@
 namespace tactics {
 namespace {
 
-Holds holds(std::string_view text) {
-    Source source = memory_source({reinterpret_cast<const unsigned char*>(text.data()), text.size()}, "test");
+Holds holds(std::string_view text, const std::string& name = "test") {
+    Source source = memory_source({reinterpret_cast<const unsigned char*>(text.data()), text.size()}, name);
     const Holds found = look_at(source);
     EXPECT_TRUE(text.empty() || std::ftell(source.file.get()) == 0) << "it is rewound";
     return found;
@@ -36,9 +36,20 @@ TEST(Holds, ATableHasNamesThenNumbersWithTheSameBetween) {
          {"a,b\n1,2\n", "a;b\r\n1,5;2\r\n", "a\tb\n1\t2", "\xef\xbb\xbfTime (s),\"Length, mm\"\n,\n0,1\n"})
         EXPECT_EQ(holds(table), Holds::table) << table;
     for (const std::string_view other :
-         {"a,b\n", "a b\n1 2\n", "a,b\n1;2\n", "a,b\nc,d\n", "{\"a\":1,\n\"b\":2,3}", "Dear all,\nfigure 2 is here.\n", ""})
+         {"a, b\n", "a b\n1 2\n", "a,b\n1;2\n", "a,b\nc,d\n", "{\"a\":1,\n\"b\":2,3}", "Dear all,\nfigure 2 is here.\n", ""})
         EXPECT_NE(holds(other), Holds::table) << other;
     EXPECT_NE(holds(std::string_view("a,b\n1,2\0\n", 9)), Holds::table);
+}
+
+// Its reader then says what it lacks.
+TEST(Holds, ALineOfNamesAloneIsATable) {
+    for (const std::string_view table : {"a,b\n", "a;b", "\xef\xbb\xbf\"x\"\t\"y\"\r\n\n"})
+        EXPECT_EQ(holds(table), Holds::table) << table;
+    for (const std::string_view text : {"Dear all, hello\n", "word\n", "word,\n", "a,b\nand more\n"})
+        EXPECT_NE(holds(text), Holds::table) << text;
+    EXPECT_EQ(holds("time in s, force\n", "measured.csv"), Holds::table);
+    EXPECT_EQ(holds("force", "measured.tsv"), Holds::table);
+    EXPECT_NE(holds("Dear all,\nhello", "letter.csv"), Holds::table);
 }
 
 TEST(Holds, NumbersBetweenBlanksAreATable) {

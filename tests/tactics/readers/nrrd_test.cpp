@@ -67,6 +67,25 @@ TEST(NrrdReader, TakesVectorsOfThree) {
     EXPECT_EQ(voxels.values.size(), 6u);
 }
 
+TEST(NrrdReader, RefusesTextThatItsTypeCannotHold) {
+    const auto fault = [](const std::string& type, const std::string& text) {
+        return fault_of(head(type, "3 1 1", "ascii") + text);
+    };
+    EXPECT_EQ(fault("uchar", "0 7 255"), "");
+    for (const std::string bad : {"300.5", "256", "-1", "0.5"}) {
+        const std::string told = fault("uchar", "0 " + bad + " 255");
+        EXPECT_NE(told.find("scene.nrrd: value 2 is " + bad + ", and type uchar is whole numbers from 0 to 255;"),
+                  std::string::npos)
+            << told;
+    }
+    EXPECT_EQ(fault("int8", "-128 0 127"), "");
+    EXPECT_NE(fault("int8", "-129 0 0"), "");
+    EXPECT_NE(fault("int8", "0 0 128"), "");
+    EXPECT_EQ(fault("uint", "0 1 4294967295"), "");
+    EXPECT_NE(fault("uint", "0 1 4294967296"), "");
+    EXPECT_EQ(fault("float", "0.5 -1 300.5"), "");
+}
+
 TEST(NrrdReader, RefusesWhatItCannotBe) {
     const auto with = [](const std::string& part, const std::string& faults) {
         EXPECT_TRUE(faults.find(part) != std::string::npos) << faults;
@@ -84,6 +103,7 @@ TEST(NrrdReader, RefusesWhatItCannotBe) {
     with("its encoding is \"bzip2\"", fault_of(head("uchar", "1 1 1", "bzip2") + "a"));
     with("not a number", fault_of(head("float", "1 1 1", "ascii") + "nan"));
     with("not a number", fault_of(head("float", "1 1 1", "raw") + std::string("\x00\x00\xC0\x7F", 4)));
+    with("value 2, \"nan\", is not a number", fault_of(head("float", "2 1 1", "ascii") + "1 nan"));
     with("another file", fault_of("NRRD0004\ntype: uchar\ndata file: x.raw\n\n"));
     with("endian", fault_of("NRRD0004\ntype: short\ndimension: 3\nsizes: 1 1 1\nencoding: raw\n\nab"));
     const std::string whole = head("short", "2 2 2", "raw") + std::string(16, 'x');
