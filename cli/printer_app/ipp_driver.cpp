@@ -75,8 +75,8 @@ void offer_option(pappl_pr_driver_data_t& offered, const std::string& option, co
     if (!any) {
         std::vector<const char*> values;
         for (const std::string& choice : choices) values.push_back(choice.c_str());
-        ippAddStrings(attributes, IPP_TAG_PRINTER, IPP_TAG_KEYWORD, (name + "-supported").c_str(), static_cast<int>(values.size()),
-                      nullptr, values.data());
+        ippAddStrings(attributes, IPP_TAG_PRINTER, IPP_TAG_KEYWORD, (name + "-supported").c_str(),
+                      static_cast<int>(values.size()), nullptr, values.data());
     }
     ippAddString(attributes, IPP_TAG_PRINTER, any ? IPP_TAG_TEXT : IPP_TAG_KEYWORD, (name + "-default").c_str(), nullptr,
                  fallback.c_str());
@@ -123,7 +123,8 @@ std::string text_of(ipp_attribute_t* attribute) {
 // The sizes that are offered are those of papers.
 std::string page_size_of(const pappl_media_col_t& sheet) {
     for (const Paper& paper : papers())
-        if (std::abs(sheet.size_width / 100.0 - paper.width) < kSlip && std::abs(sheet.size_length / 100.0 - paper.height) < kSlip)
+        if (std::abs(sheet.size_width / 100.0 - paper.width) < kSlip &&
+            std::abs(sheet.size_length / 100.0 - paper.height) < kSlip)
             return ppd_size_of(paper);
     return "";
 }
@@ -191,7 +192,8 @@ JobRequest request_of(pappl_job_t* job, bool is_text) {
         const std::string attribute = attribute_of(name);
         if (ipp_attribute_t* known = ippFindAttribute(set, (attribute + "-default").c_str(), IPP_TAG_ZERO))
             request.defaults.emplace_back(name, text_of(known));
-        if (ipp_attribute_t* known = papplJobGetAttribute(job, attribute.c_str())) request.options.emplace_back(name, text_of(known));
+        if (ipp_attribute_t* known = papplJobGetAttribute(job, attribute.c_str()))
+            request.options.emplace_back(name, text_of(known));
     }
     ippDelete(set);
     return request;

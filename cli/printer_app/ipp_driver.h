@@ -19,8 +19,8 @@ inline constexpr const char* kDocuments[] = {"application/pdf", "image/jpeg",   
 /// The kind of a document that begins so, of those that PAPPL does not know itself; nullptr: none that is printed.
 const char* kind_of_document(const unsigned char* bytes, std::size_t count, void* data);
 
-/// Fills in sizes, resolution and options; the functions that print are added by add_printing (printing.h). False: there is no such
-/// driver, or the device must not be used by root: a file could be any of the system.
+/// Fills in sizes, resolution and options; the functions that print are added by add_printing (printing.h). False: there is no
+/// such driver, or the device must not be used by root: a file could be any of the system.
 bool offer_driver(pappl_system_t* system, const char* name, const char* device, const char* id, pappl_pr_driver_data_t* offered,
                   ipp_t** attributes, void* data);
 

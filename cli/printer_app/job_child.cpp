@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 
@@ -59,6 +60,16 @@ JobRequest request_of(const std::vector<std::string>& words) {
             taken->emplace_back(words[i].substr(0, equals), words[i].substr(equals + 1));
     }
     return request;
+}
+
+void check_choice(const PpdWords& words, const std::string& option, const std::string& value) {
+    const auto offered = words.choices.find(option);
+    const bool any = std::find(std::begin(kAnyWords), std::end(kAnyWords), option) != std::end(kAnyWords);
+    if (any || offered == words.choices.end() || offered->second.contains(value)) return;
+    const std::vector<std::string_view> names(offered->second.begin(), offered->second.end());
+    throw Error(Fault::usage, attribute_of(option),
+                "this printer has no choice \"" + value.substr(0, 80) + "\"" + did_you_mean(value, names) +
+                    "; tactics-printer-app choices lists them");
 }
 
 class Pipe {
@@ -142,7 +153,8 @@ public:
     // Whether it ended well.
     bool wait() {
         int status = 0;
-        while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {}
+        while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+        }
         child_ = -1;
         return WIFEXITED(status) && WEXITSTATUS(status) == 0;
     }
@@ -169,8 +181,13 @@ Queue queue_of(const JobRequest& request) {
     if (driver == nullptr)
         throw Error(Fault::usage, request.driver, "there is no such driver; tactics-printer-app drivers lists them");
     PpdWords words = words_of(*driver);
+    for (const auto& [option, value] : request.options) check_choice(words, option, value);
     for (const auto& chosen : request.defaults) words.defaults.push_back(chosen);
-    return queue_of(words, request.driver, request.options, request.title);
+    try {
+        return queue_of(words, request.driver, request.options, request.title);
+    } catch (const Error& error) {
+        throw Error(error.fault(), "", in_attributes(error.what(), words));
+    }
 }
 
 std::string convert_job(const JobRequest& request, int document, const JobWatch& watch) {
@@ -206,8 +223,11 @@ int run_job_child(const std::vector<std::string>& words) {
         fix_print_surroundings();
         take_lesser_rights();
         const JobRequest request = request_of(words);
+        spell_wishes_with("tactics-");
         const Interrupt interrupt([] {});
-        emboss_print_job(open_source("-"), queue_of(request), request.job);
+        Source document = open_source("-");
+        document.name = request.title;
+        emboss_print_job(std::move(document), queue_of(request), request.job);
         return 0;
     } catch (const std::exception& error) {
         say(std::string(kError) + error.what());

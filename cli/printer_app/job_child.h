@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A print job is converted by a program of its own, this one once more: what it reads was sent by a stranger, and a server must go on
-// whatever becomes of it.
+// A print job is converted by a program of its own, this one once more: what it reads was sent by a stranger, and a server must
+// go on whatever becomes of it.
 #pragma once
 
 #include <functional>
@@ -30,8 +30,8 @@ struct JobWatch {
     std::function<bool()> is_cancelled;               ///< asked several times a second
 };
 
-/// The bytes for the machine; empty if the job was cancelled. `document` is read from its beginning and stays open. Throws Error with
-/// what the child reports.
+/// The bytes for the machine; empty if the job was cancelled. `document` is read from its beginning and stays open. Throws Error
+/// with what the child reports.
 std::string convert_job(const JobRequest& request, int document, const JobWatch& watch);
 
 /// The first word of the child's command line.

@@ -65,10 +65,21 @@ std::vector<Paper> papers_of(const MachineDriver& driver) {
 
 std::string attribute_of(std::string_view option) {
     constexpr std::string_view kOurs = "Tactics";
+    if (option == "TacticsLabels") return "tactics-label";
     std::string name = "tactics-";
     for (const char c : option.substr(option.starts_with(kOurs) ? kOurs.size() : 0))
         name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return name;
+}
+
+std::string in_attributes(std::string message, const PpdWords& words) {
+    std::vector<std::string> options(std::begin(kAnyWords), std::end(kAnyWords));
+    for (const auto& option : words.defaults)
+        if (option.first.starts_with("Tactics")) options.push_back(option.first);
+    for (const std::string& option : options)
+        for (auto at = message.find(option); at != message.npos; at = message.find(option, at))
+            message.replace(at, option.size(), attribute_of(option));
+    return message;
 }
 
 }  // namespace tactics

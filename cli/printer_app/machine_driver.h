@@ -25,14 +25,19 @@ const MachineDriver* find_driver(std::string_view name);  ///< nullptr: none
 /// The driver for a device that describes itself so (IEEE 1284 id); nullptr: it is no embosser, or one of several.
 const MachineDriver* driver_of_device(std::string_view id);
 
-/// What the embosser's PPD file offers, so that a queue of either kind takes the same options; the defaults are those of the model.
+/// What the embosser's PPD file offers, so that a queue of either kind takes the same options; the defaults are those of the
+/// model.
 PpdWords words_of(const MachineDriver& driver);
 
 /// The papers that the model takes, its default first.
 std::vector<Paper> papers_of(const MachineDriver& driver);
 
-/// "tactics-recipe" for TacticsRecipe: names of IPP attributes are in lower case (RFC 8011, 5.1.4).
+/// "tactics-recipe" for TacticsRecipe: names of IPP attributes are in lower case (RFC 8011, 5.1.4). TacticsLabels is
+/// tactics-label, as messages about labels spell it.
 std::string attribute_of(std::string_view option);
+
+/// A message with the names of IPP in the place of those of a PPD file.
+std::string in_attributes(std::string message, const PpdWords& words);
 
 /// Title and labels of a print job, which take any words and so have no choices.
 inline constexpr std::string_view kAnyWords[] = {"TacticsTitle", "TacticsLabels"};

@@ -2,6 +2,7 @@
 // tactics-printer-app: every embosser of TACTICS as an IPP printer, for which no system needs a driver.
 #include <pappl/pappl.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -19,25 +20,29 @@ constexpr const char* kName = "tactics-printer-app";
 
 void print_usage(void*) {
     std::fputs(
-        "tactics-printer-app makes braille embossers printers that need no driver: it takes PDF, JPEG, PNG, TIFF, SVG and text from\n"
+        "tactics-printer-app makes braille embossers printers that need no driver: it takes PDF, JPEG, PNG, TIFF, SVG and text "
+        "from\n"
         "any program on this computer, makes tactile pages of them as tactics convert does, and embosses them.\n"
         "\n"
         "  tactics-printer-app server -o server-port=8631\n"
         "      runs it until it is ended. Other computers can print, too, with -o listen-hostname=*.\n"
         "  tactics-printer-app drivers\n"
         "      names the embossers. What stands on your machine is among them, such as everest-d-v5.\n"
+        "  tactics-printer-app choices -m everest-d-v5\n"
+        "      lists the options of its pages with their choices. (The sub-command options lists those that every printer has.)\n"
         "  tactics-printer-app devices\n"
         "      names the machines that are connected or answer on the network.\n"
         "  tactics-printer-app add -d Everest -m everest-d-v5 -v socket://192.168.1.20\n"
         "      makes a printer of the machine at that address.\n"
         "  tactics-printer-app -d Everest -o tactics-language=de -o media=iso_a4_210x297mm photo.jpg\n"
-        "      prints a file. Title and labels: -o tactics-title='Our town' -o \"tactics-labels='30%,40%=City Park'\".\n"
+        "      prints a file. Title and labels: -o tactics-title='Our town' -o \"tactics-label='30%,40%=City Park'\".\n"
         "  tactics-printer-app modify -d Everest -o tactics-detail-default=contours\n"
         "      changes what is used where a job does not say otherwise.\n"
         "  tactics-printer-app options|printers|jobs|status|cancel|pause|resume|delete|default|shutdown [-d PRINTER]\n"
         "\n"
         "Settings of the server: -o server-port=NUMBER -o listen-hostname=NAME -o spool-directory=FOLDER -o log-file=FILE\n"
-        "-o log-level=debug|info|warn|error -o admin-group=GROUP -o auth-service=NAME. Its printers are also in the web browser, at\n"
+        "-o log-level=debug|info|warn|error -o admin-group=GROUP -o auth-service=NAME. Its printers are also in the web browser, "
+        "at\n"
         "http://localhost:PORT. See man tactics-printer-app.\n",
         stdout);
 }
@@ -91,6 +96,27 @@ int list_drivers() {
     return 0;
 }
 
+// The options of a driver's printers with their choices, which PAPPL's own sub-command options leaves out.
+int list_choices(const char*, int count, cups_option_t* options, int, char**, void*) {
+    const char* name = cupsGetOption("smi55357-driver", count, options);
+    const MachineDriver* driver = name == nullptr ? nullptr : find_driver(name);
+    if (driver == nullptr) {
+        std::fprintf(stderr, "%s: name a driver by -m; %s drivers lists them\n", kName, kName);
+        return 1;
+    }
+    const PpdWords offered = words_of(*driver);
+    for (const auto& [option, fallback] : offered.defaults) {
+        if (!option.starts_with("Tactics")) continue;
+        const bool any = std::find(std::begin(kAnyWords), std::end(kAnyWords), option) != std::end(kAnyWords);
+        std::string choices;
+        for (const std::string& choice : offered.choices.at(option)) choices += (choices.empty() ? "" : " ") + choice;
+        std::printf("%s=%s; choices: %s%s\n", attribute_of(option).c_str(), fallback.c_str(), choices.c_str(),
+                    any ? ", or any words" : "");
+    }
+    std::printf("tactics-label=PLACE=WORDS; for example: 30%%,40%%=City Park;60%%,20%%=Lake\n");
+    return 0;
+}
+
 const char* driver_for(const char*, const char*, const char* id, void*) {
     const MachineDriver* driver = driver_of_device(id == nullptr ? "" : id);
     return driver == nullptr ? nullptr : driver->name.c_str();
@@ -105,6 +131,7 @@ int main(int count, char** words) {
     std::vector<pappl_pr_driver_t> drivers;
     for (const MachineDriver& driver : machine_drivers())
         drivers.push_back({driver.name.c_str(), driver.people.c_str(), nullptr, nullptr});
-    return papplMainloop(count, words, TACTICS_VERSION, "<p>TACTICS: pages to be read by touch</p>", static_cast<int>(drivers.size()),
-                         drivers.data(), driver_for, offer_driver, nullptr, nullptr, make_system, print_usage, nullptr);
+    return papplMainloop(count, words, TACTICS_VERSION, "<p>TACTICS: pages to be read by touch</p>",
+                         static_cast<int>(drivers.size()), drivers.data(), driver_for, offer_driver, "choices", list_choices,
+                         make_system, print_usage, nullptr);
 }

@@ -64,7 +64,8 @@ PrintedPages pages_of(Source& source, const PrintJob& wish) {
     pages.first = wish.first_page;
     pages.last = std::min(wish.last_page, pages.all);
     if (pages.count() < 1)
-        throw Error(Fault::usage, "page-ranges", "the document has none of these pages; its last is page " + std::to_string(pages.all));
+        throw Error(Fault::usage, "page-ranges",
+                    "the document has none of these pages; its last is page " + std::to_string(pages.all));
     return pages;
 }
 
