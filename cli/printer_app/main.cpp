@@ -39,6 +39,7 @@ void print_usage(void*) {
         "  tactics-printer-app modify -d Everest -o tactics-detail-default=contours\n"
         "      changes what is used where a job does not say otherwise.\n"
         "  tactics-printer-app options|printers|jobs|status|cancel|pause|resume|delete|default|shutdown [-d PRINTER]\n"
+        "      Why a job was aborted is in the log, log-file=FILE, and goes to other programs as its job-state-message.\n"
         "\n"
         "Settings of the server: -o server-port=NUMBER -o listen-hostname=NAME -o spool-directory=FOLDER -o log-file=FILE\n"
         "-o log-level=debug|info|warn|error -o admin-group=GROUP -o auth-service=NAME. Its printers are also in the web browser, "
