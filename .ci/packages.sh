@@ -9,13 +9,14 @@ build_packages=(
     g++ cmake ninja-build pkg-config
     libopencv-imgproc-dev libfreetype-dev libfontconfig-dev liblouis-dev liblouis-data
     libjpeg62-turbo-dev libpng-dev libtiff-dev zlib1g-dev libexpat1-dev libusb-1.0-0-dev libhidapi-dev libevdev-dev libbrlapi-dev libopenimageio-dev libheif-dev libassimp-dev fonts-dejavu-core
-    libboost-dev rapidjson-dev
+    libboost-dev rapidjson-dev libpappl-dev
 )
 # Programs that tactics calls at run time if they are there: without them print stays in the lines, and PDF is refused.
 run_packages=(tesseract-ocr tesseract-ocr-eng poppler-utils)
 # What the tests are built from, and the independent programs that they check our files with.
 test_packages=(libgtest-dev libgeos-dev qpdf ghostscript librsvg2-bin imagemagick libtiff-tools
-               umockdev libumockdev-dev libxml2-utils admesh python3-jsonschema man-db speech-dispatcher libspeechd2 espeak-ng libasound2)
+               umockdev libumockdev-dev libxml2-utils admesh python3-jsonschema man-db speech-dispatcher libspeechd2 espeak-ng libasound2
+               cups-ipp-utils)
 # Sanitizers, fuzzing, and how sources look.
 ci_packages=(clang libclang-rt-14-dev clang-format clang-tidy lld git)
 

@@ -97,6 +97,9 @@ TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
           "cli/report/",
           "cli/",
           "cli/help/"}},
+        {"cli/printer_app/",
+         {"tactics/text/", "tactics/", "tactics/transport/", "tactics/readers/", "print/", "tactics/job/", "cli/report/", "cli/",
+          "cli/verbs/"}},
         {"tactics/c/", {"tactics/", "tactics/readers/", "tactics/job/", "cli/", "cli/report/"}},
         {"samples/draw/", {"tactics/"}},
         {"samples/", {"tactics/job/"}},
@@ -191,6 +194,7 @@ TEST(HouseRules, ForeignHeadersComeInByTheirDoors) {
         {"libusb.h", {"tactics/transport/usb.cpp"}},
         {"hidapi.h", {"tactics/transport/hid.cpp"}},
         {"libevdev/", {"tactics/transport/evdev.cpp"}},
+        {"pappl/", {"cli/printer_app/"}},
         {"boost/", {"tactics/transport/web_socket.cpp"}},
     };
     // Of the system, without a library to link.

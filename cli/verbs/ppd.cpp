@@ -29,9 +29,6 @@ std::string capital(std::string_view word) {
 
 std::string points(double mm) { return std::to_string(std::lround(mm / kMmPerPoint)); }
 
-// As the specification has them (PPD 4.3, appendix B).
-std::string size_name(const Paper& paper) { return paper.name == "11x17" ? "Tabloid" : capital(paper.name); }
-
 std::string choice_block(const std::string& key, const std::string& words, const std::vector<std::string>& choices,
                          std::string_view fallback) {
     std::string text = "*OpenUI *" + key + "/" + words + ": PickOne\n*Default" + key + ": " + std::string(fallback) + "\n";
@@ -57,9 +54,11 @@ std::string ppd_nick_of(std::string_view embosser) {
 
 std::string ppd_name_of(const Option& option) { return "Tactics" + capital(option.name); }
 
+std::string ppd_size_of(const Paper& paper) { return paper.name == "11x17" ? "Tabloid" : capital(paper.name); }
+
 std::string paper_of_ppd(std::string_view size) {
     for (const Paper& paper : papers())
-        if (size == size_name(paper)) return std::string(paper.name);
+        if (size == ppd_size_of(paper)) return std::string(paper.name);
     const auto h = size.find('h');
     if (size.size() < 4 || size[0] != 'w' || h == std::string_view::npos) return "";
     const auto width = parse_number(size.substr(1, h - 1)), height = parse_number(size.substr(h + 1));
@@ -112,11 +111,11 @@ std::string sizes_of(const Format& format) {
     std::vector<const Paper*> sizes;
     for (const Paper& paper : papers())
         if (takes_sheet(*format.embosser, Settings(format.options), paper.width, paper.height)) sizes.push_back(&paper);
-    const std::string fallback = size_name(find_paper(format.paper, name));
+    const std::string fallback = ppd_size_of(find_paper(format.paper, name));
     std::string text;
     const auto sizes_as = [&](const std::string& key, const auto& value) {
         for (const Paper* paper : sizes)
-            text += "*" + key + " " + size_name(*paper) + "/" + std::string(paper->name) + ": \"" + value(*paper) + "\"\n";
+            text += "*" + key + " " + ppd_size_of(*paper) + "/" + std::string(paper->name) + ": \"" + value(*paper) + "\"\n";
     };
     for (const std::string key : {"PageSize", "PageRegion"}) {
         text += "\n*OpenUI *" + key + "/Paper: PickOne\n";

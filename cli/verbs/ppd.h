@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "print/format.h"
+#include "tactics/medium.h"
 
 namespace tactics {
 
@@ -21,6 +22,9 @@ std::string ppd_of(const Format& embosser, std::string_view filter);
 
 /// "TacticsPitch" for the setting pitch.
 std::string ppd_name_of(const Option& option);
+
+/// The page size for a paper, as the specification names it (PPD 4.3, appendix B): "A4", "Tabloid".
+std::string ppd_size_of(const Paper& paper);
 
 /// The paper for a page size ("A4", "w792h828" in points), as for --paper; empty: unknown.
 std::string paper_of_ppd(std::string_view size);

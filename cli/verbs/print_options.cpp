@@ -136,7 +136,7 @@ PpdWords parse_ppd(std::string_view text) {
     return ppd;
 }
 
-Queue queue_of(const PpdWords& ppd, const std::string& place, std::string_view options, const std::string& name) {
+Queue queue_of(const PpdWords& ppd, const std::string& place, const PrintOptions& options, const std::string& name) {
     Queue queue;
     queue.embosser = find_format(ppd.embosser);
     if (queue.embosser == nullptr || queue.embosser->embosser == nullptr)
@@ -154,13 +154,13 @@ Queue queue_of(const PpdWords& ppd, const std::string& place, std::string_view o
             if (!take_words(ppd, queue, option, value, name)) take(ppd, queue, option, value);
     };
     take_all(ppd.defaults);
-    take_all(parse_cups_options(options));
+    take_all(options);
     if (table == kOfLanguage) take_table_of(queue.wishes);
     return queue;
 }
 
-std::vector<std::pair<std::string, std::string>> parse_cups_options(std::string_view text) {
-    std::vector<std::pair<std::string, std::string>> options;
+PrintOptions parse_cups_options(std::string_view text) {
+    PrintOptions options;
     std::size_t at = 0;
     while (at < text.size()) {
         if (text[at] == ' ' || text[at] == '\t') {

@@ -15,11 +15,14 @@
 
 namespace tactics {
 
+/// "TacticsRecipe", "photo"; what is said last counts.
+using PrintOptions = std::vector<std::pair<std::string, std::string>>;
+
 /// Our own lines in a PPD file, or the queue's defaults, in order.
 struct PpdWords {
     std::string embosser;
-    std::vector<std::pair<std::string, std::string>> defaults;  ///< "TacticsRecipe", "photo"
-    std::map<std::string, std::set<std::string>> choices;       ///< of each option, as named in the file
+    PrintOptions defaults;
+    std::map<std::string, std::set<std::string>> choices;  ///< of each option, as named in the file
 };
 
 /// Parses `*Key: value` and `*Option choice/words: code` lines; ignores everything else.
@@ -27,7 +30,7 @@ PpdWords parse_ppd(std::string_view text);
 
 /// NAME=VALUE pairs from options as CUPS writes them, `a=b flag nofold c='d e'`, in order; a name alone means true, with "no"
 /// before it false.
-std::vector<std::pair<std::string, std::string>> parse_cups_options(std::string_view text);
+PrintOptions parse_cups_options(std::string_view text);
 
 /// The wishes from the PPD file, then those of the print job.
 struct Queue {
@@ -39,6 +42,6 @@ struct Queue {
 /// `place` is the PPD file, for messages; `name` is the job's name, which becomes its title only on request. Throws Error if the
 /// file names no embosser, for a recipe, a language or a braille table that the file does not offer or that did not come with the
 /// program or liblouis, for an unknown setting, paper or wish, and for invalid labels.
-Queue queue_of(const PpdWords& ppd, const std::string& place, std::string_view options, const std::string& name = "");
+Queue queue_of(const PpdWords& ppd, const std::string& place, const PrintOptions& options, const std::string& name = "");
 
 }  // namespace tactics

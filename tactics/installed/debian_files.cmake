@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What a Debian package has besides (Debian Policy 12): for each component copyright and changelog, and man pages packed. Run by CPack
 # on the files of each before it packs them.
-set(packages "program=tactics;formats=tactics-formats;cups=tactics-cups;library=libtactics0;development=libtactics-dev")
+set(packages "program=tactics;formats=tactics-formats;cups=tactics-cups;printer=tactics-printer-app;library=libtactics0;development=libtactics-dev")
 foreach(pair IN LISTS packages)
   string(REPLACE "=" ";" pair "${pair}")
   list(GET pair 0 component)

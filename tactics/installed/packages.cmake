@@ -10,6 +10,9 @@ endif()
 set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL program formats cups library development)
+if(PAPPL_FOUND)
+  list(APPEND CPACK_COMPONENTS_ALL printer)
+endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -49,6 +52,15 @@ Makes every embosser that TACTICS knows a model of CUPS, so that any
 program prints tactile graphics on it.")
 set(CPACK_DEBIAN_CUPS_PACKAGE_DEPENDS "tactics ${same}, cups-daemon")
 set(CPACK_DEBIAN_CUPS_PACKAGE_RECOMMENDS "cups")
+
+# It is enabled by who wants it: systemctl enable --now tactics-printer-app.
+set(CPACK_DEBIAN_PRINTER_PACKAGE_NAME tactics-printer-app)
+set(CPACK_DEBIAN_PRINTER_PACKAGE_SECTION graphics)
+set(CPACK_COMPONENT_PRINTER_DESCRIPTION "tactile graphics from pictures: embossers as IPP printers
+Makes every embosser that TACTICS knows an IPP Everywhere printer, which
+any system prints to without a driver.")
+set(CPACK_DEBIAN_PRINTER_PACKAGE_DEPENDS "tactics ${same}")
+set(CPACK_DEBIAN_PRINTER_PACKAGE_RECOMMENDS "avahi-daemon, poppler-utils")
 
 # It starts programs that come with the program.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libtactics${PROJECT_VERSION_MAJOR})

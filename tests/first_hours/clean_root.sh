@@ -2,7 +2,8 @@
 # A clean Debian in a folder, as a newcomer's machine, and steps taken in it that say what each gave; sourced by the scripts beside it.
 # It is of the release that runs here and from the mirror that apt has here; debootstrap and chroot need root. A root that was made once
 # is kept in FIRST_HOURS_CACHE, if that names a folder.
-steps=0 failures=()
+steps=0 failures=() layers=
+install='apt-get install -qq -y -o Dpkg::Use-Pty=0'
 
 can_make_root() {
     local missing=()
@@ -13,13 +14,13 @@ can_make_root() {
 
 # make_root: into $root, which is deleted at the end unless KEEP_ROOT is set.
 make_root() {
-    local release mirror cached=
-    release=$(. /etc/os-release && echo "$VERSION_CODENAME")
+    local mirror cached=
+    find_release
     mirror=$(apt-get indextargets --format '$(SITE) $(CODENAME) $(COMPONENT)' 'Identifier: Packages' |
         awk -v release="$release" '$2 == release && $3 == "main" {print $1; exit}')
     [[ -n $mirror ]] || { echo "apt knows no mirror of $release here"; exit 2; }
     root=$(mktemp -d "${TMPDIR:-/tmp}/first-hours-XXXXXX")
-    trap '[[ -n ${KEEP_ROOT:-} ]] && echo "The root is in $root" || rm -rf --one-file-system "$root"' EXIT
+    trap end_root EXIT
     [[ -z ${FIRST_HOURS_CACHE:-} ]] || cached=$FIRST_HOURS_CACHE/$release.tar
     if [[ -n $cached && -f $cached ]]; then
         tar -C "$root" -xf "$cached"
@@ -28,8 +29,58 @@ make_root() {
         rm -f "$root.log"
         [[ -z $cached ]] || tar -C "$root" -cf "$cached" .
     fi
-    chroot "$root" useradd --create-home --home-dir /srv/ana --shell /bin/bash ana
+    chmod 755 "$root"  # mktemp makes a folder that only root may enter
+    add_ana
     echo "A clean $release with $(chroot "$root" dpkg-query -W | wc -l) packages"
+}
+
+find_release() { release=$(. /etc/os-release && echo "$VERSION_CODENAME"); }
+
+add_ana() { chroot "$root" useradd --create-home --home-dir /srv/ana --shell /bin/bash ana; }
+
+end_root() {
+    [[ -n ${KEEP_ROOT:-} ]] && { echo "The root is in $root"; return; }
+    ! mountpoint -q "$root" || umount "$root"
+    rm -rf --one-file-system "$root" ${layers:+"$layers"}
+}
+
+# make_packages BUILD: the Debian packages of that build folder, unless they are newer than its programs.
+make_packages() {
+    [[ -x $1/tactics && -x $1/draw_samples ]] || { echo "Build first: samples/run"; exit 2; }
+    local made=("$1"/tactics_*.deb)
+    [[ ! -e ${made[0]} || -n $(find "$1" -maxdepth 1 -name 'tactics*' -perm /111 ! -name 'tactics_tests' -type f -newer "${made[0]}") ]] || return 0
+    rm -f "$1"/*.deb
+    (cd "$1" && cpack -G DEB >cpack.log 2>&1) || { cat "$1/cpack.log"; exit 2; }
+}
+
+# program_root BUILD: a root in which the program of that build and what it recommends are installed, and ana has pictures. What the
+# packages depend on is kept in FIRST_HOURS_CACHE, too: only the first of the scripts has to install it.
+program_root() {
+    local build=$1 kept=
+    make_packages "$build"
+    find_release
+    [[ -z ${FIRST_HOURS_CACHE:-} ]] || kept=$FIRST_HOURS_CACHE/$release-program
+    if [[ -n $kept && -d $kept ]]; then
+        root=$(mktemp -d "${TMPDIR:-/tmp}/first-hours-XXXXXX")
+        layers=$(mktemp -d "${TMPDIR:-/tmp}/first-hours-XXXXXX")
+        trap end_root EXIT
+        mkdir "$layers/upper" "$layers/work"
+        chmod 755 "$layers/upper"
+        mount -t overlay overlay -o "lowerdir=$kept,upperdir=$layers/upper,workdir=$layers/work" "$root" || cp -a "$kept/." "$root"
+    else
+        make_root
+    fi
+    rm -rf "$root/packages"
+    mkdir "$root/packages"
+    cp "$build"/*.deb "$root/packages/"
+    enter root "apt-get update -qq && $install --reinstall /packages/tactics_*.deb /packages/tactics-formats_*.deb man-db" >"$root.log" 2>&1 ||
+        { tail -n 20 "$root.log"; exit 2; }
+    rm -f "$root.log"
+    if [[ -n $kept && ! -d $kept ]]; then
+        cp -a "$root" "$kept.new" && mv "$kept.new" "$kept"
+    fi
+    pictures_for "$build"
+    echo "A $release with tactics and what it recommends: $(chroot "$root" dpkg-query -W | wc -l) packages"
 }
 
 # enter USER WORD...: runs it there; what it mounts ends with it.
@@ -69,9 +120,29 @@ close_hours() {
     ((${#failures[@]} == 0))
 }
 
+# machine_listens FILE: an embosser on the network at port $port, which keeps in FILE what it was sent last; until machine_off.
+machine_listens() {
+    exec 3< <(exec python3 -u - "$1" <<'PY'
+import os, socket, sys
+with socket.create_server(("127.0.0.1", 0)) as server:
+    print(server.getsockname()[1], flush=True)
+    while True:
+        client, _ = server.accept()
+        with client, open(sys.argv[1] + ".new", "wb") as file:
+            while block := client.recv(65536): file.write(block)
+        if os.path.getsize(sys.argv[1] + ".new"): os.rename(sys.argv[1] + ".new", sys.argv[1])
+PY
+)
+    machine=$!
+    read -r port <&3
+}
+machine_off() { kill "$machine"; }
+
 # pictures_for BUILD: into ana's home, as a newcomer has some.
 pictures_for() {
-    "$1/draw_samples" "$root/srv/ana/pictures" >/dev/null
+    local drawn=$1/first-hours-pictures  # once a build
+    [[ $drawn -nt $1/draw_samples ]] || { rm -rf "$drawn" && "$1/draw_samples" "$drawn" >/dev/null; }
+    cp -r "$drawn" "$root/srv/ana/pictures"
     # One that only OpenImageIO reads: white, with a black square.
     python3 - "$root/srv/ana/pictures/square.bmp" <<'PY'
 import struct, sys

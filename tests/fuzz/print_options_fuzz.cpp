@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view rest = bytes.substr(std::min(end + 1, bytes.size()));
     const PpdWords ppd = rest.empty() ? kOurs : parse_ppd(rest);
     try {
-        check_queue(queue_of(ppd, "fuzz.ppd", bytes.substr(0, end)), ppd);
+        check_queue(queue_of(ppd, "fuzz.ppd", parse_cups_options(bytes.substr(0, end))), ppd);
     } catch (const Error& error) {
         require(error.what()[0] != '\0');
     }

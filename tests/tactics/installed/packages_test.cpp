@@ -36,7 +36,14 @@ TEST(Packages, HoldWhatTheyShouldAndDependOnIt) {
         EXPECT_TRUE(holds(files[name], "./usr/share/doc/" + name + "/copyright")) << name;
         EXPECT_EQ(first_fit(files[name], "^.* root/root .* \\./(?!usr/|$).*$"), Fit{}) << name << " puts files outside /usr";
     }
-    ASSERT_EQ(depends.size(), 5u);
+    const bool printer_app = fs::exists(TACTICS_BINARY_DIR "/tactics-printer-app");
+    ASSERT_EQ(depends.size(), printer_app ? 6u : 5u);
+    if (printer_app) {
+        EXPECT_TRUE(holds(depends["tactics-printer-app"], "libpappl1") && holds(depends["tactics-printer-app"], "tactics (= "));
+        EXPECT_TRUE(holds(files["tactics-printer-app"], "man1/tactics-printer-app.1.gz"));
+        EXPECT_TRUE(holds(files["tactics-printer-app"], "lib/systemd/system/tactics-printer-app.service"));
+        EXPECT_FALSE(holds(depends["tactics"], "pappl")) << depends["tactics"];
+    }
     // OpenImageIO brings 180 packages, so only the package of rare formats may need it.
     EXPECT_TRUE(holds(depends["tactics"], "liblouis") && !holds(depends["tactics"], "openimageio")) << depends["tactics"];
     if (fs::exists(TACTICS_BINARY_DIR "/tactics-openimageio")) {

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/printer_app/job_child.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "cli/interrupt.h"
+#include "cli/report/say.h"
+#include "tactics/error.h"
+#include "tactics/job/open_input.h"
+#include "tactics/text/number.h"
+#include "tactics/transport/lesser_rights.h"
+
+extern char** environ;
+
+namespace tactics {
+
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 28;  // a book of 10,000 pages has a tenth of it
+constexpr std::chrono::seconds kTimeToEnd{5};
+constexpr std::string_view kError = "ERROR: ", kInfo = "INFO: ", kPage = "PAGE: ";
+constexpr std::string_view kAny = "any", kText = "text", kOptions = "--";
+
+std::vector<std::string> words_of(const JobRequest& request) {
+    std::vector<std::string> words{"tactics-printer-app",
+                                   std::string(kJobChild),
+                                   request.driver,
+                                   request.title,
+                                   std::to_string(request.job.copies),
+                                   std::to_string(request.job.first_page),
+                                   std::to_string(request.job.last_page),
+                                   std::string(request.job.is_text ? kText : kAny)};
+    for (const auto& [name, value] : request.defaults) words.push_back(name + "=" + value);
+    words.emplace_back(kOptions);
+    for (const auto& [name, value] : request.options) words.push_back(name + "=" + value);
+    return words;
+}
+
+JobRequest request_of(const std::vector<std::string>& words) {
+    constexpr std::size_t kFixed = 6;
+    if (words.size() <= kFixed)
+        throw Error(Fault::usage, std::string(kJobChild), "is how the printer application calls itself; see --help");
+    const auto number = [&](std::size_t at) { return static_cast<int>(parse_number(words[at]).value_or(1)); };
+    JobRequest request{words[0], words[1], {copies_of(words[2]), number(3), number(4), words[5] == kText}, {}, {}};
+    PrintOptions* taken = &request.defaults;
+    for (std::size_t i = kFixed; i < words.size(); ++i) {
+        const auto equals = words[i].find('=');
+        if (words[i] == kOptions)
+            taken = &request.options;
+        else if (equals != std::string::npos)
+            taken->emplace_back(words[i].substr(0, equals), words[i].substr(equals + 1));
+    }
+    return request;
+}
+
+void check_choice(const PpdWords& words, const std::string& option, const std::string& value) {
+    const auto offered = words.choices.find(option);
+    const bool any = std::find(std::begin(kAnyWords), std::end(kAnyWords), option) != std::end(kAnyWords);
+    if (any || offered == words.choices.end() || offered->second.contains(value)) return;
+    const std::vector<std::string_view> names(offered->second.begin(), offered->second.end());
+    throw Error(Fault::usage, attribute_of(option),
+                "this printer has no choice \"" + value.substr(0, 80) + "\"" + did_you_mean(value, names) +
+                    "; tactics-printer-app choices lists them");
+}
+
+class Pipe {
+public:
+    Pipe() {
+        if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw Error(Fault::failed, "", "there is no room for another pipe");
+    }
+    ~Pipe() {
+        close_one(0);
+        close_one(1);
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+    int end(std::size_t which) const { return ends_[which]; }
+    void close_one(std::size_t which) {
+        if (ends_[which] >= 0) close(ends_[which]);
+        ends_[which] = -1;
+    }
+
+private:
+    std::array<int, 2> ends_{-1, -1};
+};
+
+// The child with its output and its lines.
+class JobChild {
+public:
+    JobChild(const std::vector<std::string>& words, int document) {
+        std::vector<char*> pointers;
+        for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
+        pointers.push_back(nullptr);
+        posix_spawn_file_actions_t files;
+        posix_spawnattr_t how;
+        posix_spawn_file_actions_init(&files);
+        posix_spawnattr_init(&how);
+        posix_spawn_file_actions_adddup2(&files, document, STDIN_FILENO);
+        posix_spawn_file_actions_adddup2(&files, out_.end(1), STDOUT_FILENO);
+        posix_spawn_file_actions_adddup2(&files, told_.end(1), STDERR_FILENO);
+        // The server handles these itself; it is the child's own to end by them.
+        sigset_t none, ours;
+        sigemptyset(&none);
+        sigemptyset(&ours);
+        for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGPIPE}) sigaddset(&ours, signal);
+        posix_spawnattr_setsigmask(&how, &none);
+        posix_spawnattr_setsigdefault(&how, &ours);
+        posix_spawnattr_setpgroup(&how, 0);
+        posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+        const int fault = posix_spawn(&child_, "/proc/self/exe", &files, &how, pointers.data(), environ);
+        posix_spawn_file_actions_destroy(&files);
+        posix_spawnattr_destroy(&how);
+        if (fault != 0) {
+            child_ = -1;
+            throw Error(Fault::failed, "", "the program that converts print jobs could not be started");
+        }
+        out_.close_one(1);
+        told_.close_one(1);
+    }
+    ~JobChild() {
+        if (child_ > 0) end(SIGKILL);
+    }
+    JobChild(const JobChild&) = delete;
+    JobChild& operator=(const JobChild&) = delete;
+
+    // Reads what there is; false: both ends are closed.
+    bool hear(std::string& bytes, const std::function<void(std::string_view)>& take_line) {
+        std::array<pollfd, 2> ends{{{out_.end(0), POLLIN, 0}, {told_.end(0), POLLIN, 0}}};
+        if (poll(ends.data(), ends.size(), 200) < 0) return true;
+        if (ends[0].revents != 0) read_from(out_, bytes);
+        if (ends[1].revents != 0) read_from(told_, lines_);
+        for (auto end = lines_.find('\n'); end != std::string::npos; end = lines_.find('\n')) {
+            take_line(std::string_view(lines_).substr(0, end));
+            lines_.erase(0, end + 1);
+        }
+        if (lines_.size() > 1u << 16) lines_.clear();
+        return out_.end(0) >= 0 || told_.end(0) >= 0;
+    }
+    // Its group too: it starts programs of its own.
+    void end(int signal) {
+        kill(-child_, signal);
+        if (signal == SIGKILL) wait();
+    }
+    // Whether it ended well.
+    bool wait() {
+        int status = 0;
+        while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+        }
+        child_ = -1;
+        return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    }
+
+private:
+    static void read_from(Pipe& pipe, std::string& text) {
+        std::array<char, 65536> block;
+        const ssize_t count = read(pipe.end(0), block.data(), block.size());
+        if (count > 0)
+            text.append(block.data(), static_cast<std::size_t>(count));
+        else if (count == 0 || errno != EINTR)
+            pipe.close_one(0);
+    }
+
+    Pipe out_, told_;
+    std::string lines_;
+    pid_t child_ = -1;
+};
+
+}  // namespace
+
+Queue queue_of(const JobRequest& request) {
+    const MachineDriver* driver = find_driver(request.driver);
+    if (driver == nullptr)
+        throw Error(Fault::usage, request.driver, "there is no such driver; tactics-printer-app drivers lists them");
+    PpdWords words = words_of(*driver);
+    for (const auto& [option, value] : request.options) check_choice(words, option, value);
+    for (const auto& chosen : request.defaults) words.defaults.push_back(chosen);
+    try {
+        return queue_of(words, request.driver, request.options, request.title);
+    } catch (const Error& error) {
+        throw Error(error.fault(), "", in_attributes(error.what(), words));
+    }
+}
+
+std::string convert_job(const JobRequest& request, int document, const JobWatch& watch) {
+    JobChild child(words_of(request), document);
+    std::string bytes, error;
+    const auto take_line = [&](std::string_view line) {
+        if (line.starts_with(kError))
+            error = line.substr(kError.size());
+        else if (line.starts_with(kPage))
+            watch.sheet();
+        else
+            watch.note(line.starts_with(kInfo) ? line.substr(kInfo.size()) : line);
+    };
+    std::chrono::steady_clock::time_point cancelled{};
+    while (child.hear(bytes, take_line)) {
+        const auto now = std::chrono::steady_clock::now();
+        const bool is_cancelled = watch.is_cancelled(), first = cancelled == std::chrono::steady_clock::time_point{};
+        if (is_cancelled && first) {
+            cancelled = now;
+            child.end(SIGTERM);
+        }
+        if (is_cancelled && !first && now - cancelled > kTimeToEnd) return "";
+        if (bytes.size() > kMostBytes) throw Error(Fault::failed, "", "the job has more pages than an embosser could make");
+    }
+    const bool good = child.wait();
+    if (watch.is_cancelled()) return "";
+    if (!good) throw Error(Fault::failed, "", error.empty() ? "the program that converts print jobs ended early" : error);
+    return bytes;
+}
+
+int run_job_child(const std::vector<std::string>& words) {
+    try {
+        fix_print_surroundings();
+        take_lesser_rights();
+        const JobRequest request = request_of(words);
+        spell_wishes_with("tactics-");
+        const Interrupt interrupt([] {});
+        Source document = open_source("-");
+        document.name = request.title;
+        emboss_print_job(std::move(document), queue_of(request), request.job);
+        return 0;
+    } catch (const std::exception& error) {
+        say(std::string(kError) + error.what());
+        return 1;
+    }
+}
+
+}  // namespace tactics

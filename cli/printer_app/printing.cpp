@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/printer_app/printing.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "cli/printer_app/ipp_driver.h"
+#include "cli/printer_app/job_child.h"
+#include "cli/verbs/wrong_machine.h"
+#include "print/png_file.h"
+#include "tactics/error.h"
+#include "tactics/readers/append_file.h"
+#include "tactics/units.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr std::uint64_t kMostPixels = 400'000'000;  // A3 at 600 dpi has 70 million
+
+class OpenFile {
+public:
+    explicit OpenFile(int file) : file_(file) {
+        if (file < 0) throw Error(Fault::failed, "", "the document of the job cannot be read");
+    }
+    ~OpenFile() { close(file_); }
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
+    int number() const { return file_; }
+
+private:
+    int file_;
+};
+
+// Nothing is thrown into PAPPL, which is C; the message is shown with the job.
+template <class Work>
+bool guarded(pappl_job_t* job, const Work& work) {
+    try {
+        work();
+        return true;
+    } catch (const std::exception& error) {
+        papplLogJob(job, PAPPL_LOGLEVEL_ERROR, "%s", error.what());
+        papplJobSetMessage(job, "%s", error.what());
+        papplJobSetReasons(job, PAPPL_JREASON_DOCUMENT_UNPRINTABLE_ERROR, PAPPL_JREASON_NONE);
+        return false;
+    }
+}
+
+enum class CountsSheets : bool { no, yes };  // PAPPL itself counts those of a raster
+
+std::string converted(pappl_job_t* job, const JobRequest& request, int document, CountsSheets counts) {
+    JobWatch watch;
+    watch.note = [&](std::string_view note) { papplLogJob(job, PAPPL_LOGLEVEL_INFO, "%s", std::string(note).c_str()); };
+    watch.sheet = [&] {
+        if (counts == CountsSheets::yes) papplJobSetImpressionsCompleted(job, 1);
+    };
+    watch.is_cancelled = [&] { return papplJobIsCanceled(job); };
+    return convert_job(request, document, watch);
+}
+
+void send_all(pappl_device_t* device, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t sent = papplDeviceWrite(device, bytes.data(), std::min<std::size_t>(bytes.size(), 65536));
+        if (sent <= 0) throw Error(Fault::failed, "", "the embosser takes no more bytes; see whether it is on, and has paper");
+        bytes.remove_prefix(static_cast<std::size_t>(sent));
+    }
+}
+
+// A job that is cancelled ends after a sheet, and with the bytes that end a job: a machine must not wait for the rest of one.
+void send(pappl_job_t* job, pappl_device_t* device, const Queue& queue, std::string_view bytes) {
+    const Embosser& embosser = *queue.embosser->embosser;
+    const Punched punched = embosser.punch(bytes, queue.wishes.settings.front().second);
+    std::size_t sent = 0;
+    for (const PunchedSheet& sheet : punched.sheets) {
+        if (papplJobIsCanceled(job)) break;
+        send_all(device, bytes.substr(sent, sheet.end - sent));
+        sent = sheet.end;
+    }
+    std::string rest(bytes.substr(sent));
+    if (papplJobIsCanceled(job))
+        rest = sent == 0 ? "" : bytes.substr(punched.job_end_begin, punched.job_end_end - punched.job_end_begin);
+    if (sent + rest.size() > 0) rest += packet_end(embosser.packet, sent + rest.size());
+    send_all(device, rest);
+    papplDeviceFlush(device);
+}
+
+bool print_bytes(pappl_job_t* job, pappl_pr_options_t*, pappl_device_t* device) {
+    return guarded(job, [&] {
+        const Queue queue = queue_of(request_of(job, false));
+        std::string bytes;
+        append_file(bytes, papplJobGetFilename(job));
+        refuse_wrong_machine(papplJobGetName(job), bytes, *queue.embosser, queue.wishes.settings.front().second);
+        send(job, device, queue, bytes);
+    });
+}
+
+// Pages that a client made into pixels, each of which is converted when its last row has come.
+struct RasterJob {
+    JobRequest request;
+    Queue queue;
+    std::unique_ptr<PngFile> page = nullptr;
+    std::vector<std::uint8_t> row = {};
+    std::string bytes = {};
+};
+
+RasterJob& raster_of(pappl_job_t* job) { return *static_cast<RasterJob*>(papplJobGetData(job)); }
+
+bool begin_raster(pappl_job_t* job, pappl_pr_options_t*, pappl_device_t*) {
+    return guarded(job, [&] {
+        auto raster = std::make_unique<RasterJob>();
+        raster->request = request_of(job, false);
+        raster->request.job.first_page = raster->request.job.last_page = 1;
+        raster->queue = queue_of(raster->request);
+        papplJobSetData(job, raster.release());
+    });
+}
+
+bool begin_page(pappl_job_t* job, pappl_pr_options_t* options, pappl_device_t*, unsigned) {
+    return guarded(job, [&] {
+        const auto& header = options->header;
+        if (header.cupsBitsPerPixel != 8 || std::uint64_t{header.cupsWidth} * header.cupsHeight > kMostPixels)
+            throw Error(Fault::failed, "", "the page has too many pixels, or other than 256 levels of grey");
+        RasterJob& raster = raster_of(job);
+        raster.page = std::make_unique<PngFile>(header.cupsWidth, header.cupsHeight, 8);
+        constexpr double kMmPerMetre = 1000;
+        raster.page->scale(header.HWResolution[0] / kMmPerInch * kMmPerMetre, header.HWResolution[1] / kMmPerInch * kMmPerMetre);
+        raster.row.assign(std::size_t{header.cupsWidth} + 1, 0);
+    });
+}
+
+bool take_row(pappl_job_t* job, pappl_pr_options_t* options, pappl_device_t*, unsigned, const unsigned char* pixels) {
+    return guarded(job, [&] {
+        RasterJob& raster = raster_of(job);
+        std::memcpy(raster.row.data() + 1, pixels, raster.row.size() - 1);
+        if (options->header.cupsColorSpace == CUPS_CSPACE_K)
+            for (std::size_t x = 1; x < raster.row.size(); ++x) raster.row[x] = static_cast<std::uint8_t>(255 - raster.row[x]);
+        raster.page->add_row(raster.row);
+    });
+}
+
+bool end_page(pappl_job_t* job, pappl_pr_options_t*, pappl_device_t*, unsigned) {
+    return guarded(job, [&] {
+        RasterJob& raster = raster_of(job);
+        const std::string picture = raster.page->finish();
+        raster.page = nullptr;
+        const OpenFile file(memfd_create("page", MFD_CLOEXEC));
+        if (write(file.number(), picture.data(), picture.size()) != static_cast<ssize_t>(picture.size()) ||
+            lseek(file.number(), 0, SEEK_SET) != 0)
+            throw Error(Fault::failed, "", "there is not enough memory for the page");
+        raster.bytes += converted(job, raster.request, file.number(), CountsSheets::no);
+    });
+}
+
+bool end_raster(pappl_job_t* job, pappl_pr_options_t*, pappl_device_t* device) {
+    const std::unique_ptr<RasterJob> raster(&raster_of(job));
+    papplJobSetData(job, nullptr);
+    return guarded(job, [&] { send(job, device, raster->queue, raster->bytes); });
+}
+
+bool ask_status(pappl_printer_t*) { return true; }
+
+void identify(pappl_printer_t*, pappl_identify_actions_t, const char*) {}  // nothing on it can be made to blink
+
+}  // namespace
+
+void add_printing(pappl_pr_driver_data_t& driver) {
+    driver.printfile_cb = print_bytes;
+    driver.rstartjob_cb = begin_raster;
+    driver.rstartpage_cb = begin_page;
+    driver.rwriteline_cb = take_row;
+    driver.rendpage_cb = end_page;
+    driver.rendjob_cb = end_raster;
+    driver.status_cb = ask_status;
+    driver.identify_cb = identify;
+}
+
+bool print_document(pappl_job_t* job, pappl_device_t* device, void*) {
+    return guarded(job, [&] {
+        const JobRequest request = request_of(job, std::strcmp(papplJobGetFormat(job), "text/plain") == 0);
+        const Queue queue = queue_of(request);  // what is wrong with the options is said before anything is read
+        const OpenFile document(open(papplJobGetFilename(job), O_RDONLY | O_CLOEXEC));
+        const std::string bytes = converted(job, request, document.number(), CountsSheets::yes);
+        send(job, device, queue, bytes);
+    });
+}
+
+}  // namespace tactics
