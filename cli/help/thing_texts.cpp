@@ -135,7 +135,7 @@ std::string describe_rule(const Rule& rule) {
         if (limit && example.empty()) example = medium.name;
         limits += (limits.empty() ? "" : ", ") + std::string(medium.name) + " " + (limit ? to_text(*limit) : "none");
     }
-    text += "By medium: " + limits + ".\nWhat to do: " + std::string(rule.mend) + ".\nSource: " + std::string(rule.source) +
+    text += "By medium: " + limits + ".\nWhat to do: " + std::string(rule.mend.text) + ".\nSource: " + std::string(rule.source) +
             ".\nConfidence in the number: " + std::string(name_of(rule.confidence)) + ".";
     if (rule.confidence != Confidence::good) text += " Treat it as a hint, and change it if your readers prefer otherwise.";
     return text + "\nExample: tactics check page.svg --rule " + std::string(rule.name) + " --medium " + std::string(example) +

@@ -41,7 +41,7 @@ std::string rule_entry(const Rule& rule) {
     json.add_raw("shortDescription", message_json(rule.summary));
     json.add_raw("fullDescription", message_json("Source: " + std::string(rule.source) +
                                                  ". Confidence: " + std::string(name_of(rule.confidence)) + "."));
-    json.add_raw("help", message_json(rule.mend));
+    json.add_raw("help", message_json(rule.mend.text));
     json.add_raw("defaultConfiguration", level.text());
     return json.text();
 }
@@ -52,7 +52,7 @@ std::string result_entry(const Checked& checked, const Verdict& verdict, const F
     JsonObject physical;
     physical.add_raw("artifactLocation", artifact.text());
     JsonObject place;
-    place.add("name", place_of(finding));
+    place.add("name", place_of(finding).english());
     JsonObject location;
     location.add_raw("physicalLocation", physical.text());
     location.add_raw("logicalLocations", "[" + place.text() + "]");
@@ -66,7 +66,7 @@ std::string result_entry(const Checked& checked, const Verdict& verdict, const F
     JsonObject json;
     json.add("ruleId", verdict.demand.rule->name);
     json.add("level", verdict.demand.rule->hard ? "error" : "warning");
-    json.add_raw("message", message_json(place_of(finding) + ": " + what_is_wrong(verdict, finding)));
+    json.add_raw("message", message_json(place_of(finding).english() + ": " + what_is_wrong(verdict, finding).english()));
     json.add_raw("locations", "[" + location.text() + "]");
     json.add_raw("properties", measures.text());
     return json.text();
@@ -107,7 +107,7 @@ std::string suite_of(const Checked& checked) {
     for (const Verdict& verdict : checked.verdicts) {
         std::string places;
         for (const Finding& finding : verdict.findings.places)
-            places += place_of(finding) + ": " + what_is_wrong(verdict, finding) + "\n";
+            places += place_of(finding).english() + ": " + what_is_wrong(verdict, finding).english() + "\n";
         if (!verdict.findings.complete) places += "looking was ended before everything was seen\n";
         const bool failed = verdict.demand.rule->hard && !verdict.findings.places.empty();
         failures += failed ? 1 : 0;

@@ -35,7 +35,7 @@ std::vector<Mark> marks_of(const Checked& checked, std::size_t most) {
             if (finding.other && distance(at, *finding.other) < 2 * kRing)
                 at = {(at.x + finding.other->x) / 2, (at.y + finding.other->y) / 2};
             at = {std::clamp(at.x, 0.0, checked.found.page.width), std::clamp(at.y, 0.0, checked.found.page.height)};
-            marks.push_back({at, std::to_string(number), what_is_wrong(verdict, finding)});
+            marks.push_back({at, std::to_string(number), what_is_wrong(verdict, finding).in(checked.found.page.language)});
         }
     return marks;
 }

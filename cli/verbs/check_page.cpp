@@ -27,14 +27,18 @@ FoundPage page_of_picture(Source source, const PageWish& wish) {
     FoundPage found;
     found.page = std::move(outcome.layouts.front().shown.front());
     const bool drawn = !outcome.recipe.empty();
-    found.notes.push_back("this is a " + (drawn ? "picture" : outcome.picture.format) + ", checked as convert would draw it (" +
-                          (drawn ? "recipe " + outcome.recipe + ", " : "") + "medium " + std::string(wish.medium->name) +
-                          "); a page is checked as SVG or PDF");
-    for (const Note& note : outcome.notes) found.notes.push_back(note.english());
+    found.notes.push_back(
+        drawn
+            ? phrase(
+                  "this is a picture, checked as convert would draw it (recipe {0}, medium {1}); a page is checked as SVG or PDF",
+                  outcome.recipe, wish.medium->name)
+            : phrase("this is a {0}, checked as convert would draw it (medium {1}); a page is checked as SVG or PDF",
+                     outcome.picture.format, wish.medium->name));
+    for (const Note& note : outcome.notes) found.notes.push_back(note.words);
     const MendingTold& told = outcome.layouts.front().mended;
     for (const Phrase& note : {told.advice, told.doubt})
-        if (!note.empty()) found.notes.push_back(note.english());
-    if (found.page.picture) found.notes.push_back("a picture of pixels is looked at for its ink and beside braille only");
+        if (!note.empty()) found.notes.push_back(note);
+    if (found.page.picture) found.notes.push_back(phrase("a picture of pixels is looked at for its ink and beside braille only"));
     return found;
 }
 
@@ -45,7 +49,7 @@ FoundPage page_of_svg(Source& source, double margin, const PageWish& wish) {
     if (auto own = read_own_page(bytes, source.name)) {
         own->page.live = found.page.live;
         found.page = std::move(own->page);
-        for (const auto& note : own->notes) found.notes.push_back(note.english());
+        for (const Phrase& note : own->notes) found.notes.push_back(note);
     }
     return found;
 }
@@ -56,19 +60,20 @@ FoundPage page_of(const std::string& file, const PageWish& wish) {
     Source source = open_source(file);
     const double margin = wish.margin.value_or(wish.medium->margin);
     const Holds holds = look_at(source);
-    if (wish.pdf_page > 0 && holds != Holds::pdf) throw Error(Fault::usage, "--page", source.name + " is no PDF; leave it out");
+    if (wish.pdf_page > 0 && holds != Holds::pdf)
+        throw Error(Fault::usage, "--page", phrase("{0} is no PDF; leave it out", source.name));
     if (holds == Holds::pdf && wish.pdf_page > 0) {
         const int pages = pages_of_pdf(source);
         if (wish.pdf_page > pages)
             throw Error(Fault::usage, source.name,
-                        "there is no page " + std::to_string(wish.pdf_page) + ", but pages 1 to " + std::to_string(pages));
+                        phrase("there is no page {0}, but pages 1 to {1}", std::to_string(wish.pdf_page), std::to_string(pages)));
     }
     if (holds != Holds::svg && holds != Holds::pdf) return page_of_picture(std::move(source), wish);
     FoundPage found = holds == Holds::pdf ? read_svg(pdf_as_svg(source, wish.pdf_page), source.name, margin, wish.paper)
                                           : page_of_svg(source, margin, wish);
     if (wish.chain.as_drawn || asks_for_a_way(wish.chain))
         found.notes.push_back(
-            "it is a page already, so --recipe, --filter, --detail, --as-drawn and settings of filters do nothing to it");
+            phrase("it is a page already, so --recipe, --filter, --detail, --as-drawn and settings of filters do nothing to it"));
     return found;
 }
 

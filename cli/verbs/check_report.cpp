@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/report/say.h"
+#include "cli/report/user_language.h"
 #include "tactics/text/json.h"
 #include "tactics/units.h"
 
@@ -11,12 +12,10 @@ namespace tactics {
 
 namespace {
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-    return std::to_string(count) + " " + std::string(count == 1 ? one : many);
-}
-
-std::string with_unit(const Rule& rule, double value) {
-    return shown(value) + (rule.limit.unit.empty() ? "" : " " + std::string(rule.limit.unit));
+Phrase with_unit(const Rule& rule, double value) {
+    if (rule.limit.unit == "mm") return phrase("{0} mm", shown(value));
+    if (rule.limit.unit == "percent") return phrase("{0} percent", shown(value));
+    return rule.limit.unit.empty() ? shown(value) : phrase("{0} square cm", shown(value));
 }
 
 std::string rule_json(const Verdict& verdict) {
@@ -24,7 +23,7 @@ std::string rule_json(const Verdict& verdict) {
     std::vector<std::string> findings;
     for (const Finding& finding : verdict.findings.places) {
         JsonObject json;
-        json.add("message", finding.message);
+        json.add("message", finding.message.english());
         json.add("measured", finding.measured);
         if (!finding.whole_page) {
             json.add("x_mm", finding.at.x);
@@ -58,40 +57,46 @@ Count count_of(const Checked& checked) {
     return count;
 }
 
-std::string place_of(const Finding& finding) {
-    if (finding.whole_page) return "whole page";
-    return to_text(std::round(finding.at.x * 10) / 10) + " mm right, " + to_text(std::round(finding.at.y * 10) / 10) + " mm down";
+Phrase place_of(const Finding& finding) {
+    if (finding.whole_page) return phrase("whole page");
+    return phrase("{0} mm right, {1} mm down", numeral(std::round(finding.at.x * 10) / 10),
+                  numeral(std::round(finding.at.y * 10) / 10));
 }
 
-std::string what_is_wrong(const Verdict& verdict, const Finding& finding) {
+Phrase what_is_wrong(const Verdict& verdict, const Finding& finding) {
     const Rule& rule = *verdict.demand.rule;
-    return finding.message + ", " + std::string(rule.limit.name) + " is " + with_unit(rule, verdict.demand.limit) + "; " +
-           std::string(rule.mend);
+    const Phrase limit = with_unit(rule, verdict.demand.limit);
+    return rule.limit.name == "least" ? phrase("{0}, least is {1}; {2}", finding.message, limit, phrase(rule.mend))
+                                      : phrase("{0}, most is {1}; {2}", finding.message, limit, phrase(rule.mend));
 }
 
 std::string text_report(const Checked& checked, std::size_t most, bool marks) {
-    const std::string file = one_line(checked.file == "-" ? "standard input" : checked.file) + ": ";
+    const Phrase file = checked.file == "-" ? phrase("standard input") : Phrase(one_line(checked.file));
     std::string text;
-    for (const std::string& note : checked.found.notes) text += file + "note: " + note + "\n";
+    const auto tell = [&](const Phrase& line) { text += phrase("{0}: {1}", file, line).in(user_language()) + "\n"; };
+    for (const Phrase& note : checked.found.notes) tell(phrase("note: {0}", note));
     std::size_t mark = 0;
     for (const Verdict& verdict : checked.verdicts) {
         const Rule& rule = *verdict.demand.rule;
         const auto& places = verdict.findings.places;
-        const std::string name = " (" + std::string(rule.name) + (rule.hard ? ", hard)" : ")");
-        for (std::size_t i = 0; i < std::min(most, places.size()); ++i)
-            text += file + (marks ? "mark " + std::to_string(++mark) + ": " : "") + place_of(places[i]) + ": " +
-                    what_is_wrong(verdict, places[i]) + name + "\n";
+        const Phrase name = rule.hard ? phrase("{0}, hard", rule.name) : Phrase(rule.name);
+        for (std::size_t i = 0; i < std::min(most, places.size()); ++i) {
+            const Phrase line = phrase("{0}: {1} ({2})", place_of(places[i]), what_is_wrong(verdict, places[i]), name);
+            tell(marks ? phrase("mark {0}: {1}", std::to_string(++mark), line) : line);
+        }
         if (places.size() > most)
-            text += file + "and " + std::to_string(places.size() - most) + " more" + name + "; --most all shows them\n";
+            tell(phrase("and {0} more ({1}); --most all shows them", std::to_string(places.size() - most), name));
         if (!verdict.findings.complete)
-            text += file + "there is so much on this page that looking was ended; there may be more" + name + "\n";
+            tell(phrase("there is so much on this page that looking was ended; there may be more ({0})", name));
     }
     const Count count = count_of(checked);
     if (count.hard + count.others > 0)
-        return text + file + counted(count.hard, "place breaks a hard rule", "places break hard rules") + ", " +
-               counted(count.others, "place breaks another", "places break others") + "; see tactics help check\n";
-    return text + file +
-           (count.complete ? "no rule is broken\n" : "no broken rule was found, but not everything was looked at\n");
+        tell(phrase("{0}, {1}; see tactics help check",
+                    phrases(count.hard, "{0} place breaks a hard rule", "{0} places break hard rules"),
+                    phrases(count.others, "{0} place breaks another", "{0} places break others")));
+    else
+        tell(count.complete ? phrase("no rule is broken") : phrase("no broken rule was found, but not everything was looked at"));
+    return text;
 }
 
 std::string json_report(const Checked& checked) {

@@ -27,12 +27,12 @@ struct Count {
 Count count_of(const Checked& checked);
 
 /// "34.2 mm right, 80.1 mm down" from the top left corner, or "whole page".
-std::string place_of(const Finding& finding);
+Phrase place_of(const Finding& finding);
 /// "a gap of 1.2 mm between two lines, where at least 3.2 mm is asked for; move them apart or join them"
-std::string what_is_wrong(const Verdict& verdict, const Finding& finding);
+Phrase what_is_wrong(const Verdict& verdict, const Finding& finding);
 
 /// One line per finding, at most `most` for each rule (the rest are counted), notes and a summary line. With `marks`, each
-/// reported finding has the number that mark_page gives it.
+/// reported finding has the number that mark_page gives it. In the language of the user.
 std::string text_report(const Checked& checked, std::size_t most, bool marks);
 /// Everything in one object on one line.
 std::string json_report(const Checked& checked);

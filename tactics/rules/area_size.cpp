@@ -21,7 +21,7 @@ Findings check(const PageGeometry& geometry, double limit) {
         const double extent = geometry.extent_of(figure, limit);
         if (extent < limit - kRounding)
             findings.places.push_back(
-                {extent, geometry.point_at({*ring, 0}), {}, "a black area " + shown(extent) + " mm across"});
+                {extent, geometry.point_at({*ring, 0}), {}, phrase("a black area {0} mm across", shown(extent))});
     }
     return findings;
 }

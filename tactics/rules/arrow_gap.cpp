@@ -53,8 +53,8 @@ Findings check(const PageGeometry& geometry, double limit) {
         if (target.distance >= limit - kRounding) continue;
         const double gap = std::max(0.0, target.distance);
         findings.places.push_back({gap, head->tip, target.other,
-                                   gap > 0 ? "an arrow that ends " + shown(gap) + " mm before what it points to"
-                                           : "an arrow that touches what it points to"});
+                                   gap > 0 ? phrase("an arrow that ends {0} mm before what it points to", shown(gap))
+                                           : phrase("an arrow that touches what it points to")});
     }
     findings.complete = budget > 0;
     return findings;

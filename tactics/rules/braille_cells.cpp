@@ -10,7 +10,8 @@ Findings check(const PageGeometry& geometry, double limit) {
     const double pitch = geometry.page.cell.cell_pitch, off = off_standard(pitch, &CellSize::cell_pitch);
     const auto at = first_braille(geometry);
     if (!at || off <= limit + kRounding) return {};
-    return {{{off, *at, {}, "braille whose cells stand " + shown(pitch) + " mm apart, " + shown(off) + " mm off the standard"}}};
+    return {
+        {{off, *at, {}, phrase("braille whose cells stand {0} mm apart, {1} mm off the standard", shown(pitch), shown(off))}}};
 }
 
 }  // namespace

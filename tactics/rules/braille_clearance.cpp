@@ -16,7 +16,7 @@ constexpr std::size_t kMostPixels = 100'000'000;
 struct Nearby {
     double apart;
     Point at;
-    std::string what;
+    Phrase what;
 };
 
 // The pixel of a picture nearest to the box, if it is nearer than the best so far.
@@ -41,7 +41,7 @@ void look_at_picture(const Bitmap& picture, const Box& box, Nearby& nearest_thin
             const Box pixel{picture.place.left + x * across, picture.place.top + y * down, picture.place.left + (x + 1) * across,
                             picture.place.top + (y + 1) * down};
             const double apart = distance(box, pixel);
-            if (apart < nearest_thing.apart) nearest_thing = {apart, {pixel.left, pixel.top}, "a picture"};
+            if (apart < nearest_thing.apart) nearest_thing = {apart, {pixel.left, pixel.top}, phrase("a picture")};
         }
 }
 
@@ -54,21 +54,21 @@ Findings check(const PageGeometry& geometry, double limit) {
     std::size_t budget = kMostPixels;
     for (const Box& braille : geometry.braille) {
         const Point middle{(braille.left + braille.right) / 2, (braille.top + braille.bottom) / 2};
-        Nearby found{limit - kRounding, {}, ""};
+        Nearby found{limit - kRounding, {}, {}};
         grid.any_near({braille.left - limit, braille.top - limit, braille.right + limit, braille.bottom + limit},
                       [&](std::size_t i) {
                           const Chain& chain = geometry.chains[geometry.pieces[i].chain];
                           const Nearest near = nearest(geometry.pieces[i].line, braille);
                           const double apart = std::max(0.0, near.distance - chain.half_width);
-                          if (apart < found.apart) found = {apart, near.one, chain.ring ? "an area" : "a line"};
+                          if (apart < found.apart) found = {apart, near.one, chain.ring ? phrase("an area") : phrase("a line")};
                           return apart == 0;
                       });
-        if (geometry.black_area_at(middle)) found = {0, middle, "an area"};
+        if (geometry.black_area_at(middle)) found = {0, middle, phrase("an area")};
         if (geometry.page.picture) look_at_picture(*geometry.page.picture, braille, found, budget);
         if (found.what.empty()) continue;
-        findings.places.push_back(
-            {found.apart, found.at, middle,
-             found.apart > 0 ? found.what + " " + shown(found.apart) + " mm from braille" : found.what + " in braille"});
+        findings.places.push_back({found.apart, found.at, middle,
+                                   found.apart > 0 ? phrase("{0} {1} mm from braille", found.what, shown(found.apart))
+                                                   : phrase("{0} in braille", found.what)});
         if (findings.places.size() > kMostPlaces) break;
     }
     findings.complete = budget > 0;

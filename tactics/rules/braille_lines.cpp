@@ -28,8 +28,8 @@ Findings check(const PageGeometry& geometry, double limit) {
         findings.places.push_back({kLeastLinePitch - pitch,
                                    {lower.left, lower.top},
                                    {},
-                                   "two lines of braille " + shown(pitch) + " mm apart, " + shown(kLeastLinePitch - pitch) +
-                                       " mm less than the standard"});
+                                   phrase("two lines of braille {0} mm apart, {1} mm less than the standard", shown(pitch),
+                                          shown(kLeastLinePitch - pitch))});
         return findings.places.size() <= kMostPlaces;
     });
     return findings;

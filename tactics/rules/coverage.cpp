@@ -191,7 +191,7 @@ Findings ink_beyond(const PageGeometry& geometry, double limit) {
     const auto percent = coverage.percent();
     if (!percent) return {{}, false};
     if (*percent <= limit + kRounding) return {};
-    return {{{*percent, {}, {}, shown(*percent) + " % of the page black", true}}};
+    return {{{*percent, {}, {}, phrase("{0} % of the page black", shown(*percent)), true}}};
 }
 
 }  // namespace tactics

@@ -96,7 +96,7 @@ Findings check(const PageGeometry& geometry, double limit) {
         lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
         const auto count = static_cast<double>(lines.size());
         if (count > limit)
-            findings.places.push_back({count, meetings[m].at, {}, shown(count) + " lines that cross at one place"});
+            findings.places.push_back({count, meetings[m].at, {}, phrase("{0} lines that cross at one place", shown(count))});
     }
     return findings;
 }

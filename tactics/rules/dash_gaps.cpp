@@ -23,7 +23,7 @@ Findings check(const PageGeometry& geometry, double limit) {
             if (off <= most) continue;
             most = off;
             worst = {off, geometry.point_at({line[i], chain.length}), geometry.point_at({line[i + 1], 0}),
-                     "a line with a gap of " + shown(gap) + " mm behind a dash of " + shown(felt_length(chain)) + " mm"};
+                     phrase("a line with a gap of {0} mm behind a dash of {1} mm", shown(gap), shown(felt_length(chain)))};
         }
         if (!worst.message.empty()) findings.places.push_back(worst);
     }

@@ -21,7 +21,7 @@ Findings check(const PageGeometry& geometry, double limit) {
             findings.places.push_back({length,
                                        geometry.point_at({shortest, chain.length / 2}),
                                        {},
-                                       "a line with a dash " + shown(length) + " mm long"});
+                                       phrase("a line with a dash {0} mm long", shown(length))});
     }
     return findings;
 }

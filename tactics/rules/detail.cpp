@@ -9,16 +9,20 @@ namespace {
 
 Findings check(const PageGeometry& geometry, double limit) {
     Findings findings;
-    const auto look = [&](const std::vector<std::uint32_t>& chains, const std::string& what) {
+    const auto look = [&](const std::vector<std::uint32_t>& chains, bool is_hole) {
         const double extent = geometry.extent_of(chains, limit);
         if (extent < limit - kRounding)
-            findings.places.push_back({extent, geometry.point_at({chains[0], 0}), {}, what + " " + shown(extent) + " mm across"});
+            findings.places.push_back(
+                {extent,
+                 geometry.point_at({chains[0], 0}),
+                 {},
+                 is_hole ? phrase("a hole {0} mm across", shown(extent)) : phrase("a speck {0} mm across", shown(extent))});
     };
     for (const auto& figure : geometry.figures) {
         bool only_holes = true;
         for (const std::uint32_t c : figure)
             only_holes = only_holes && geometry.chains[c].ring && geometry.is_hole(geometry.chains[c]);
-        look(figure, only_holes ? "a hole" : "a speck");
+        look(figure, only_holes);
     }
     return findings;
 }

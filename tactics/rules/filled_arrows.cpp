@@ -20,8 +20,8 @@ Findings check(const PageGeometry& geometry, double limit) {
     return {{{filled,
               first,
               {},
-              shown(filled) + (filled == 1 ? " arrow head that is filled or closed"
-                                           : " arrow heads that are filled or closed, the first here")}}};
+              phrases(static_cast<std::size_t>(filled), "{0} arrow head that is filled or closed",
+                      "{0} arrow heads that are filled or closed, the first here")}}};
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 Findings check(const PageGeometry& geometry, double limit) {
     Findings findings = narrow_places(geometry, limit, Apart::edges);
     for (Finding& finding : findings.places)
-        finding.message = "a gap of " + shown(finding.measured) + " mm between " + finding.message;
+        finding.message = phrase("a gap of {0} mm between {1}", shown(finding.measured), finding.message);
     return findings;
 }
 

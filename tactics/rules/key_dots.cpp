@@ -24,11 +24,11 @@ Findings check(const PageGeometry& geometry, double limit) {
         key = name.key;
     }
     if (without <= limit) return {};
-    return {
-        {{without,
-          first,
-          {},
-          shown(without) + (without == 1 ? " entry" : " entries") + " of a key without dot 3 or 6, such as " + key + " here"}}};
+    return {{{without,
+              first,
+              {},
+              phrases(static_cast<std::size_t>(without), "{0} entry of a key without dot 3 or 6, such as {1} here",
+                      "{0} entries of a key without dot 3 or 6, such as {1} here", key)}}};
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ Findings check(const PageGeometry& geometry, double limit) {
         findings.places.push_back({off,
                                    {name.place.left, name.place.top},
                                    {},
-                                   "\"" + name.key + "\" for \"" + name.text + "\", which is not two letters"});
+                                   phrase("\"{0}\" for \"{1}\", which is not two letters", name.key, name.text)});
     }
     return findings;
 }

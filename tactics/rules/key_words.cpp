@@ -37,8 +37,8 @@ Findings check(const PageGeometry& geometry, double limit) {
         findings.places.push_back({off,
                                    line.first_dot,
                                    {},
-                                   "the words for " + name->key + " begin in cell " + std::to_string(words + 1) +
-                                       ", not in cell " + std::to_string(kWordsFrom + 1)});
+                                   phrase("the words for {0} begin in cell {1}, not in cell {2}", name->key,
+                                          std::to_string(words + 1), std::to_string(kWordsFrom + 1))});
     }
     return findings;
 }

@@ -24,7 +24,8 @@ Findings check(const PageGeometry& geometry, double limit) {
     return {{{headed,
               first,
               {},
-              shown(headed) + (headed == 1 ? " lead line with an arrow head" : " lead lines with arrow heads, the first here")}}};
+              phrases(static_cast<std::size_t>(headed), "{0} lead line with an arrow head",
+                      "{0} lead lines with arrow heads, the first here")}}};
 }
 
 }  // namespace

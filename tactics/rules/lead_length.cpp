@@ -14,7 +14,7 @@ Findings check(const PageGeometry& geometry, double limit) {
         const Chain& chain = geometry.chains[c];
         if (chain.length <= limit + kRounding) continue;
         findings.places.push_back(
-            {chain.length, geometry.point_at({c, chain.length / 2}), {}, "a lead line " + shown(chain.length) + " mm long"});
+            {chain.length, geometry.point_at({c, chain.length / 2}), {}, phrase("a lead line {0} mm long", shown(chain.length))});
     }
     return findings;
 }

@@ -22,8 +22,8 @@ Findings check(const PageGeometry& geometry, double limit) {
         findings.places.push_back({more,
                                    geometry.point_at({c, chain.length / 2}),
                                    {},
-                                   "a lead line " + shown(2 * chain.half_width) + " mm wide, where a line of the drawing has " +
-                                       shown(thinnest) + " mm"});
+                                   phrase("a lead line {0} mm wide, where a line of the drawing has {1} mm",
+                                          shown(2 * chain.half_width), shown(thinnest))});
     }
     return findings;
 }

@@ -20,7 +20,7 @@ Findings check(const PageGeometry& geometry, double limit) {
         findings.places.push_back({chain.length + width,
                                    geometry.point_at({figure[0], chain.length / 2}),
                                    {},
-                                   "a line " + shown(chain.length + width) + " mm long"});
+                                   phrase("a line {0} mm long", shown(chain.length + width))});
     }
     return findings;
 }

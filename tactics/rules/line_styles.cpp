@@ -33,17 +33,19 @@ Findings check(const PageGeometry& geometry, double limit) {
     const auto count = static_cast<double>(kinds.size());
     if (count <= limit) return {};
     auto rarest = kinds.begin();
-    std::string styles;
+    std::vector<Phrase> styles;
     std::size_t told = 0;
     for (auto kind = kinds.begin(); kind != kinds.end(); ++kind) {
         if (kind->second.lines < rarest->second.lines) rarest = kind;
         if (told++ < 8)
-            styles += (styles.empty() ? "" : ", ") + shown(kind->first.width) + " mm" + (kind->first.dashed ? " dashed" : "");
+            styles.push_back(kind->first.dashed ? phrase("{0} mm dashed", shown(kind->first.width))
+                                                : phrase("{0} mm", shown(kind->first.width)));
     }
     return {{{count,
               geometry.point_at({rarest->second.first, 0}),
               {},
-              "lines of " + shown(count) + " styles (" + styles + (told > 8 ? " ..." : "") + "), the rarest here"}}};
+              told > 8 ? phrase("lines of {0} styles ({1} ...), the rarest here", shown(count), row_of(styles))
+                       : phrase("lines of {0} styles ({1}), the rarest here", shown(count), row_of(styles))}}};
 }
 
 }  // namespace

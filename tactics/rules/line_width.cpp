@@ -12,7 +12,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     for (const Chain& chain : geometry.chains) {
         if (chain.ring || chain.half_width * 2 >= limit - kRounding) continue;
         const Point middle = geometry.point_at({static_cast<std::size_t>(&chain - geometry.chains.data()), chain.length / 2});
-        findings.places.push_back({chain.half_width * 2, middle, {}, "a line " + shown(chain.half_width * 2) + " mm wide"});
+        findings.places.push_back({chain.half_width * 2, middle, {}, phrase("a line {0} mm wide", shown(chain.half_width * 2))});
     }
     return findings;
 }

@@ -17,8 +17,10 @@ Findings check(const PageGeometry& geometry, double limit) {
         const Chain& chain = geometry.chains[longest];
         const double length = felt_length(chain);
         if (length > limit + kRounding)
-            findings.places.push_back(
-                {length, geometry.point_at({longest, chain.length / 2}), {}, "a line with a dash " + shown(length) + " mm long"});
+            findings.places.push_back({length,
+                                       geometry.point_at({longest, chain.length / 2}),
+                                       {},
+                                       phrase("a line with a dash {0} mm long", shown(length))});
     }
     return findings;
 }

@@ -14,7 +14,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     const Rect& live = geometry.page.live;
     const double right = live.left + live.width, bottom = live.top + live.height;
     const auto off = [&](Point p) { return std::max({0.0, live.left - p.x, p.x - right, live.top - p.y, p.y - bottom}); };
-    const auto look = [&](const auto& points, const std::string& what) {
+    const auto look = [&](const auto& points, const Phrase& what) {
         Point worst;
         double most = 0;
         for (const Point& p : points)
@@ -23,15 +23,16 @@ Findings check(const PageGeometry& geometry, double limit) {
                 worst = p;
             }
         if (most > limit + kRounding)
-            findings.places.push_back({most, worst, {}, what + " " + shown(most) + " mm into the margin"});
+            findings.places.push_back({most, worst, {}, phrase("{0} {1} mm into the margin", what, shown(most))});
     };
-    for (const PageStroke& stroke : geometry.page.strokes) look(stroke.points, "a line");
+    for (const PageStroke& stroke : geometry.page.strokes) look(stroke.points, phrase("a line"));
     for (const Area& area : geometry.page.areas)
-        for (const auto& ring : area.rings) look(ring, "an area");
-    for (const Box& box : geometry.braille) look(std::vector<Point>{{box.left, box.top}, {box.right, box.bottom}}, "braille");
+        for (const auto& ring : area.rings) look(ring, phrase("an area"));
+    for (const Box& box : geometry.braille)
+        look(std::vector<Point>{{box.left, box.top}, {box.right, box.bottom}}, phrase("braille"));
     if (const auto& picture = geometry.page.picture) {
         const Rect& p = picture->place;
-        look(std::vector<Point>{{p.left, p.top}, {p.left + p.width, p.top + p.height}}, "a picture");
+        look(std::vector<Point>{{p.left, p.top}, {p.left + p.width, p.top + p.height}}, phrase("a picture"));
     }
     return findings;
 }

@@ -10,7 +10,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     Findings findings = narrow_places(geometry, limit, Apart::middles);
     for (Finding& finding : findings.places)
         finding.message =
-            "the middles of " + finding.message + " are " + shown(finding.measured) + " mm apart and their dots merge";
+            phrase("the middles of {0} are {1} mm apart and their dots merge", finding.message, shown(finding.measured));
     return findings;
 }
 

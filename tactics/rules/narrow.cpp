@@ -31,10 +31,10 @@ Point towards(Point from, Point to, double by) {
 Point middle_of(const Segment& line) { return {(line.a.x + line.b.x) / 2, (line.a.y + line.b.y) / 2}; }
 
 // "two lines", "a line and an area", "two parts of a line"
-std::string pair_words(const Chain& one, const Chain& other, bool same) {
-    if (same) return one.ring ? "two parts of an area's edge" : "two parts of a line";
-    if (one.ring != other.ring) return "a line and an area";
-    return one.ring ? "two areas" : "two lines";
+Phrase pair_words(const Chain& one, const Chain& other, bool same) {
+    if (same) return one.ring ? phrase("two parts of an area's edge") : phrase("two parts of a line");
+    if (one.ring != other.ring) return phrase("a line and an area");
+    return one.ring ? phrase("two areas") : phrase("two lines");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     return {{{size,
               {0, 0},
               {},
-              "a page of " + shown(page.width) + " x " + shown(page.height) + " mm, " + shown(size) + " square cm",
+              phrase("a page of {0} x {1} mm, {2} square cm", shown(page.width), shown(page.height), shown(size)),
               true}}};
 }
 

@@ -13,7 +13,7 @@ namespace tactics {
 #include "tactics/rules/list.inc"
 #undef RULE
 
-std::string shown(double measure) { return to_text(std::round(measure * 100) / 100); }
+Phrase shown(double measure) { return numeral(std::round(measure * 100) / 100); }
 
 std::span<const Rule* const> rules() {
     static const Rule* const kRules[] = {

@@ -14,6 +14,7 @@
 #include "tactics/medium.h"
 #include "tactics/option.h"
 #include "tactics/page.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -24,7 +25,7 @@ struct Finding {
     double measured = 0;         ///< in the unit of the rule's limit
     Point at;                    ///< mm on the page
     std::optional<Point> other;  ///< the other side of a gap
-    std::string message;         ///< what is there: "a gap of 1.2 mm between two lines"
+    Phrase message;              ///< what is there: "a gap of 1.2 mm between two lines"
     bool whole_page = false;     ///< there is no place; `at` says nothing
 };
 
@@ -43,7 +44,7 @@ inline constexpr double kRounding = 0.005;
 struct Rule {
     std::string_view name;
     std::string_view summary;  ///< one line, lower case, no period
-    std::string_view mend;     ///< what to do about it: "move them apart or join them"
+    SourceWords mend = "";     ///< what to do about it: "move them apart or join them"
     std::string_view source;   ///< who says so
     Confidence confidence = Confidence::uncertain;
     bool hard = false;  ///< a page that breaks it is not fit to be used; otherwise a person should look
@@ -55,7 +56,7 @@ struct Rule {
 };
 
 /// A measure as a person reads it: to a hundredth.
-std::string shown(double measure);
+Phrase shown(double measure);
 
 std::span<const Rule* const> rules();
 const Rule* find_rule(std::string_view name);  ///< nullptr if there is none

@@ -97,9 +97,9 @@ Findings check(const PageGeometry& geometry, double limit) {
         if (const auto side = shortest_side(points, extent)) {
             if (side->length < limit - kRounding)
                 findings.places.push_back(
-                    {side->length, side->middle, {}, "a side of " + shown(side->length) + " mm in a shape"});
+                    {side->length, side->middle, {}, phrase("a side of {0} mm in a shape", shown(side->length))});
         } else if (extent < limit - kRounding) {
-            findings.places.push_back({extent, points[0], {}, "a shape " + shown(extent) + " mm across"});
+            findings.places.push_back({extent, points[0], {}, phrase("a shape {0} mm across", shown(extent))});
         }
     }
     return findings;

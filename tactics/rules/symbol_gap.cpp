@@ -47,7 +47,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     for (const auto& each : near)
         for (const auto& [other, apart] : each) {
             const double gap = std::max(0.0, apart.distance);
-            findings.places.push_back({gap, apart.one, apart.other, "two point symbols " + shown(gap) + " mm apart"});
+            findings.places.push_back({gap, apart.one, apart.other, phrase("two point symbols {0} mm apart", shown(gap))});
         }
     return findings;
 }

@@ -38,7 +38,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     return {{{count,
               rarest->first->middle,
               {},
-              shown(count) + " kinds of point symbols, the rarest, a " + rarest->first->kind + ", here"}}};
+              phrase("{0} kinds of point symbols, the rarest, a {1}, here", shown(count), rarest->first->kind)}}};
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ Findings check(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const Symbol& symbol : symbols_of(geometry))
         if (symbol.size < limit - kRounding)
-            findings.places.push_back({symbol.size, symbol.middle, {}, "a point symbol " + shown(symbol.size) + " mm across"});
+            findings.places.push_back(
+                {symbol.size, symbol.middle, {}, phrase("a point symbol {0} mm across", shown(symbol.size))});
     return findings;
 }
 

@@ -43,9 +43,9 @@ std::vector<Symbol> symbols_of(const PageGeometry& geometry) {
         }
         symbol.middle = rect_of(box_of(points)).middle();
         symbol.size = greatest_extent(points) + widest;
-        symbol.kind = shape_of(points, closed).name.english();
-        if (filled) symbol.kind = "filled " + symbol.kind;
-        if (symbol.chains.size() > 1) symbol.kind += " of " + std::to_string(symbol.chains.size()) + " parts";
+        symbol.kind = shape_of(points, closed).name;
+        if (filled) symbol.kind = phrase("filled {0}", symbol.kind);
+        if (symbol.chains.size() > 1) symbol.kind = phrase("{0} of {1} parts", symbol.kind, std::to_string(symbol.chains.size()));
     }
     return symbols;
 }

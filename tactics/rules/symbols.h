@@ -2,10 +2,10 @@
 // Point symbols as they stand on a page.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "tactics/rules/page_geometry.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -13,8 +13,8 @@ namespace tactics {
 struct Symbol {
     std::vector<std::uint32_t> chains;
     Point middle;
-    double size = 0;   ///< mm, the longest way
-    std::string kind;  ///< "filled circle", "square": by which a finger recognises it, besides its size
+    double size = 0;  ///< mm, the longest way
+    Phrase kind;      ///< "filled circle", "square": by which a finger recognises it, besides its size
 };
 
 /// Only a file that says what its shapes are for has any.

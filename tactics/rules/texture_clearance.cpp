@@ -38,10 +38,12 @@ Findings check(const PageGeometry& geometry, double limit) {
         return worst.size() <= kMostPlaces;
     });
     for (const auto& [chain, near] : worst) {
-        const std::string what = geometry.chains[chain].ring ? "an area" : "a line";
-        findings.places.push_back(
-            {near.distance, near.one, near.other,
-             near.distance > 0 ? "a texture " + shown(near.distance) + " mm from " + what : "a texture that touches " + what});
+        const bool area = geometry.chains[chain].ring;
+        findings.places.push_back({near.distance, near.one, near.other,
+                                   near.distance > 0 ? (area ? phrase("a texture {0} mm from an area", shown(near.distance))
+                                                             : phrase("a texture {0} mm from a line", shown(near.distance)))
+                                   : area            ? phrase("a texture that touches an area")
+                                                     : phrase("a texture that touches a line")});
     }
     return findings;
 }

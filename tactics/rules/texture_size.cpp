@@ -74,12 +74,12 @@ Findings check(const PageGeometry& geometry, double limit) {
     for (const Component& c : components) {
         const double across = c.marks.empty() ? 0 : narrowest(c.marks) + c.width;
         if (across >= limit - kRounding) continue;
-        const std::string name = name_of_texture(c.area->texture).english();
-        findings.places.push_back(
-            {across,
-             c.marks.empty() ? c.area->rings[0][0] : c.marks[0],
-             {},
-             c.marks.empty() ? "an area without room for its texture, " + name : name + " only " + shown(across) + " mm wide"});
+        const Phrase name = name_of_texture(c.area->texture);
+        findings.places.push_back({across,
+                                   c.marks.empty() ? c.area->rings[0][0] : c.marks[0],
+                                   {},
+                                   c.marks.empty() ? phrase("an area without room for its texture, {0}", name)
+                                                   : phrase("{0} only {1} mm wide", name, shown(across))});
     }
     return findings;
 }

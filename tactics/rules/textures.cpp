@@ -21,7 +21,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     return {{{count,
               areas[last.second].rings[0][0],
               {},
-              shown(count) + " textures, one of them here: " + name_of_texture(last.first).english()}}};
+              phrase("{0} textures, one of them here: {1}", shown(count), name_of_texture(last.first))}}};
 }
 
 }  // namespace

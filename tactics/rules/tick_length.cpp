@@ -17,7 +17,7 @@ Findings check(const PageGeometry& geometry, double limit) {
         findings.places.push_back({felt_length(chain),
                                    geometry.point_at({c, chain.length / 2}),
                                    {},
-                                   "a tick mark " + shown(felt_length(chain)) + " mm long"});
+                                   phrase("a tick mark {0} mm long", shown(felt_length(chain)))});
     }
     return findings;
 }

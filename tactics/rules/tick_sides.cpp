@@ -33,7 +33,7 @@ Findings check(const PageGeometry& geometry, double limit) {
         findings.places.push_back({best,
                                    geometry.point_at({c, chain.length / 2}),
                                    {},
-                                   "a tick mark " + shown(best) + " mm long on one side of its axis"});
+                                   phrase("a tick mark {0} mm long on one side of its axis", shown(best))});
     }
     return findings;
 }

@@ -245,7 +245,7 @@ TEST(BarChart, KeepsTheHardRulesOnEveryMedium) {
             for (const Verdict& verdict : check_page(page, demands_of(*sheet.medium)))
                 if (verdict.demand.rule->hard) {
                     EXPECT_TRUE(verdict.findings.places.empty())
-                        << "round " << round << " for " << format << ": " << verdict.findings.places[0].message << " ("
+                        << "round " << round << " for " << format << ": " << verdict.findings.places[0].message.english() << " ("
                         << verdict.demand.rule->name << ") at " << verdict.findings.places[0].at.x << ", "
                         << verdict.findings.places[0].at.y;
                 }

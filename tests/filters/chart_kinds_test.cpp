@@ -109,7 +109,7 @@ TEST(ChartKinds, KeepTheHardRulesOnEveryMedium) {
             for (const Verdict& verdict : check_page(page, demands_of(*sheet.medium)))
                 if (verdict.demand.rule->hard) {
                     EXPECT_TRUE(verdict.findings.places.empty())
-                        << kind.name << " for " << format << ": " << verdict.findings.places[0].message << " ("
+                        << kind.name << " for " << format << ": " << verdict.findings.places[0].message.english() << " ("
                         << verdict.demand.rule->name << ") at " << verdict.findings.places[0].at.x << ", "
                         << verdict.findings.places[0].at.y;
                 }

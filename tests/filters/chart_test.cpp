@@ -218,7 +218,7 @@ TEST(Chart, KeepsTheRulesForItsParts) {
                                                 "area-size", "lead-width", "lead-length", "lead-arrows", "line-styles"}) {
                 const Demand demand{find_rule(rule), find_rule(rule)->limit.fallback};
                 const Findings findings = check_page(page, {&demand, 1})[0].findings;
-                EXPECT_TRUE(findings.places.empty()) << rule << " on " << medium << ": " << findings.places[0].message;
+                EXPECT_TRUE(findings.places.empty()) << rule << " on " << medium << ": " << findings.places[0].message.english();
             }
             EXPECT_GE(
                 std::count_if(page.strokes.begin(), page.strokes.end(), [](const PageStroke& s) { return s.role == Role::tick; }),
@@ -242,7 +242,7 @@ TEST(Chart, CurvesKeepTheGap) {
         const Page page = lay_out(chart, sheet);
         const Demand demand{find_rule("gap"), find_rule("gap")->limit.fallback};
         const Findings findings = check_page(page, {&demand, 1})[0].findings;
-        EXPECT_TRUE(findings.places.empty()) << round << ": " << findings.places[0].message;
+        EXPECT_TRUE(findings.places.empty()) << round << ": " << findings.places[0].message.english();
         // Each still has its line in the key, beside a sample of it.
         for (int k = 0; k < 4; ++k)
             EXPECT_EQ(std::count_if(chart.labels.begin(), chart.labels.end(),

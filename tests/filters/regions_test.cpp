@@ -169,7 +169,7 @@ TEST(Regions, NecksAreOpenedOrClosed) {
         const Page page = lay_out(drawn(image), sheet);
         const PageGeometry geometry(page);
         const Findings gaps = find_rule("gap")->check(geometry, 3.2);
-        EXPECT_TRUE(gaps.places.empty()) << between << ": " << gaps.places[0].message;
+        EXPECT_TRUE(gaps.places.empty()) << between << ": " << gaps.places[0].message.english();
     }
 }
 

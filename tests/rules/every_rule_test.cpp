@@ -35,7 +35,7 @@ TEST(EveryRule, HasAPageThatJustPassesAndOneThatJustFails) {
             ASSERT_EQ(found.places.size(), 1u) << rule->name << " for " << medium.name;
             EXPECT_TRUE(found.complete);
             EXPECT_NEAR(found.places[0].measured, failing, 2e-3) << rule->name;
-            EXPECT_FALSE(found.places[0].message.empty());
+            EXPECT_FALSE(found.places[0].message.english().empty());
         }
     }
 }
@@ -83,7 +83,8 @@ TEST(EveryRule, DescribesItself) {
     std::set<std::string_view> names;
     for (const Rule* rule : rules()) {
         EXPECT_TRUE(names.insert(rule->name).second) << rule->name;
-        EXPECT_FALSE(rule->summary.empty() || rule->mend.empty() || rule->source.empty() || rule->check == nullptr) << rule->name;
+        EXPECT_FALSE(rule->summary.empty() || rule->mend.text.empty() || rule->source.empty() || rule->check == nullptr)
+            << rule->name;
         EXPECT_TRUE(rule->limit.name == "least" || rule->limit.name == "most") << rule->name;
         EXPECT_GE(rule->limit.fallback, rule->limit.min) << rule->name;
         EXPECT_LE(rule->limit.fallback, rule->limit.max) << rule->name;

@@ -40,7 +40,7 @@ TEST(Gap, IsMeasuredFromEdgeToEdge) {
     const auto places = findings_of(page, "gap", kLimit).places;
     ASSERT_EQ(places.size(), 1u);
     EXPECT_NEAR(places[0].measured, 3.2 - 0.5 - 1.5, 1e-9);
-    EXPECT_EQ(places[0].message, "a gap of 1.2 mm between two lines");
+    EXPECT_EQ(places[0].message.english(), "a gap of 1.2 mm between two lines");
     EXPECT_NEAR(places[0].at.y + places[0].other->y, 50.5 + 51.7, 1e-9);
 }
 
@@ -79,7 +79,7 @@ TEST(Gap, IsBetweenTwoPartsOfOneLine) {
     const auto places = findings_of(hairpin, "gap", kLimit).places;
     ASSERT_EQ(places.size(), 1u);
     EXPECT_NEAR(places[0].measured, 2, 1e-9);
-    EXPECT_EQ(places[0].message, "a gap of 2 mm between two parts of a line");
+    EXPECT_EQ(places[0].message.english(), "a gap of 2 mm between two parts of a line");
     // A small ring is a dot with a hole; a bend that is as wide as it is deep is a bend.
     Page ring = blank_page();
     add_line(ring, circle({100, 100}, 1.5), 0.7, true);
@@ -95,8 +95,8 @@ TEST(Gap, IsNotThroughInk) {
     const auto places = findings_of(page, "gap", kLimit).places;
     ASSERT_EQ(places.size(), 2u);
     EXPECT_NEAR(places[0].measured, 2, 1e-9);
-    EXPECT_EQ(places[0].message, "a gap of 2 mm between two areas");
-    EXPECT_EQ(places[1].message, "a gap of 2 mm between two parts of an area's edge");
+    EXPECT_EQ(places[0].message.english(), "a gap of 2 mm between two areas");
+    EXPECT_EQ(places[1].message.english(), "a gap of 2 mm between two parts of an area's edge");
     // An area drawn with an outline of its own is one thing.
     Page outlined = blank_page();
     outlined.areas.push_back({{rectangle(50, 50, 30, 30)}});
@@ -105,7 +105,7 @@ TEST(Gap, IsNotThroughInk) {
     const auto under = findings_of(outlined, "gap", kLimit).places;
     ASSERT_EQ(under.size(), 1u);
     EXPECT_NEAR(under[0].measured, 2, 1e-9);
-    EXPECT_EQ(under[0].message, "a gap of 2 mm between two lines");
+    EXPECT_EQ(under[0].message.english(), "a gap of 2 mm between two lines");
     // What is hidden in black is not felt.
     Page hidden = blank_page();
     hidden.areas.push_back({{rectangle(20, 20, 100, 100)}});

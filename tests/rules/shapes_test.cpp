@@ -24,7 +24,7 @@ TEST(Crossings, AreLinesThatGoThroughEachOther) {
     const auto places = findings_of(page, "crossings").places;
     ASSERT_EQ(places.size(), 1u);
     EXPECT_NEAR(places[0].at.x, 90, 1e-9);
-    EXPECT_EQ(places[0].message, "2 lines that cross at one place");
+    EXPECT_EQ(places[0].message.english(), "2 lines that cross at one place");
     EXPECT_EQ(findings_of(page, "crossings", 2).places.size(), 0u);
     Page loop = blank_page();
     add_line(loop, {{20, 50}, {120, 50}, {120, 90}, {70, 90}, {70, 20}});
@@ -72,11 +72,11 @@ TEST(Detail, FindsSpecksAndPinholes) {
     page.areas.push_back({{rectangle(20, 20, 30, 30), rectangle(30, 30, 0.5, 0.5)}});
     auto places = findings_of(page, "detail").places;
     ASSERT_EQ(places.size(), 1u);
-    EXPECT_EQ(places[0].message, "a hole 0.71 mm across");
+    EXPECT_EQ(places[0].message.english(), "a hole 0.71 mm across");
     add_line(page, {{100, 100}, {100.2, 100}}, 0.3);
     places = findings_of(page, "detail").places;
     ASSERT_EQ(places.size(), 2u);
-    EXPECT_EQ(places[1].message, "a speck 0.5 mm across");
+    EXPECT_EQ(places[1].message.english(), "a speck 0.5 mm across");
 }
 
 TEST(BrailleClearance, SeesLinesAreasAndPictures) {
@@ -93,7 +93,7 @@ TEST(BrailleClearance, SeesLinesAreasAndPictures) {
     page.strokes.clear();
     page.areas.push_back({{rectangle(20, 20, 100, 100)}});
     ASSERT_EQ(places().size(), 1u);
-    EXPECT_EQ(places()[0].message, "an area in braille");
+    EXPECT_EQ(places()[0].message.english(), "an area in braille");
     page.areas.clear();
     page.picture = Bitmap{8, 8, {20, 20, 16, 28}, std::vector<std::uint8_t>(8, 0)};
     EXPECT_TRUE(places().empty());

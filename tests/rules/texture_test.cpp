@@ -22,8 +22,8 @@ TEST(TextureRules, APatternAloneBreaksNoRule) {
         for (int texture = 1; texture <= 5; ++texture) {
             const Page page = textured(texture, medium);
             for (const Verdict& verdict : check_page(page, demands_of(find_medium(medium, "test"))))
-                EXPECT_TRUE(verdict.findings.places.empty())
-                    << medium << " " << texture << " " << verdict.demand.rule->name << ": " << verdict.findings.places[0].message;
+                EXPECT_TRUE(verdict.findings.places.empty()) << medium << " " << texture << " " << verdict.demand.rule->name
+                                                             << ": " << verdict.findings.places[0].message.english();
         }
 }
 
@@ -56,7 +56,7 @@ TEST(TextureRules, AnAreaWithoutRoomForItsTextureIsTold) {
     const Findings found = findings_of(page, "texture-size");
     ASSERT_EQ(found.places.size(), 1u);
     EXPECT_EQ(found.places[0].measured, 0);
-    EXPECT_EQ(found.places[0].message, "an area without room for its texture, level lines");
+    EXPECT_EQ(found.places[0].message.english(), "an area without room for its texture, level lines");
 }
 
 }  // namespace

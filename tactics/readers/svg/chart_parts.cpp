@@ -63,8 +63,8 @@ void leave_out_grid(FoundPage& figure) {
         gone += row.strokes.size();
     }
     if (gone > 0)
-        figure.notes.push_back(std::to_string(gone) +
-                               " lines of a grid are left out; draw them in black and whole to have them drawn");
+        figure.notes.push_back(
+            phrase("{0} lines of a grid are left out; draw them in black and whole to have them drawn", std::to_string(gone)));
 }
 
 }  // namespace

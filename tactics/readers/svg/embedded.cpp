@@ -83,7 +83,7 @@ bool take_page_picture(FoundPage& page, std::string_view address, const Rect& pl
     if (page.page.picture || !(place.width > 0) || !(place.height > 0)) return false;
     page.page.picture = embedded_picture(address, place);
     if (!page.page.picture) return false;
-    page.notes.push_back("a picture of pixels is looked at for its ink and beside braille only");
+    page.notes.push_back(phrase("a picture of pixels is looked at for its ink and beside braille only"));
     return true;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tactics/page.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -59,7 +60,7 @@ struct FoundLook {
 struct FoundPage {
     Page page;
     /// What the file has and the page has not, or has in another way: "2 texts are letters, which no rule looks at".
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     std::vector<FoundWords> words = {};
     std::vector<LetterShape> letter_shapes = {};
     std::vector<FoundLook> looks = {};        ///< of a figure

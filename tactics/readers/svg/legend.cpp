@@ -65,16 +65,16 @@ public:
         keep_aligned();
         if (entries_.size() < 2) return;  // a scale bar, say, or the only pond of a map
         if (entries_.size() * kMostPlaces > kMostTries / (points() + 1)) return;
-        std::string told;
+        std::vector<Phrase> told;
         for (const Entry& entry : entries_) {
             FoundWords& words = figure_.words[entry.words];
             words.thing = place_for(entry);
-            told += (told.empty() ? "\"" : ", \"") + beginning_of(words.text) + "\"";
+            told.push_back(phrase("\"{0}\"", beginning_of(words.text)));
         }
         leave_out_frame();
         for (const Entry& entry : entries_) take_sample(boxes_[entry.sample], figure_.words[entry.words].height);
-        figure_.notes.push_back("of its legend these words " + told +
-                                " each name what is drawn as their sample, and stand there");
+        figure_.notes.push_back(
+            phrase("of its legend these words {0} each name what is drawn as their sample, and stand there", row_of(told)));
     }
 
 private:

@@ -70,9 +70,10 @@ public:
         settle_discs(std::move(discs_), found_.page);
         if (figure_) letters_.settle(found_);
         if (!figure_ && is_blank(found_.page))
-            found_.notes.push_back("nothing on this page is to be felt: no line or area is darker than half grey; draw in black");
-        if (pages_ > 1) found_.notes.push_back("only its first page is looked at");
-        for (std::string& note : notes_of(missed_, figure_)) found_.notes.push_back(std::move(note));
+            found_.notes.push_back(
+                phrase("nothing on this page is to be felt: no line or area is darker than half grey; draw in black"));
+        if (pages_ > 1) found_.notes.push_back(phrase("only its first page is looked at"));
+        for (Phrase& note : notes_of(missed_, figure_)) found_.notes.push_back(std::move(note));
     }
 
 private:
@@ -399,7 +400,7 @@ FoundPage read_svg(std::string_view bytes, const std::string& file, double margi
         if (is_blank(again.page)) continue;
         found = std::move(again);
         if (look == SvgLook::on_dark)
-            found.notes.push_back("all of it is white or nearly so, and taken to stand on a dark ground");
+            found.notes.push_back(phrase("all of it is white or nearly so, and taken to stand on a dark ground"));
     }
     if (purpose == SvgPurpose::figure && read_letters && !found.letter_shapes.empty()) read_letters(found);
     if (purpose != SvgPurpose::page) tidy_chart(found, purpose == SvgPurpose::figure);

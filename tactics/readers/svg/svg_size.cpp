@@ -60,8 +60,8 @@ SvgSize size_of_svg(const Element& root, const std::string& file, const std::opt
         const auto last = root.attribute("width").empty() ? '0' : root.attribute("width").back();
         size.told = !((last >= '0' && last <= '9') || root.attribute("width").ends_with("px"));
         if (!size.told)
-            size.note = "its size is told in pixels, taken as 96 to the inch: " + to_text(std::round(size.width * 10) / 10) +
-                        " x " + to_text(std::round(size.height * 10) / 10) + " mm";
+            size.note = phrase("its size is told in pixels, taken as 96 to the inch: {0} x {1} mm",
+                               numeral(std::round(size.width * 10) / 10), numeral(std::round(size.height * 10) / 10));
     }
     if (!is_in_range(size.width) || !is_in_range(size.height))
         refuse_size(root, file,

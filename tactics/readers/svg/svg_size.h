@@ -16,7 +16,7 @@ struct SvgSize {
     double view_width = 0, view_height = 0;  ///< in its own units
     Transform to_mm;
     bool told = true;  ///< false: in pixels, or it is that of the paper
-    std::string note;  ///< what was assumed; empty: nothing
+    Phrase note;       ///< what was assumed; empty: nothing
 };
 
 /// `paper` is for a file that tells no size. Throws Error(failed).

@@ -120,29 +120,41 @@ void set_property(Style& style, std::string_view name, std::string_view value, c
         style.marker_start = style.marker_end = value;
 }
 
-std::vector<std::string> notes_of(const Missed& missed, bool figure) {
-    std::vector<std::string> notes;
-    const auto tell = [&](std::size_t count, std::string_view one, std::string_view many, std::string_view rest) {
-        if (count > 0)
-            notes.push_back(std::to_string(count) + " " + std::string(count == 1 ? one : many) + " " + std::string(rest));
+std::vector<Phrase> notes_of(const Missed& missed, bool figure) {
+    std::vector<Phrase> notes;
+    const auto tell = [&](std::size_t count, Phrase words) {
+        if (count > 0) notes.push_back(std::move(words));
     };
-    if (!figure) tell(missed.letters, "text or letter is", "texts or letters are", "not looked at by any rule");
-    tell(missed.dashes, figure ? "dashed line is" : "line is", figure ? "dashed lines are" : "lines are",
-         figure ? "drawn whole" : "dashed too finely and taken for whole");
-    tell(missed.textures, "pattern or gradient is", "patterns or gradients are", "taken for black");
-    tell(missed.clips, "clip path or mask is", "clip paths or masks are", "not applied");
-    tell(missed.markers, "marker is", "markers are", "not looked at; those at the ends of lines are");
-    tell(missed.pictures, "picture is", "pictures are",
-         figure ? "left out; convert it by itself" : "not looked at; one upright PNG, JPEG or WebP within the file is");
-    tell(missed.pale, "pale line is", "pale lines are", "left out, such as those of a grid; darken them to have them drawn");
-    tell(missed.shadows, "mostly clear shadow or gleam is", "mostly clear shadows or gleams are", "left out");
-    tell(missed.broken, "path has", "paths have",
-         "a fault and " + std::string(missed.broken == 1 ? "is" : "are") + " drawn up to it");
-    tell(missed.stretched, "line is", "lines are", "wider in one direction, taken for even");
-    tell(missed.colours, "colour is", "colours are", "not known, taken for black");
-    tell(missed.selectors, "selector of a style sheet is", "selectors of style sheets are",
-         "not understood; tags, classes and ids are");
-    tell(missed.foreign, "part in another language is", "parts in other languages are", "not looked at");
+    if (!figure)
+        tell(missed.letters, phrases(missed.letters, "{0} text or letter is not looked at by any rule",
+                                     "{0} texts or letters are not looked at by any rule"));
+    tell(missed.dashes, figure ? phrases(missed.dashes, "{0} dashed line is drawn whole", "{0} dashed lines are drawn whole")
+                               : phrases(missed.dashes, "{0} line is dashed too finely and taken for whole",
+                                         "{0} lines are dashed too finely and taken for whole"));
+    tell(missed.textures,
+         phrases(missed.textures, "{0} pattern or gradient is taken for black", "{0} patterns or gradients are taken for black"));
+    tell(missed.clips, phrases(missed.clips, "{0} clip path or mask is not applied", "{0} clip paths or masks are not applied"));
+    tell(missed.markers, phrases(missed.markers, "{0} marker is not looked at; those at the ends of lines are",
+                                 "{0} markers are not looked at; those at the ends of lines are"));
+    tell(missed.pictures,
+         figure ? phrases(missed.pictures, "{0} picture is left out; convert it by itself",
+                          "{0} pictures are left out; convert it by itself")
+                : phrases(missed.pictures, "{0} picture is not looked at; one upright PNG, JPEG or WebP within the file is",
+                          "{0} pictures are not looked at; one upright PNG, JPEG or WebP within the file is"));
+    tell(missed.pale, phrases(missed.pale, "{0} pale line is left out, such as those of a grid; darken them to have them drawn",
+                              "{0} pale lines are left out, such as those of a grid; darken them to have them drawn"));
+    tell(missed.shadows, phrases(missed.shadows, "{0} mostly clear shadow or gleam is left out",
+                                 "{0} mostly clear shadows or gleams are left out"));
+    tell(missed.broken,
+         phrases(missed.broken, "{0} path has a fault and is drawn up to it", "{0} paths have a fault and are drawn up to it"));
+    tell(missed.stretched, phrases(missed.stretched, "{0} line is wider in one direction, taken for even",
+                                   "{0} lines are wider in one direction, taken for even"));
+    tell(missed.colours,
+         phrases(missed.colours, "{0} colour is not known, taken for black", "{0} colours are not known, taken for black"));
+    tell(missed.selectors, phrases(missed.selectors, "{0} selector of a style sheet is not understood; tags, classes and ids are",
+                                   "{0} selectors of style sheets are not understood; tags, classes and ids are"));
+    tell(missed.foreign, phrases(missed.foreign, "{0} part in another language is not looked at",
+                                 "{0} parts in other languages are not looked at"));
     return notes;
 }
 

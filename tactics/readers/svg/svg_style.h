@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tactics/readers/xml.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -33,7 +34,7 @@ struct Missed {
 };
 
 /// "2 texts or letters are not looked at by any rule", and so on; nothing for what is none.
-std::vector<std::string> notes_of(const Missed& missed, bool figure);
+std::vector<Phrase> notes_of(const Missed& missed, bool figure);
 
 struct Paint {
     bool none = false;

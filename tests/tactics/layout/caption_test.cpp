@@ -50,7 +50,8 @@ TEST(Caption, BeginsInCell7AndRunsOverToCell5) {
     }
     EXPECT_EQ(joined, to_braille(words, "en-ueb-g2.ctb")) << "no cell is lost";
     for (const Verdict& verdict : check_page(page, demands_of(find_medium("swell", "test"))))
-        EXPECT_TRUE(verdict.findings.places.empty()) << verdict.demand.rule->name << ": " << verdict.findings.places[0].message;
+        EXPECT_TRUE(verdict.findings.places.empty())
+            << verdict.demand.rule->name << ": " << verdict.findings.places[0].message.english();
 }
 
 TEST(Caption, StandsWithoutATitleToo) {

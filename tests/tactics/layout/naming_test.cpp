@@ -295,7 +295,7 @@ TEST(Naming, KeepsTheRules) {
             const Rule& asked = *find_rule(rule);
             const Demand demand{&asked, asked.limit.fallback};
             const Findings findings = check_page(page, {&demand, 1})[0].findings;
-            EXPECT_TRUE(findings.places.empty()) << rule << ": " << findings.places[0].message;
+            EXPECT_TRUE(findings.places.empty()) << rule << ": " << findings.places[0].message.english();
         }
     }
     EXPECT_GT(leads, 10u);

@@ -121,7 +121,7 @@ TEST(ScaleBar, StandsClearOfTheDrawing) {
             const Page page = lay_out(box(200, height), sheet);
             for (const Verdict& verdict : check_page(page, demands_of(*sheet.medium)))
                 EXPECT_TRUE(verdict.findings.places.empty())
-                    << verdict.demand.rule->name << ": " << verdict.findings.places[0].message;
+                    << verdict.demand.rule->name << ": " << verdict.findings.places[0].message.english();
             const Rect& bar = page.scale->place;
             EXPECT_GE(bar.left, page.live.left - 1e-9);
             EXPECT_LE(bar.top + bar.height, page.live.top + page.live.height + 1e-9);

@@ -54,7 +54,7 @@ std::vector<std::string> broken(const Page& page, const Medium& on, bool only_ha
     for (const Verdict& verdict : check_page(page, demands_of(on)))
         if (verdict.demand.rule->hard || !only_hard)
             for (const Finding& finding : verdict.findings.places)
-                all.push_back(std::string(verdict.demand.rule->name) + ": " + finding.message);
+                all.push_back(std::string(verdict.demand.rule->name) + ": " + finding.message.english());
     return all;
 }
 

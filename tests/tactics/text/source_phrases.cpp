@@ -70,6 +70,8 @@ public:
             const std::string& word = tokens_[at].text;
             if ((word == "phrase" || word == "TEXTURE" || word == "SourceWords") && is(at + 1, "(") && is_string(at + 2))
                 found_.push_back({tokens_[at + 2].text, "", path_});
+            else if (word == "mend" && at > 0 && is(at - 1, ".") && is(at + 1, "=") && is_string(at + 2))  // of a rule
+                found_.push_back({tokens_[at + 2].text, "", path_});
             else if (word == "phrases" && is(at + 1, "("))
                 take_plural(at + 2);
             else if (word == "SourceWords")

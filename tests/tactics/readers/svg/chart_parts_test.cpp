@@ -60,7 +60,7 @@ TEST(Grid, GoesAndAxesTicksAndTablesStay) {
                "<path d='M20 30 H120 M160 30 H180' stroke='gray' stroke-dasharray='2,4'/>"
                "<path d='M20 10 V90 H180' fill='none' stroke='black'/><path d='M20 50 H180' stroke='red' stroke-dasharray='4'/>");
     EXPECT_EQ(with.page.strokes.size(), 2u);
-    EXPECT_EQ(with.notes,
+    EXPECT_EQ(in_language(with.notes, "en"),
               (std::vector<std::string>{"6 lines of a grid are left out; draw them in black and whole to have them drawn"}));
     EXPECT_EQ(figure(table).page.strokes.size(), 4u);
     EXPECT_EQ(figure(ticks).page.strokes.size(), 4u);
@@ -107,7 +107,7 @@ TEST(Legend, NamesTheCurvesThemselves) {
     }
     EXPECT_FALSE(words_named(found, "Price").thing);
     EXPECT_EQ(
-        found.notes.back(),
+        found.notes.back().english(),
         "of its legend these words \"Supply\", \"Demand\", \"Stock\" each name what is drawn as their sample, and stand there");
     EXPECT_EQ(found.page.strokes[2].role, Role::dash);
 }
@@ -128,7 +128,7 @@ TEST(Legend, StaysAsItIsDrawnInAFigureOfTooManyPoints) {
     };
     const auto told = [](const FoundPage& page) {
         return std::any_of(page.notes.begin(), page.notes.end(),
-                           [](const std::string& note) { return note.find("legend") != std::string::npos; });
+                           [](const Phrase& note) { return note.english().find("legend") != std::string::npos; });
     };
     const FoundPage small = found(100), large = found(200000);
     EXPECT_TRUE(told(small));

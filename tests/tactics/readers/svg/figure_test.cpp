@@ -153,7 +153,7 @@ TEST(Figure, GradientsAreTheirMean) {
     EXPECT_EQ(lines("<g filter='url(#soft)'><rect x='20' y='20' width='50' height='50' fill-opacity='.3'/></g>"), 0u);
     EXPECT_EQ(lines("<g filter='url(#soft)'><rect x='20' y='20' width='50' height='50'/></g>"), 1u);
     EXPECT_EQ(lines("<rect x='20' y='20' width='50' height='50' fill='red' fill-opacity='.3'/>"), 1u) << "of a Venn diagram";
-    EXPECT_EQ(figure(defs + "<rect x='20' y='20' width='50' height='50' fill='url(#shade)'/>").notes,
+    EXPECT_EQ(in_language(figure(defs + "<rect x='20' y='20' width='50' height='50' fill='url(#shade)'/>").notes, "en"),
               Said{"1 mostly clear shadow or gleam is left out"});
 }
 
@@ -176,7 +176,7 @@ TEST(Figure, StyleSheetsKnowWhatIsWithinWhat) {
 TEST(Figure, OfAStyleSheetWithoutEndTheRestIsTold) {
     std::string css;
     for (int i = 0; i < 300; ++i) css += "g path.c{stroke-width:2}";
-    EXPECT_EQ(figure("<style>" + css + "</style><g><path class='c' d='M10 10 H90' stroke='black'/></g>").notes,
+    EXPECT_EQ(in_language(figure("<style>" + css + "</style><g><path class='c' d='M10 10 H90' stroke='black'/></g>").notes, "en"),
               Said{"100 selectors of style sheets are not understood; tags, classes and ids are"});
 }
 
@@ -200,7 +200,7 @@ TEST(Figure, IsTheSameInAnySize) {
 TEST(Figure, OfWhiteOnNothingOrOfGleamsOnlyIsNotBlank) {
     const FoundPage white = figure("<path d='M20 20 H90 V90 H20 Z' fill='#fff'/>");
     EXPECT_EQ(white.page.strokes.size(), 1u);
-    EXPECT_EQ(white.notes, Said{"all of it is white or nearly so, and taken to stand on a dark ground"});
+    EXPECT_EQ(in_language(white.notes, "en"), Said{"all of it is white or nearly so, and taken to stand on a dark ground"});
     EXPECT_EQ(figure("<linearGradient id='a'><stop/><stop offset='1' stop-opacity='0'/></linearGradient>"
                      "<path d='M20 20 H90 V90 H20 Z' fill='url(#a)'/>")
                   .page.strokes.size(),
@@ -211,7 +211,7 @@ TEST(Figure, APathWithAFaultIsDrawnUpToIt) {
     const FoundPage found = figure("<path d='M10 10 H90 V50 h' fill='none' stroke='black'/>");
     ASSERT_EQ(found.page.strokes.size(), 1u);
     EXPECT_EQ(found.page.strokes[0].points.size(), 3u);
-    EXPECT_EQ(found.notes, Said{"1 path has a fault and is drawn up to it"});
+    EXPECT_EQ(in_language(found.notes, "en"), Said{"1 path has a fault and is drawn up to it"});
 }
 
 TEST(Figure, ALightEdgeBeneathLettersIsNoSecondWord) {
@@ -262,7 +262,7 @@ TEST(Figure, SurfacesBecomeOutlinesAndMarksStayFull) {
     EXPECT_EQ(found.page.strokes.size(), 1u);
     EXPECT_TRUE(found.page.strokes.at(0).closed);
     EXPECT_EQ(found.page.areas.size(), 1u);
-    EXPECT_EQ(found.notes,
+    EXPECT_EQ(in_language(found.notes, "en"),
               (std::vector<std::string>{"1 pale line is left out, such as those of a grid; darken them to have them drawn"}));
 }
 
