@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "print/kind_heights.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
 
@@ -71,10 +72,13 @@ struct ReliefShape {
 
     // mm, of a line.
     double height_of(Role role) const {
-        if (role == Role::grid) return height * grid;
-        const bool about_values =
-            role == Role::axis || role == Role::tick || role == Role::lead || role == Role::scale || role == Role::mark;
-        return about_values ? height * axes : height;
+        switch (line_kind(role)) {
+            case LineKind::values: return height * axes;
+            case LineKind::grid: return height * grid;
+            case LineKind::drawn:
+            case LineKind::pattern: break;
+        }
+        return height;
     }
 };
 

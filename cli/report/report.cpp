@@ -65,6 +65,17 @@ std::string detail_json(const DetailChoice& choice) {
     return json.text();
 }
 
+std::string heights_json(const KindHeights& heights) {
+    std::vector<std::string> losses;
+    for (const double loss : heights.losses) losses.push_back(to_text(loss));
+    JsonObject json;
+    json.add("used", heights.used);
+    json.add("most", heights.most);
+    json.add("loss", heights.losses.empty() ? 0 : heights.losses[static_cast<std::size_t>(heights.used) - 1]);
+    json.add_raw("losses", json_array(losses));
+    return json.text();
+}
+
 std::string made_json(const Outcome& outcome, const Made& made) {
     const Layout& layout = outcome.layouts[made.layout];
     JsonObject json;
@@ -89,6 +100,7 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     if (!layout.names.empty()) json.add_raw("names", json_text_array(layout.names));
     if (layout.text_lines > 0) json.add("text_lines", static_cast<double>(layout.text_lines));
     json.add_raw("empty", layout.empty ? "true" : "false");
+    if (made.heights) json.add_raw("heights", heights_json(*made.heights));
     if (layout.detail) json.add_raw("detail", detail_json(*layout.detail));
     add_mending(json, layout.mended, layout.place.drawing);
     if (!layout.broken.empty()) json.add_raw("broken_rules", broken_json(layout.broken));

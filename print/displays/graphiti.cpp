@@ -5,13 +5,14 @@
 // A message is ESC, a command, data in which an ESC is sent twice, and a checksum: the two's complement of the sum of all bytes
 // between.
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
-#include "print/dots.h"
 #include "print/embosser.h"
 #include "print/equal_dots.h"
 #include "print/format.h"
+#include "print/kind_heights.h"
 #include "print/machines/machines.h"
 #include "print/pin_display.h"
 
@@ -22,6 +23,10 @@ namespace {
 constexpr int kColumns = 60, kRows = 40, kHighest = 4;
 constexpr char kEscape = 0x1B, kUpdate = 0x15, kKeys = 0x31, kKey = 0x32, kAnswer = 0x53;
 
+constexpr Option lower_pins(std::string_view name, std::string_view summary) {
+    return {.name = name, .type = Option::Type::whole, .fallback = 0, .min = 0, .max = kHighest, .summary = summary};
+}
+
 constexpr Option kOptions[] = {
     {.name = "height",
      .type = Option::Type::whole,
@@ -29,12 +34,9 @@ constexpr Option kOptions[] = {
      .min = 1,
      .max = kHighest,
      .summary = "height of the pins of lines and braille; 4 is the highest"},
-    {.name = "pattern",
-     .type = Option::Type::whole,
-     .fallback = 2,
-     .min = 1,
-     .max = kHighest,
-     .summary = "height of the pins of patterns"},
+    lower_pins("pattern", "height of the pins of patterns; 0: by which kinds of lines there are"),
+    lower_pins("axes", "height of the pins of axes, ticks, lead lines, scale bars and marks; 0: likewise"),
+    lower_pins("grid", "height of the pins of grid lines; 0: likewise"),
     {.name = "pitch",
      .type = Option::Type::length,
      .fallback = 2.5,
@@ -71,22 +73,26 @@ std::string message_of(std::string_view data) {
 
 DotSetting dots(const Settings& settings) {
     DotSetting pins = display_pins(settings.number("pitch"), kColumns, kRows);
-    pins.levels = kHighest + 1;
+    pins.levels = settings.whole("height") + 1;
     return pins;
 }
 
+char height_of(LineKind kind, const KindHeights& chosen, const Settings& settings) {
+    const int full = settings.whole("height");
+    const int wished = kind == LineKind::drawn ? full : settings.whole(kKindSettings[static_cast<std::size_t>(kind)]);
+    return static_cast<char>(wished > 0 ? wished : std::max(1L, std::lround(full * chosen.share(kind))));
+}
+
 std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+    const KindHeights chosen = kind_heights(pages, dots(settings).levels - 1);
     std::string bytes;
     for (const Page& page : pages) {
-        Page lines = page;
-        std::erase_if(lines.strokes, [](const PageStroke& stroke) { return stroke.role == Role::pattern; });
-        const Dots all = raise_on_bed(page), high = raise_on_bed(lines);
+        const Dots kinds = kinds_on_bed(page);
         std::string data(2 * kColumns * kRows, '\0');
-        for (int row = 0; row < std::min(kRows, all.rows); ++row)
-            for (int column = 0; column < std::min(kColumns, all.columns); ++column)
-                if (all.at(column, row) != 0)
-                    data[2 * static_cast<std::size_t>(row * kColumns + column)] =
-                        static_cast<char>(settings.whole(high.at(column, row) != 0 ? "height" : "pattern"));
+        for (int row = 0; row < std::min(kRows, kinds.rows); ++row)
+            for (int column = 0; column < std::min(kColumns, kinds.columns); ++column)
+                if (const std::uint8_t dot = kinds.at(column, row); dot != 0)
+                    data[2 * static_cast<std::size_t>(row * kColumns + column)] = height_of(kind_of_dot(dot), chosen, settings);
         bytes += message_of(kUpdate + twice_escaped(data));
     }
     return bytes;
@@ -161,7 +167,7 @@ constexpr Embosser kEmbosser{
 extern const Format graphiti_format;
 const Format graphiti_format{
     .name = "graphiti",
-    .summary = "Graphiti: 60 x 40 pins, lines high and patterns lower",
+    .summary = "Graphiti: 60 x 40 pins, lines high, axes, grids and patterns lower",
     .medium = "embosser",
     .paper = "a5",
     .options = kOptions,

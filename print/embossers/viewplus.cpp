@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "print/dots.h"
 #include "print/embosser.h"
 #include "print/format.h"
+#include "print/kind_heights.h"
 #include "print/machines/machines.h"
 #include "print/png_file.h"
 
@@ -19,14 +19,17 @@ namespace {
 
 constexpr double kPitch = 1.27;  // mm
 
+constexpr Option lower_dots(std::string_view name, std::string_view summary) {
+    return {
+        .name = name, .type = Option::Type::number, .fallback = 0, .min = 0, .max = 100, .unit = "percent", .summary = summary};
+}
+
 constexpr Option kOptions[] = {
-    {.name = "pattern",
-     .type = Option::Type::number,
-     .fallback = 50,
-     .min = 10,
-     .max = 100,
-     .unit = "percent",
-     .summary = "height of the dots of patterns; lines and braille have the full height"},
+    lower_dots("pattern",
+               "height of the dots of patterns; drawn lines and braille have the full height. 0: full or half, by which kinds of "
+               "lines there are"),
+    lower_dots("axes", "height of the dots of axes, ticks, lead lines, scale bars and marks; 0: likewise"),
+    lower_dots("grid", "height of the dots of grid lines; 0: likewise"),
 };
 
 constexpr ProtocolFact kFacts[] = {
@@ -36,25 +39,30 @@ constexpr ProtocolFact kFacts[] = {
     {"the print queue does not smooth the picture at 20 dots per inch", "this project", Confidence::uncertain},
 };
 
-// We know no source for its number of dot heights; we send none, a pattern's and a line's.
+// We know no source for its number of dot heights; we send down, half and full.
 DotSetting dots(const Settings&) {
     return {.cell = {2 * kPitch, 5 * kPitch, 8 * kPitch, 1.5}, .bed = DotBed{{kPitch / 2, kPitch / 2}, kPitch, 3}, .levels = 3};
 }
 
+// A grey of a pixel, the darker the higher.
+std::uint8_t grey_of(LineKind kind, const KindHeights& chosen, const Settings& settings) {
+    const double wished = kind == LineKind::drawn ? 100 : settings.number(kKindSettings[static_cast<std::size_t>(kind)]);
+    return static_cast<std::uint8_t>(255 - std::lround(2.55 * (wished > 0 ? wished : 100 * chosen.share(kind))));
+}
+
 std::string encode(const Page& page, const Settings& settings) {
-    Page lines = page;
-    std::erase_if(lines.strokes, [](const PageStroke& stroke) { return stroke.role == Role::pattern; });
-    const Dots all = raise_on_bed(page), high = raise_on_bed(lines);
+    const KindHeights chosen = kind_heights({&page, 1}, dots(settings).levels - 1);
+    const Dots kinds = kinds_on_bed(page);
     const auto pixels = [](double mm) { return static_cast<int>(std::floor(mm / kPitch + 1e-6)); };
     const int width = pixels(page.width), height = pixels(page.height);
-    const auto low = static_cast<std::uint8_t>(255 - std::lround(2.55 * settings.number("pattern")));
     PngFile png(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 8);
     png.scale(1000 / kPitch, 1000 / kPitch);
     std::vector<std::uint8_t> row(static_cast<std::size_t>(width) + 1);
     for (int y = 0; y < height; ++y) {
         std::fill(row.begin() + 1, row.end(), std::uint8_t{255});
-        for (int x = 0; x < std::min(width, all.columns) && y < all.rows; ++x)
-            if (all.at(x, y) != 0) row[static_cast<std::size_t>(x) + 1] = high.at(x, y) != 0 ? 0 : low;
+        for (int x = 0; x < std::min(width, kinds.columns) && y < kinds.rows; ++x)
+            if (const std::uint8_t dot = kinds.at(x, y); dot != 0)
+                row[static_cast<std::size_t>(x) + 1] = grey_of(kind_of_dot(dot), chosen, settings);
         png.add_row(row);
     }
     return png.finish();

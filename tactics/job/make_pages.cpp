@@ -21,6 +21,7 @@
 #include "tactics/job/page_files.h"
 #include "tactics/job/reading.h"
 #include "tactics/job/room_for_names.h"
+#include "tactics/job/told_heights.h"
 #include "tactics/job/workers.h"
 #include "tactics/job/written.h"
 #include "tactics/layout/lay_out.h"
@@ -176,8 +177,8 @@ private:
     // The drawing for that place: the last one, if it is as large in mm and for the same medium.
     const Drawing& draw(const Sheet& sheet, Arrangement& arrangement) {
         const Rect place = arrangement.place.drawing;
-        const bool same = place.width == drawn_.width && place.height == drawn_.height && sheet.medium == drawn_medium_;
-        if (!same || from_.made_for_sheet) {
+        if (place.width != drawn_.width || place.height != drawn_.height || sheet.medium != drawn_medium_ ||
+            from_.made_for_sheet) {
             begin(JobStep::drawing);
             DrawingWay way;
             Drawing drawing = from_.draw(sheet, place, from_.words, way);
@@ -216,8 +217,7 @@ private:
                 names.size(),
                 "{1} is left out, as there is no room for it in braille; take {2}, or shorter names with {3} and {4} remove",
                 "{0} names are left out, as there is no room for them in braille: {1}; take {2}, or shorter names with {3} and "
-                "{4} "
-                "remove",
+                "{4} remove",
                 row_of(names), more_room_, spelled("label"), spelled("words"))));
         outcome_.words = from_.words.told;
         std::set<std::string_view> origins;
@@ -297,6 +297,8 @@ private:
             const Output& output = job_.outputs[i];
             Made made{output, 0, index, 0, pages.size()};
             cut_.count(*output.format, job_.settings_of(*output.format), pages);
+            made.heights = chosen_heights(*output.format, job_.settings_of(*output.format), pages);
+            if (made.heights && (made.heights->used > 1 || detail_)) tell_once(explained(*made.heights, *output.format));
             if (output.format->untold != nullptr && !output.path.empty())
                 tell_once(output.format->untold(job_.settings_of(*output.format)));
             if (output.path.empty() || output.bound) {
@@ -334,13 +336,11 @@ private:
         const std::string bytes = output.format->encode_heights(sheet_of(file.map, file.low, file.high), rows_of(file.map),
                                                                 job_.settings_of(*output.format));
         made.page = made.pages = 1;
-        made.output.path = output.path;
         made.bytes = bytes.size();
         files_.add(output.path, bytes);
     }
 
-    // Together, so that a failing picture leaves no files. The first page gets its name last: if it exists, so do the others, on
-    // which is_up_to_date (up_to_date.h) relies.
+    // Together, so that a failing picture leaves no files; the first page gets its name last, on which is_up_to_date relies.
     void write() {
         for (std::size_t i = 0; i < made_.size(); ++i) {
             outcome_.made.insert(outcome_.made.end(), made_[i].begin(), made_[i].end());

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "print/kind_heights.h"
 #include "tactics/artwork.h"
 #include "tactics/error.h"
 #include "tactics/job/best_detail.h"
@@ -28,9 +29,10 @@ using WriteGate = std::shared_timed_mutex;
 struct Made {
     Output output;
     std::size_t bytes = 0;
-    std::size_t layout = 0;  ///< index into Outcome::layouts
-    std::size_t page = 1;    ///< number of its first page
-    std::size_t pages = 1;   ///< number of pages in it
+    std::size_t layout = 0;                   ///< index into Outcome::layouts
+    std::size_t page = 1;                     ///< number of its first page
+    std::size_t pages = 1;                    ///< number of pages in it
+    std::optional<KindHeights> heights = {};  ///< of its lines, if dots have several and the user left them to the page
 };
 
 /// A drawing on a sheet; several files may share it.

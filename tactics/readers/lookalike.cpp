@@ -58,6 +58,7 @@ constexpr Kind kKinds[] = {
     {0, "MZ", "a Windows program", kPhoto},
     {0, "SQLite format 3", "a database", kPhoto},
     {0, "glTF", "a 3-D model", "make a picture of it first"},
+    {0, "NRRD000", "a file of voxels (NRRD)", "measure says how much is in it; make a picture of a slice to draw it"},
 };
 
 // Pictures all the same, in formats that are not read.

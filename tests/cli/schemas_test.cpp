@@ -65,6 +65,7 @@ TEST_F(Schemas, OfPages) {
     expect(0, {"chart", "way.csv", "--points", "-o", "way.pdf"});
     expect(0, {"defaults"});
     expect(0, {"convert", "rain.csv", "way.csv", "-o", "both.pdf"});
+    expect(0, {"convert", "way.csv", "-o", "viewplus:way.png"});
     expect(0, {"convert", "disc.tif", "-r", "photo", "-o", "photo.pdf"});
     expect(0, {"convert", "box.wrl", "-o", "box.svg"});
     expect(0, {"convert", "words.txt", "--text", "-o", "words.brf"});
