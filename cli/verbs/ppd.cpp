@@ -196,7 +196,8 @@ const Command ppd_command{
         "machine's settings, such as TacticsPitch; lpoptions -p QUEUE -l lists them with their choices. A print job may also "
         "give any words as TacticsTitle, and labels for its one page as TacticsLabels=\"30%,40%=City Park;60%,20%=Lake\". It "
         "cannot name files, and any other option has no effect.\n\n"
-        "CUPS calls the program as tacticstoembosser, which is installed in CUPS's filter folder.",
+        "CUPS calls the program as tacticstoembosser, which is installed in CUPS's filter folder. Where CUPS takes no driver "
+        "files, the program tactics-printer-app makes the same printers without one.",
     .example =
         "tactics ppd index-v4 > index-v4.ppd\n"
         "lpadmin -p Everest -E -v socket://192.168.1.20:9100 -P index-v4.ppd\n"
