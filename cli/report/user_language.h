@@ -12,7 +12,10 @@ namespace tactics {
 /// letters could not be shown. Read once.
 const std::string& user_language();
 
-/// The same for other values; nullptr: not set.
+/// A number, with a decimal point, as that language writes it: "0,061".
+std::string for_user(std::string number);
+
+/// The language for other values of these variables; nullptr: not set.
 std::string language_of_locale(const char* language, const char* lc_all, const char* lc_messages, const char* lang);
 
 }  // namespace tactics

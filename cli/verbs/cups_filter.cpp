@@ -31,7 +31,7 @@ namespace {
 std::string text_of(const std::string& path) {
     std::ifstream file(path);
     std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file) throw Error(Fault::failed, path, "cannot be read; set the queue up again with a PPD file of tactics ppd");
+    if (!file) throw Error(Fault::failed, path, phrase("cannot be read; set the queue up again with a PPD file of tactics ppd"));
     return text;
 }
 
@@ -46,7 +46,7 @@ void fix_surroundings() {
 void open_job(const std::string& path) {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
     if (file < 0) open_source(path);  // which says why
-    if (file < 0 || dup2(file, STDIN_FILENO) < 0) throw Error(Fault::failed, path, "cannot be read");
+    if (file < 0 || dup2(file, STDIN_FILENO) < 0) throw Error(Fault::failed, path, phrase("cannot be read"));
     if (file != STDIN_FILENO) close(file);
 }
 
@@ -119,7 +119,8 @@ int emboss_all(Source source, const Queue& queue, int copies) {
     const int pages = pdf ? pages_of_pdf(source) : 1;
     Job job{{source.name, {{queue.embosser, "-", ""}}}, queue.wishes};
     if (pages > 1 && !queue.labels.empty())
-        throw Error(Fault::usage, "TacticsLabels", "labels are for a job of one page; print the page alone, or leave them out");
+        throw Error(Fault::usage, "TacticsLabels",
+                    phrase("labels are for a job of one page; print the page alone, or leave them out"));
     job.labels = queue.labels;
     const std::vector<Part> parts = parts_of(source, pdf, pages, queue.wishes);
     std::size_t told = 0;
@@ -145,11 +146,11 @@ int run_cups_filter(std::span<const std::string> words) {
     try {
         if (words.size() != 5 && words.size() != 6)
             throw Error(Fault::usage, std::string(kCupsFilterName),
-                        "is called by CUPS with job, user, title, copies, options and perhaps a file; to use it yourself: "
-                        "tactics convert");
+                        phrase("is called by CUPS with job, user, title, copies, options and perhaps a file; to use it yourself: "
+                               "tactics convert"));
         const char* named = std::getenv("PPD");
         if (named == nullptr)
-            throw Error(Fault::failed, "PPD", "CUPS names no PPD file; set the queue up with one of tactics ppd");
+            throw Error(Fault::failed, "PPD", phrase("CUPS names no PPD file; set the queue up with one of tactics ppd"));
         const std::string ppd = named, ppd_text = text_of(ppd);
         fix_surroundings();
         if (words.size() == 6) open_job(words[5]);
