@@ -182,7 +182,7 @@ void plan_machine(Request& request, const Given& given) {
     const std::string name = given.value("--embosser");
     request.machine = &find_machine(name, "--embosser");
     if (given.has("--cell"))
-        throw Error(Fault::usage, "--cell", std::string(request.machine->name) + " has braille of its own size; leave it out");
+        throw Error(Fault::usage, "--cell", phrase("{0} has braille of its own size; leave it out", request.machine->name));
     if (find_settings(request, request.machine->name) == nullptr)
         request.settings.push_back({request.machine, Settings(request.machine->options)});
     set_model(*find_settings(request, request.machine->name), name, "--embosser");

@@ -43,9 +43,11 @@ AxisScale scale_for(const Axis& axis, const AxisExtent& extent, const AxisRoom& 
         const double apart = std::abs(scale.at(scale.ticks()[1]) - scale.at(scale.ticks()[0])) - sheet.cell.cell_pitch;
         const double widths = set_label(scale.words()[0], sheet).width + set_label(scale.words()[1], sheet).width;
         if (!room.upright && 2 * apart < widths)
-            throw Error(Fault::usage, "",
-                        "\"" + scale.words()[0] + "\" and \"" + scale.words()[1] +
-                            "\" have no room beside each other at an axis; take larger paper, or turn it to landscape");
+            throw Error(
+                Fault::usage, "",
+                phrase(
+                    "\"{0}\" and \"{1}\" have no room beside each other at an axis; take larger paper, or turn it to landscape",
+                    scale.words()[0], scale.words()[1]));
         return scale;
     }
 }

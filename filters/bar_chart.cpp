@@ -23,10 +23,6 @@ constexpr int kTextures[kMostSeries] = {5, 2, 1, 4, 3};
 constexpr double kInnerBorder = 0.5;  // mm from the outer dots of a solid bar to its border
 constexpr double kCap = 3.2;          // mm on either side of an error bar: as long as a textured part is wide, 6.4 mm
 
-std::string plural(std::size_t count, const std::string& one, const std::string& many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 // From one end of a part of a bar to the other, along the axis of values, mm.
 struct BarPart {
     double from = 0, to = 0;
@@ -134,14 +130,15 @@ private:
 
     [[noreturn]] void refuse() const {
         const std::size_t fits = most_with_room(), series = bars_.stacked ? 1 : bars_.series.size();
-        throw Error(Fault::usage, "",
-                    plural(bars_.categories.size(), series > 1 ? "group" : "bar", series > 1 ? "groups" : "bars") +
-                        (series > 1 ? " of " + std::to_string(series) + " bars" : "") + " with " +
-                        (bars_.categories.size() == 1 ? "its name" : "their names") +
-                        " would be too close for a finger on this paper, " +
-                        (fits > 0 ? "which has room for " + std::to_string(fits) : "which has no room for one") +
-                        "; take larger paper, " + spelled("orientation") + " landscape or " + spelled("no-print-title") +
-                        ", or a table with fewer rows");
+        throw Error(
+            Fault::usage, "",
+            phrase("{0} would be too close for a finger on this paper, {1}; take larger paper, {2} landscape or {3}, or a table "
+                   "with fewer rows",
+                   series > 1 ? phrases(bars_.categories.size(), "{0} group of {1} bars with its name",
+                                        "{0} groups of {1} bars with their names", std::to_string(series))
+                              : phrases(bars_.categories.size(), "{0} bar with its name", "{0} bars with their names"),
+                   fits > 0 ? phrase("which has room for {0}", std::to_string(fits)) : phrase("which has no room for one"),
+                   spelled("orientation"), spelled("no-print-title")));
     }
 
     Point at(const BarFrame& frame, double along, double value) const {
@@ -272,22 +269,28 @@ private:
         told_.level = frame.level;
         (frame.level ? told_.x : told_.y) = frame.values.place();
         if (unknown_ > 0)
-            notes_.push_back(plural(unknown_, "value is", "values are") + " not known, and there is no bar for " +
-                             (unknown_ == 1 ? "it" : "them"));
+            notes_.push_back(phrases(unknown_, "{0} value is not known, and there is no bar for it",
+                                     "{0} values are not known, and there is no bar for them"));
         if (short_ > 0)
-            notes_.push_back(plural(short_, "bar is", "bars are") + " shorter than " + to_text(std::round(10 * least_) / 10) +
-                             " mm and drawn as a solid strip along the axis");
+            notes_.push_back(phrases(short_, "{0} bar is shorter than {1} mm and drawn as a solid strip along the axis",
+                                     "{0} bars are shorter than {1} mm and drawn as a solid strip along the axis",
+                                     numeral(std::round(10 * least_) / 10)));
         if (left_out_ > 0)
-            notes_.push_back(to_act_on(plural(left_out_, "part of a stack is", "parts of stacks are") +
-                                       " too low to be felt and counted with the larger one beside it; larger paper shows more"));
+            notes_.push_back(to_act_on(phrases(
+                left_out_,
+                "{0} part of a stack is too low to be felt and counted with the larger one beside it; larger paper shows more",
+                "{0} parts of stacks are too low to be felt and counted with the larger one beside it; larger paper shows "
+                "more")));
         if (low_ > 0 && bars_.series.size() > 1)
-            notes_.push_back(to_act_on(plural(low_, "bar is", "bars are") +
-                                       " so low that a finger may not know the texture; larger paper shows more"));
+            notes_.push_back(
+                to_act_on(phrases(low_, "{0} bar is so low that a finger may not know the texture; larger paper shows more",
+                                  "{0} bars are so low that a finger may not know the texture; larger paper shows more")));
         if (at_axis_ > 0)
-            notes_.push_back(plural(at_axis_, "error ends", "errors end") + " near the axis and " +
-                             (at_axis_ == 1 ? "is" : "are") + " drawn up to it");
+            notes_.push_back(phrases(at_axis_, "{0} error ends near the axis and is drawn up to it",
+                                     "{0} errors end near the axis and are drawn up to it"));
         if (small_errors_ > 0)
-            notes_.push_back(plural(small_errors_, "error is", "errors are") + " smaller than a finger tells and left out");
+            notes_.push_back(phrases(small_errors_, "{0} error is smaller than a finger tells and left out",
+                                     "{0} errors are smaller than a finger tells and left out"));
     }
 
     const Plot& plot_;

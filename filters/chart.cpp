@@ -79,11 +79,11 @@ public:
         const auto named = [](const PlotCurve& curve) { return !curve.name.empty(); };
         lettered_ = static_cast<std::size_t>(std::count_if(plot.curves.begin(), plot.curves.end(), named)) > kLineStyles;
         if (lettered_)
-            notes_.push_back(to_act_on(
-                "a finger tells " + std::to_string(kLineStyles) +
-                " kinds of lines, and there are more curves, so all are whole lines with a letter each, which is hard to "
-                "follow where they cross; make a chart for every " +
-                std::to_string(kLineStyles) + " of them, each of a table with the rows of those only"));
+            notes_.push_back(
+                to_act_on(phrase("a finger tells {0} kinds of lines, and there are more curves, so all are whole lines with a "
+                                 "letter each, which is hard to follow where they cross; make a chart for every {1} of them, "
+                                 "each of a table with the rows of those only",
+                                 std::to_string(kLineStyles), std::to_string(kLineStyles))));
     }
 
     Drawing draw(ChartTold& told) {
@@ -235,7 +235,7 @@ private:
         for (const auto& piece : pieces) draw_piece(piece, style);
         for (const auto& ring : curve.filled) drawing_.areas.push_back({{ring}});
         if (pieces.empty() && !curve.lines.empty() && !name.empty())
-            notes_.push_back("\"" + name + "\" runs along other curves from end to end and is not drawn by itself");
+            notes_.push_back(phrase("\"{0}\" runs along other curves from end to end and is not drawn by itself", name));
         if (!lettered_ || name.empty()) return;
         const std::string letter = letter_of(letters_++);
         // A curve that runs along another from end to end has its letter beside that one.
@@ -251,10 +251,10 @@ private:
             drawing_.labels.push_back({{level.label->left, level.label->top}, 0, 0, level.words});
             words_.push_back(*level.label);
         } else if (!pieces.empty()) {
-            notes_.push_back(to_act_on("the contour of " + level.words + " has no room for its height, which is left out"));
+            notes_.push_back(to_act_on(phrase("the contour of {0} has no room for its height, which is left out", level.words)));
         }
         if (pieces.empty() && !level.lines.empty())
-            notes_.push_back(to_act_on("the contour of " + level.words + " has no room between others and is left out"));
+            notes_.push_back(to_act_on(phrase("the contour of {0} has no room between others and is left out", level.words)));
     }
 
     void draw_piece(std::vector<Point> piece, const LineStyle& style) {
@@ -272,17 +272,21 @@ private:
 
     void tell_thinned(const PlotCurve& curve, const ChartCurve& drawn) {
         if (drawn.every < 1) return;
-        notes_.push_back((curve.name.empty() ? std::string("the curve") : "\"" + curve.name + "\"") +
-                         " goes up and down faster than a finger can follow, and is drawn through one of its points every " +
-                         to_text(drawn.every) + " mm, that with the middle value; larger paper or fewer points show more");
+        notes_.push_back(
+            phrase("{0} goes up and down faster than a finger can follow, and is drawn through one of its points every {1} mm, "
+                   "that with the middle value; larger paper or fewer points show more",
+                   curve.name.empty() ? phrase("the curve") : phrase("\"{0}\"", curve.name), numeral(drawn.every)));
     }
 
     void tell_left_out(std::size_t left_out, std::size_t repeated) {
         if (left_out == 0) return;
-        notes_.push_back(std::to_string(left_out) + " of " + std::to_string(plot_.marks.size()) +
-                         " points have no symbol of their own, as they are too near to one that has" +
-                         (repeated > 0 ? " (" + std::to_string(repeated) + " at its very place)" : "") +
-                         "; larger paper shows more");
+        const std::string count = std::to_string(left_out), all = std::to_string(plot_.marks.size());
+        notes_.push_back(repeated > 0 ? phrase("{0} of {1} points have no symbol of their own, as they are too near to one that "
+                                               "has ({2} at its very place); larger paper shows more",
+                                               count, all, std::to_string(repeated))
+                                      : phrase("{0} of {1} points have no symbol of their own, as they are too near to one that "
+                                               "has; larger paper shows more",
+                                               count, all));
     }
 
     ChartTag tag(std::vector<Point> places, const std::string& letter) const {
@@ -319,9 +323,9 @@ Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, 
     if (!plot.surfaces.empty() && wish.view == SurfaceView::sections)
         flat = sections_of(plot, plot.surfaces.front(), wish.sections);
     if (plot.surfaces.size() > 1)
-        told.push_back("there are " + std::to_string(plot.surfaces.size()) + " surfaces, of which the first is drawn");
+        told.push_back(phrase("there are {0} surfaces, of which the first is drawn", std::to_string(plot.surfaces.size())));
     if (flatten_marks(flat, sheet.language))
-        told.push_back("points of several kinds are seen from above, and how high they are is not shown");
+        told.push_back(phrase("points of several kinds are seen from above, and how high they are is not shown"));
     return Chart(flat, sheet, wish, place_on(sheet, 1), told).draw(places);
 }
 

@@ -102,8 +102,8 @@ ChartCurve bars_on(const std::vector<Line>& runs, double base, const Medium& med
             const double left = run[i].x, right = run[i + 1].x, top = run[i].y;
             if (right - left < least)
                 throw Error(Fault::usage, "",
-                            "its bars would be " + to_text(std::round(std::abs(right - left) * 10) / 10) +
-                                " mm wide, and a finger needs " + to_text(least) + "; take fewer bars or larger paper");
+                            phrase("its bars would be {0} mm wide, and a finger needs {1}; take fewer bars or larger paper",
+                                   numeral(std::round(std::abs(right - left) * 10) / 10), numeral(least)));
             outline.push_back({left, top});
             outline.push_back({right, top});
             const double low = std::max(top, i > 0 ? run[i - 1].y : base), high = std::min(top, i > 0 ? run[i - 1].y : base);

@@ -17,7 +17,7 @@ namespace {
 constexpr double kLeastSide = 50;  // mm; a smaller field of data cannot be read by touch
 
 void check(const AxisExtent& extent) {
-    if (!extent.holds_any()) throw Error(Fault::usage, "", "there is nothing to plot");
+    if (!extent.holds_any()) throw Error(Fault::usage, "", phrase("there is nothing to plot"));
 }
 
 AxisExtent extent_across(const Plot& plot) {
@@ -71,7 +71,8 @@ ChartFrame frame_for(const Plot& plot, const Sheet& sheet, const Clearance& clea
     // A letter has room over the highest mark.
     const double over = set_label("m", sheet).height + clear.mark + clear.down + kChartLines - (field.top - top);
     if (field.width < kLeastSide || field.height < kLeastSide + over)
-        throw Error(Fault::usage, "", "the chart does not fit on this paper; take larger paper, or fewer things to compare");
+        throw Error(Fault::usage, "",
+                    phrase("the chart does not fit on this paper; take larger paper, or fewer things to compare"));
     // No mark touches an axis or its ticks, or leaves the drawing.
     double reach = clear.mark;
     for (const PlotMark& mark : plot.marks) reach = std::max(reach, reach_of(mark.symbol, clear.mark));

@@ -33,8 +33,8 @@ Span kept(int length, const Settings& settings, std::string_view before, std::st
     const double last = settings.number(after);
     if (first + last >= 100)
         throw Error(Fault::usage, "crop",
-                    std::string(before) + "=" + to_text(first) + " and " + std::string(after) + "=" + to_text(last) +
-                        " leave nothing of the picture (together they must be under 100)");
+                    phrase("{0}={1} and {2}={3} leave nothing of the picture (together they must be under 100)", before,
+                           to_text(first), after, to_text(last)));
     const int begin = std::min(length - 1, static_cast<int>(std::lround(length * first / 100)));
     const int end = static_cast<int>(std::lround(length * (100 - last) / 100));
     return {begin, std::max(1, end - begin)};

@@ -32,8 +32,8 @@ Recipe find_recipe(std::string_view name, std::string_view place) {
         names.push_back(recipe.name);
     }
     throw Error(Fault::usage, place,
-                "there is no recipe \"" + std::string(name) + "\"" + did_you_mean(name, names) +
-                    "; see tactics list recipes, or name a recipe file");
+                phrase("there is no recipe \"{0}\"{1}; see tactics list recipes, or name a recipe file", name,
+                       did_you_mean(name, names)));
 }
 
 }  // namespace tactics

@@ -17,7 +17,7 @@ std::shared_ptr<const ContourNet> net_for(const Settings& settings) {
     auto net = find_net();
     if (net == nullptr && settings.choice("map") == "learned")
         throw Error(Fault::failed, "map=learned",
-                    "the weights of the contour net are not installed; install them, or take map=plain");
+                    phrase("the weights of the contour net are not installed; install them, or take map=plain"));
     return net;
 }
 

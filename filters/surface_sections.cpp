@@ -33,15 +33,15 @@ Plot sections_of(const Plot& plot, const PlotSurface& surface, const SectionWish
     if (at.empty()) at = axis_ticks(axis, {cut.front(), cut.back()}, kMostSections).ticks.at;
     if (at.size() > static_cast<std::size_t>(kMostSections))
         throw Error(Fault::usage, spelled("section"),
-                    "a finger tells " + std::to_string(kMostSections) + " curves from each other, and " +
-                        std::to_string(at.size()) + " sections are named; name fewer");
+                    phrase("a finger tells {0} curves from each other, and {1} sections are named; name fewer",
+                           std::to_string(kMostSections), std::to_string(at.size())));
     Plot sections{plot.title, wish.at_x ? plot.y : plot.x, plot.z, {}, {}};
     for (const double place : at) {
         if (!(place >= cut.front() && place <= cut.back())) {
             if (wish.at.empty()) continue;
             throw Error(Fault::usage, spelled("section"),
-                        to_text(place) + " is beside the surface, which goes from " + to_text(cut.front()) + " to " +
-                            to_text(cut.back()));
+                        phrase("{0} is beside the surface, which goes from {1} to {2}", numeral(place), numeral(cut.front()),
+                               numeral(cut.back())));
         }
         PlotCurve curve{told_value(axis, place), {}};
         bool known = true;

@@ -69,11 +69,14 @@ const Format& find_among(std::string_view name, std::string_view place, bool dis
         names.push_back(format->name);
         for (const std::string_view model : words_of(format->embosser->called)) names.push_back(model);
     }
-    throw Error(Fault::usage, place,
-                displays ? phrase("there is no embosser {0}\"{1}\"{2}; see tactics list embossers and tactics list displays",
-                                  displays ? "and no display of pins " : "", name.substr(0, 80), did_you_mean(name, names))
-                         : phrase("there is no embosser {0}\"{1}\"{2}; see tactics list embossers",
-                                  displays ? "and no display of pins " : "", name.substr(0, 80), did_you_mean(name, names)));
+    throw Error(
+        Fault::usage, place,
+        displays
+            ? phrase(
+                  "there is no embosser and no display of pins \"{0}\"{1}; see tactics list embossers and tactics list displays",
+                  name.substr(0, 80), did_you_mean(name, names))
+            : phrase("there is no embosser \"{0}\"{1}; see tactics list embossers", name.substr(0, 80),
+                     did_you_mean(name, names)));
 }
 
 }  // namespace

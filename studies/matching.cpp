@@ -82,7 +82,7 @@ public:
         Recipe recipe = fit_to(medium, finish(candidate.chain, base));
         if (!draws_whole(recipe))
             throw Error(Fault::failed, "",
-                        "a part of the picture is cut off, but a sheet is of its whole middle; leave out crop");
+                        phrase("a part of the picture is cut off, but a sheet is of its whole middle; leave out crop"));
         cut_square(recipe, info_);
         const Kept kept = kept_by(recipe);
         const Rect place = place_on(request_.sheet, aspect_of(info_) * kept.width / kept.height).drawing;
@@ -227,9 +227,11 @@ MatchingStudy study_matching(const StudyRequest& request, const StudyWatch& watc
         for (std::size_t c = 0; c < study.recipes.size(); ++c) study.recipes[c].sheets.push_back(all[i].facts[c]);
     }
     if (good.size() < 2)
-        throw Error(Fault::failed, "--study matching",
-                    "a sheet is looked for among others, so at least 2 pictures that can be read are needed; here " +
-                        std::string(good.empty() ? "are none" : "is one"));
+        throw Error(
+            Fault::failed, "--study matching",
+            good.empty()
+                ? phrase("a sheet is looked for among others, so at least 2 pictures that can be read are needed; here are none")
+                : phrase("a sheet is looked for among others, so at least 2 pictures that can be read are needed; here is one"));
     study.sets = sets_of(good.size());
     Collections collections(study.recipes.size());
     for (std::size_t c = 0; c < collections.size(); ++c) {
@@ -254,7 +256,7 @@ StudyFindings run_matching_study(const StudyRequest& request, const StudyWatch& 
     findings.csv = matching_csv(study);
     findings.json = matching_json(study);
     findings.problems = study.problems;
-    findings.undone = "used";
+    findings.undone = SourceWords("{0} could not be used:");
     return findings;
 }
 

@@ -60,7 +60,8 @@ public:
           reading_(source_),
           place_(place_on(request.sheet, aspect_of(info_)).drawing) {
         if (subject.truths.empty())
-            throw Error(Fault::failed, "", "it has no contour map; add " + subject.name + "_gt1.png, or take the picture away");
+            throw Error(Fault::failed, "",
+                        phrase("it has no contour map; add {0}_gt1.png, or take the picture away", subject.name));
         for (const auto& path : subject.truths) truths_.push_back(read_truth(path, info_.width, info_.height));
     }
 
@@ -70,7 +71,8 @@ public:
         chosen = base.name;
         const Recipe recipe = fit_to(*request_.sheet.medium, finish(candidate.chain, std::move(base)));
         if (!draws_whole(recipe))
-            throw Error(Fault::failed, "", "only a part of the picture is left, which no contour map fits; leave out crop");
+            throw Error(Fault::failed, "",
+                        phrase("only a part of the picture is left, which no contour map fits; leave out crop"));
         const Artwork whole = tactics::run(recipe, read_for(recipe, place_, reading_));
         const double own_f = f_of(whole);
         std::vector<NeededCurve> curves(kDials);

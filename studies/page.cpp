@@ -282,7 +282,7 @@ StudyFindings run_page_study(const StudyRequest& request, const StudyWatch& watc
     findings.csv = comma_separated(rows);
     findings.json = page_json(study);
     findings.problems = study.problems;
-    findings.undone = "drawn";
+    findings.undone = SourceWords("{0} could not be drawn:");
     findings.charts = page_charts(study, request);
     return findings;
 }

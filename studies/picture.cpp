@@ -63,7 +63,7 @@ MappedPicture read_mapped(const StudyRequest& request, const Subject& subject, b
     MappedPicture mapped;
     mapped.info = size_of(request, subject);
     if (needs_map && subject.truths.empty())
-        throw Error(Fault::failed, "", "it has no contour map; add " + subject.name + "_gt1.png, or take the picture away");
+        throw Error(Fault::failed, "", phrase("it has no contour map; add {0}_gt1.png, or take the picture away", subject.name));
     for (const auto& path : subject.truths) mapped.truths.push_back(read_truth(path, mapped.info.width, mapped.info.height));
     return mapped;
 }
@@ -78,7 +78,7 @@ ReadyRecipe make_ready(const StudyRequest& request, const Subject& subject, cons
                                                      ? assemble(candidate.chain, find_recipe(choose(reading).recipe, "auto"))
                                                      : candidate.recipes[setting]);
     if (!draws_whole(ready.recipe))
-        throw Error(Fault::failed, "", "only a part of the picture is left, which no contour map fits; leave out crop");
+        throw Error(Fault::failed, "", phrase("only a part of the picture is left, which no contour map fits; leave out crop"));
     ready.place = place_on(request.sheet, aspect_of(info)).drawing;
     ready.from = read_for(ready.recipe, ready.place, reading);
     return ready;
@@ -88,7 +88,7 @@ Recipe without_dots(Recipe recipe) {
     std::erase_if(recipe.steps, [](const Step& step) { return step.filter->name == "halftone"; });
     const bool draws =
         std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name != "resample"; });
-    if (!draws) throw Error(Fault::failed, "", "it draws neither lines nor regions that could be compared; leave it out");
+    if (!draws) throw Error(Fault::failed, "", phrase("it draws neither lines nor regions that could be compared; leave it out"));
     return recipe;
 }
 

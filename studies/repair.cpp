@@ -58,7 +58,7 @@ StudyFindings run_repair_study(const StudyRequest& request, const StudyWatch& wa
     findings.text = repair_text(study);
     findings.json = repair_json(study);
     findings.problems = study.problems;
-    findings.undone = "drawn";
+    findings.undone = SourceWords("{0} could not be drawn:");
     findings.charts.push_back({"", repair_plot(study)});
     if (findings.charts.front().plot.marks.empty())
         findings.charts.front().missing = "there is no chart: no picture here has a contour map";

@@ -84,7 +84,8 @@ public:
                                                ? assemble(candidate_.chain, find_recipe(choose_recipe(image).recipe, "auto"))
                                                : candidate_.recipes[0]));
         if (!draws_whole(recipe))
-            throw Error(Fault::failed, "", "only a part of the picture is left, which cannot be compared; leave out crop");
+            throw Error(Fault::failed, "",
+                        phrase("only a part of the picture is left, which cannot be compared; leave out crop"));
         return recipe;
     }
 
@@ -335,7 +336,7 @@ StudyFindings run_stability_study(const StudyRequest& request, const StudyWatch&
     findings.csv = comma_separated(held);
     findings.json = whole_json(study);
     findings.problems = study.problems;
-    findings.undone = "compared";
+    findings.undone = SourceWords("{0} could not be compared:");
     return findings;
 }
 

@@ -59,7 +59,7 @@ struct StudyFindings {
     std::string json = {};                  ///< one object a line
     std::vector<std::string> remarks = {};  ///< one line each, for who is not quiet
     std::vector<std::string> problems = {};
-    std::string_view undone = "scored";  ///< what could not be done where there are problems
+    SourceWords undone = "{0} could not be scored:";  ///< of what there are problems with
     std::vector<StudyChart> charts = {};
 };
 

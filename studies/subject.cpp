@@ -193,7 +193,7 @@ StudyFindings study_subject(const StudyRequest& request, const StudyWatch& watch
             if (trial.tried) return;
             ReadyRecipe ready = make_ready(request, request.subjects[i], request.candidates[c]);
             if (!std::holds_alternative<Image>(ready.from))
-                throw Error(Fault::failed, "", "it is no picture, in which things could be looked for; take it away");
+                throw Error(Fault::failed, "", phrase("it is no picture, in which things could be looked for; take it away"));
             trial = try_finder(search(std::move(ready.recipe), std::get<Image>(std::move(ready.from)), info.width, info.height),
                                objects);
         };
@@ -208,7 +208,7 @@ StudyFindings study_subject(const StudyRequest& request, const StudyWatch& watch
         findings.remarks.push_back(std::to_string(study.bare) + " of " + std::to_string(pictures) +
                                    " pictures have no object that " + std::to_string(kAgree) + " people agree on");
     findings.problems = study.problems;
-    findings.undone = "tried";
+    findings.undone = SourceWords("{0} could not be tried:");
     return findings;
 }
 

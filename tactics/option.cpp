@@ -33,8 +33,33 @@ std::string value_text(const Option& option, double value) {
     return to_text(value);
 }
 
-std::string with_unit(const Option& option, double value) {
-    return to_text(value) + (option.unit.empty() ? "" : " " + std::string(option.unit));
+// Those that differ between languages.
+constexpr SourceWords kUnits[] = {"percent", "grey levels", "square cm", "cells",      "classes",
+                                  "pins",    "pixels",      "regions",   "% of height"};
+
+// A number as it is typed.
+Phrase with_unit(const Option& option, double value) {
+    if (option.unit.empty()) return to_text(value);
+    const auto unit =
+        std::find_if(std::begin(kUnits), std::end(kUnits), [&](SourceWords one) { return one.text == option.unit; });
+    return phrase("{0} {1}", to_text(value), unit == std::end(kUnits) ? Phrase(option.unit) : phrase(*unit));
+}
+
+Phrase range_words(const Option& option) {
+    if (option.type == Option::Type::spots && option.choices == kBoxesOnly)
+        return phrase("a box such as 20%,30%-70%,90%, several joined by \";\"; default none");
+    if (option.type == Option::Type::spots)
+        return phrase("a box such as 20%,30%-70%,90%, a point such as 40%,50%, several joined by \";\"; default none");
+    if (option.type == Option::Type::words)
+        return phrase("one line of at most {0} bytes of UTF-8; default none", std::to_string(kMostWords));
+    if (option.type == Option::Type::date) return phrase("a day from 1980-01-01 to 2107-12-31, written like that; default none");
+    if (option.type == Option::Type::choice) {
+        std::string all;
+        for (const auto name : choice_names(option)) all += (all.empty() ? "" : ", ") + std::string(name);
+        return phrase("{0}; default {1}", all, value_text(option, option.fallback));
+    }
+    return phrase("{0} to {1}, default {2}", to_text(option.min), with_unit(option, option.max),
+                  with_unit(option, option.fallback));
 }
 
 double parse_choice(const Option& option, std::string_view text, std::string_view place, const std::string& what) {
@@ -56,13 +81,13 @@ double parse_value(const Option& option, std::string_view text, std::string_view
         throw Error(
             Fault::usage, place,
             option.type == Option::Type::length
-                ? phrase("{0} cannot be \"{1}\"; it is a length such as 1.5mm or 0.1in, {2}", what, text, describe_range(option))
-                : phrase("{0} cannot be \"{1}\"; it is {2}, {3}", what, text, whole ? "a whole number" : "a number",
-                         describe_range(option)));
+                ? phrase("{0} cannot be \"{1}\"; it is a length such as 1.5mm or 0.1in, {2}", what, text, range_words(option))
+                : phrase("{0} cannot be \"{1}\"; it is {2}, {3}", what, text,
+                         whole ? phrase("a whole number") : phrase("a number"), range_words(option)));
     // To the six decimals that to_text writes, so that a saved setting is the same number when it is read back.
     value = std::round(*value * 1e6) / 1e6;
     if (*value < option.min || *value > option.max)
-        throw Error(Fault::usage, place, phrase("{0}={1} is out of range; it is {2}", what, text, describe_range(option)));
+        throw Error(Fault::usage, place, phrase("{0}={1} is out of range; it is {2}", what, text, range_words(option)));
     return *value;
 }
 
@@ -84,31 +109,18 @@ bool is_day(std::string_view text) {
 }
 
 std::string parse_words(const Option& option, std::string_view text, std::string_view place, const std::string& what) {
-    const std::string quoted = what + " cannot be \"" + beginning_of(to_line(text)) + "\"; it is ";
-    if (option.type == Option::Type::date && !text.empty() && !is_day(text))
-        throw Error(Fault::usage, place, quoted + describe_range(option));
-    if (option.type == Option::Type::words && (text.size() > kMostWords || to_line(text) != text))
-        throw Error(Fault::usage, place, quoted + describe_range(option));
+    const auto refused = [&] {
+        return Error(Fault::usage, place,
+                     phrase("{0} cannot be \"{1}\"; it is {2}", what, beginning_of(to_line(text)), range_words(option)));
+    };
+    if (option.type == Option::Type::date && !text.empty() && !is_day(text)) throw refused();
+    if (option.type == Option::Type::words && (text.size() > kMostWords || to_line(text) != text)) throw refused();
     return std::string(text);
 }
 
 }  // namespace
 
-std::string describe_range(const Option& option) {
-    if (option.type == Option::Type::spots && option.choices == kBoxesOnly)
-        return "a box such as 20%,30%-70%,90%, several joined by \";\"; default none";
-    if (option.type == Option::Type::spots)
-        return "a box such as 20%,30%-70%,90%, a point such as 40%,50%, several joined by \";\"; default none";
-    if (option.type == Option::Type::words)
-        return "one line of at most " + std::to_string(kMostWords) + " bytes of UTF-8; default none";
-    if (option.type == Option::Type::date) return "a day from 1980-01-01 to 2107-12-31, written like that; default none";
-    if (option.type == Option::Type::choice) {
-        std::string all;
-        for (const auto name : choice_names(option)) all += (all.empty() ? "" : ", ") + std::string(name);
-        return all + "; default " + value_text(option, option.fallback);
-    }
-    return to_text(option.min) + " to " + with_unit(option, option.max) + ", default " + with_unit(option, option.fallback);
-}
+std::string describe_range(const Option& option) { return range_words(option).english(); }
 
 Settings::Settings(std::span<const Option> options) : options_(options) {
     values_.reserve(options.size());

@@ -25,12 +25,12 @@ Kind seen_as(const Filter& filter, Kind kind) { return contains(filter.takes, ki
 
 Kind after(const Filter& filter, Kind kind) { return filter.gives == 0 ? kind : static_cast<Kind>(filter.gives); }
 
-std::string mend(const Filter& filter, Kind kind) {
-    if (kind == Kind::drawing) return "put it before trace or outlines";
-    if (kind == Kind::regions) return "put outlines before it";
-    if (contains(filter.takes, Kind::regions)) return "put nest before it";
-    if (contains(filter.takes, Kind::drawing)) return "put trace before it";
-    return "put sobel, canny or contours before it";
+Phrase mend(const Filter& filter, Kind kind) {
+    if (kind == Kind::drawing) return phrase("put it before trace or outlines");
+    if (kind == Kind::regions) return phrase("put outlines before it");
+    if (contains(filter.takes, Kind::regions)) return phrase("put nest before it");
+    if (contains(filter.takes, Kind::drawing)) return phrase("put trace before it");
+    return phrase("put sobel, canny or contours before it");
 }
 
 }  // namespace

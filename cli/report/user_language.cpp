@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/report/user_language.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <string_view>
 
 #include "tactics/text/catalogue.h"
+#include "tactics/text/decimal_comma.h"
 
 namespace tactics {
 
@@ -56,5 +58,12 @@ const std::string& user_language() {
         language_of_locale(std::getenv("LANGUAGE"), std::getenv("LC_ALL"), std::getenv("LC_MESSAGES"), std::getenv("LANG"));
     return language;
 }
+
+std::string for_user(std::string number) {
+    if (writes_comma(user_language())) std::replace(number.begin(), number.end(), '.', ',');
+    return number;
+}
+
+std::string line_for_user(const Phrase& words) { return words.in(user_language()) + "\n"; }
 
 }  // namespace tactics

@@ -54,7 +54,7 @@ CutWish cut_wish(const Given& given) {
     if (given.has("--section")) wish.section = section_value(given);
     if (wish.levels && wish.section)
         throw Error(Fault::usage, "--section",
-                    "contours and sections do not share axes; leave out one of --levels and --section");
+                    phrase("contours and sections do not share axes; leave out one of --levels and --section"));
     return wish;
 }
 
@@ -62,13 +62,13 @@ Plot cut_of(const Plot& plot, const CutWish& wish, Point field, const std::strin
     const char* flag = wish.levels ? "--levels" : "--section";
     if (plot.surfaces.empty())
         throw Error(Fault::usage, flag,
-                    "it is about a surface, and " + name + " has none; of a table, name its heights with --z");
+                    phrase("it is about a surface, and {0} has none; of a table, name its heights with --z", name));
     const PlotSurface& surface = plot.surfaces.front();
     Plot cut = wish.levels ? chosen_levels(plot, surface, *wish.levels, field) : sections_of(plot, surface, *wish.section);
     if (cut.curves.empty())
         throw Error(Fault::usage, flag,
-                    wish.levels ? "the surface is level, and has no lines of equal height; leave it out"
-                                : "nothing is known of the surface there; take another place");
+                    wish.levels ? phrase("the surface is level, and has no lines of equal height; leave it out")
+                                : phrase("nothing is known of the surface there; take another place"));
     std::string names;
     for (const PlotCurve& curve : cut.curves) names += (names.empty() ? "" : ", ") + curve.name;
     told.push_back((wish.levels ? "felt as lines of equal height: " : "felt cut open: ") + names);

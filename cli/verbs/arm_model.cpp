@@ -103,9 +103,10 @@ ArmScene model_on_arm(const Mesh& mesh, const std::string& name, const Given& gi
     double scale = std::isfinite(box.scale) ? box.scale : 1;
     constexpr double kLeast = 10;  // mm
     if (std::isfinite(box.scale) && !(scale * std::max({size.x, size.y, size.z}) >= kLeast))
-        throw Error(Fault::usage, "--plane", "the plane leaves less than 10 mm of the workspace for the model; take another");
+        throw Error(Fault::usage, "--plane",
+                    phrase("the plane leaves less than 10 mm of the workspace for the model; take another"));
     if (const auto width = length_of(given, "--width")) {
-        if (!(size.x > 0)) throw Error(Fault::usage, "--width", "the model has none; leave it out");
+        if (!(size.x > 0)) throw Error(Fault::usage, "--width", phrase("the model has none; leave it out"));
         scale = std::min(scale, *width / size.x);
     }
     told.push_back(told_scale(size, scale));
@@ -118,7 +119,7 @@ ArmScene model_on_arm(const Mesh& mesh, const std::string& name, const Given& gi
                    {},
                    true};
     if (!(std::min(size.x, size.y) > 0)) scene.sheet = {{"outline", {{0, 0}, {size.x, size.y}}}, outline_across(mesh, sides)};
-    std::vector<std::string> left_out;
+    std::vector<Phrase> left_out;
     scene.scene =
         scene_of(placed(mesh, sides, scale),
                  {.law = scene.law, .radius = radius_of(given).value_or(0), .resolution = scene.resolution}, name, left_out);

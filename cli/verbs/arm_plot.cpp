@@ -26,7 +26,7 @@ ArmScene plot_on_arm(Plot plot, const Given& given, const ArmFile& file, std::ve
     check_field({field.width, field.width});
     const PlotFrame frame = frame_of(plot, field, room_over(field, arm));
     ArmScene scene{std::move(plot), frame, field.mounting, arm_law_of(given, file, kShare), std::max(arm.resolution, 0.01)};
-    std::vector<std::string> left_out;
+    std::vector<Phrase> left_out;
     scene.scene = plot_scene({scene.plot, frame, scene.law, fixture_of(given), scene.resolution}, parts, left_out);
     told.insert(told.end(), left_out.begin(), left_out.end());
     return scene;

@@ -99,9 +99,10 @@ ArmScene relief_on_arm(FeltHeights felt, double radius, const Given& given, cons
     const double scale = std::min(box.scale, 1.0);
     if (scale < 1) told.push_back(told_scale(size, scale));
     if (std::max(size.x, size.y) * scale < std::min(kLeastField, std::max(size.x, size.y)))
-        throw Error(Fault::usage, "--plane",
-                    "so high a map leaves less than 30 mm of its sides in the workspace; give it other heights with --low and "
-                    "--high, or take another plane");
+        throw Error(
+            Fault::usage, "--plane",
+            phrase("so high a map leaves less than 30 mm of its sides in the workspace; give it other heights with --low and "
+                   "--high, or take another plane"));
     ArmScene scene{plot_of_map(map, kMostSamples),
                    frame_of_box({0, 0, heights.lowest}, {size.x, size.y, heights.highest}, scale),
                    mounting_of(box, scale * size, 0),

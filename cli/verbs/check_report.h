@@ -8,6 +8,7 @@
 #include "tactics/medium.h"
 #include "tactics/readers/svg/svg.h"
 #include "tactics/rules/rule.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 

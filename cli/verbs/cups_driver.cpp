@@ -34,7 +34,8 @@ int run_cups_driver(std::span<const std::string> words) {
         print_out(ppd_of(find_embosser(words[1].substr(kScheme.size()), words[1]), kCupsFilterName));
         return 0;
     }
-    throw Error(Fault::usage, std::string(kCupsDriverName), "CUPS starts it with list, or with cat and a URI from that list");
+    throw Error(Fault::usage, std::string(kCupsDriverName),
+                phrase("CUPS starts it with list, or with cat and a URI from that list"));
 }
 
 }  // namespace tactics

@@ -25,7 +25,7 @@ namespace {
 std::string text_of(const std::string& path) {
     std::ifstream file(path);
     std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file) throw Error(Fault::failed, path, "cannot be read; set the queue up again with a PPD file of tactics ppd");
+    if (!file) throw Error(Fault::failed, path, phrase("cannot be read; set the queue up again with a PPD file of tactics ppd"));
     return text;
 }
 
@@ -33,7 +33,7 @@ std::string text_of(const std::string& path) {
 void open_job(const std::string& path) {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
     if (file < 0) open_source(path);  // which says why
-    if (file < 0 || dup2(file, STDIN_FILENO) < 0) throw Error(Fault::failed, path, "cannot be read");
+    if (file < 0 || dup2(file, STDIN_FILENO) < 0) throw Error(Fault::failed, path, phrase("cannot be read"));
     if (file != STDIN_FILENO) close(file);
 }
 
@@ -48,11 +48,11 @@ int run_cups_filter(std::span<const std::string> words) {
     try {
         if (words.size() != 5 && words.size() != 6)
             throw Error(Fault::usage, std::string(kCupsFilterName),
-                        "is called by CUPS with job, user, title, copies, options and perhaps a file; to use it yourself: "
-                        "tactics convert");
+                        phrase("is called by CUPS with job, user, title, copies, options and perhaps a file; to use it yourself: "
+                               "tactics convert"));
         const char* named = std::getenv("PPD");
         if (named == nullptr)
-            throw Error(Fault::failed, "PPD", "CUPS names no PPD file; set the queue up with one of tactics ppd");
+            throw Error(Fault::failed, "PPD", phrase("CUPS names no PPD file; set the queue up with one of tactics ppd"));
         const std::string ppd = named, ppd_text = text_of(ppd);
         fix_print_surroundings();
         if (words.size() == 6) open_job(words[5]);

@@ -14,7 +14,6 @@
 #include "tactics/readers/felt_file.h"
 #include "tactics/relief/read_heights.h"
 #include "tactics/text/json.h"
-#include "tactics/text/rounded.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 
@@ -36,7 +35,7 @@ constexpr Flag kFlags[] = {
 };
 
 // The numbers of --part: none, or `count` of them that ascend in pairs.
-std::vector<double> part_of(const Given& given, std::size_t count, const std::string& form) {
+std::vector<double> part_of(const Given& given, std::size_t count, const Phrase& form) {
     std::vector<double> numbers;
     if (!given.has("--part")) return numbers;
     const std::string text = given.value("--part");
@@ -53,9 +52,12 @@ std::vector<double> part_of(const Given& given, std::size_t count, const std::st
     return numbers;
 }
 
+Phrase thousandths(double value) { return numeral(std::round(value / 0.001) * 0.001); }
+
 struct Told {
     JsonAnswer object;
-    std::string line, bytes;
+    Phrase line;
+    std::string bytes;
 };
 
 Told told_ticks(const Container& container, const Given& given) {
@@ -63,7 +65,7 @@ Told told_ticks(const Container& container, const Given& given) {
     if (!output.empty() && !output.ends_with(".csv") && output != "-")
         throw Error(Fault::usage, "--output", phrase("\"{0}\" must end in .csv: it holds a recording", output.substr(0, 80)));
     const RecordingFacts facts = recording_facts(container);
-    const auto part = part_of(given, 2, "FROM,TO in s, such as 2,5");
+    const auto part = part_of(given, 2, phrase("FROM,TO in s, such as 2,5"));
     const auto microseconds = [](double seconds) { return std::llround(std::clamp(seconds, -1e7, 1e7) * 1e6); };
     const Recording recording =
         part.empty() ? decode_recording(container) : decode_recording(container, microseconds(part[0]), microseconds(part[1]));
@@ -79,10 +81,10 @@ Told told_ticks(const Container& container, const Given& given) {
     told.object.add("deadband", facts.band.share);
     told.object.add("floor_n", facts.band.floor);
     told.object.add("work_allowed_nmm", facts.band.allowance);
-    told.line = "a recording of " + std::to_string(recording.times.size()) + " ticks in " + rounded(seconds, 0.001) + " s";
+    told.line = phrase("a recording of {0} ticks in {1} s", std::to_string(recording.times.size()), thousandths(seconds));
     if (facts.band.share > 0)
-        told.line +=
-            ", its forces within " + rounded(100 * facts.band.share, 0.001) + " % or " + to_text(facts.band.floor) + " N";
+        told.line = phrase("{0}, its forces within {1} % or {2} N", std::move(told.line), thousandths(100 * facts.band.share),
+                           numeral(facts.band.floor));
     told.bytes = ticks_csv(recording);
     return told;
 }
@@ -95,7 +97,7 @@ Told told_heights(const Container& container, const Given& given) {
                     phrase("\"{0}\" must end in .png, .tif, .exr, .felt or .stl: it holds heights", output.substr(0, 80)));
     const LevelMap facts = map_facts(container);
     LevelWindow window{0, 0, facts.columns, facts.rows};
-    if (const auto part = part_of(given, 4, "LEFT,TOP,RIGHT,BOTTOM, such as 10mm,20mm,60mm,50mm"); !part.empty()) {
+    if (const auto part = part_of(given, 4, phrase("LEFT,TOP,RIGHT,BOTTOM, such as 10mm,20mm,60mm,50mm")); !part.empty()) {
         const auto place = [&](double length, int most) {
             return static_cast<int>(std::lround(std::clamp(length / facts.pitch, 0.0, static_cast<double>(most))));
         };
@@ -105,8 +107,8 @@ Told told_heights(const Container& container, const Given& given) {
         window.rows = place(part[3], facts.rows) - window.top;
         if (window.columns < 1 || window.rows < 1)
             throw Error(Fault::usage, "--part",
-                        phrase("the map has nothing there; it is {0} x {1} mm", rounded(facts.columns * facts.pitch, 0.001),
-                               rounded(facts.rows * facts.pitch, 0.001)));
+                        phrase("the map has nothing there; it is {0} x {1} mm", thousandths(facts.columns * facts.pitch),
+                               thousandths(facts.rows * facts.pitch)));
     }
     const LevelMap map = decode_levels(container, window, kMostHeights);
     Told told;
@@ -117,9 +119,9 @@ Told told_heights(const Container& container, const Given& given) {
     told.object.add("low_mm", map.low);
     told.object.add("high_mm", map.high);
     told.object.add("levels", map.top + 1);
-    told.line = std::to_string(map.columns) + " x " + std::to_string(map.rows) + " heights " + to_text(map.pitch) +
-                " mm apart, of " + std::to_string(map.top + 1) + " levels from " + rounded(map.low, 0.001) + " to " +
-                rounded(map.high, 0.001) + " mm";
+    told.line = phrase("{0} x {1} heights {2} mm apart, of {3} levels from {4} to {5} mm", std::to_string(map.columns),
+                       std::to_string(map.rows), numeral(map.pitch), std::to_string(map.top + 1), thousandths(map.low),
+                       thousandths(map.high));
     if (format != nullptr) {
         const HeightSheet sheet{map.columns, map.rows, map.pitch, map.low, map.high, map.profile};
         const HeightRows rows = [&map](int row, std::span<float> heights) {
@@ -151,7 +153,7 @@ int run(const Given& given) {
         told.object.add("output", output);
         print_out(told.object.text() + "\n");
     } else if (!given.has("--quiet")) {
-        say(source.name + ": " + told.line);
+        say(phrase("{0}: {1}", source.name, told.line));
     }
     return 0;
 }

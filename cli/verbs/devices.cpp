@@ -4,6 +4,7 @@
 
 #include "cli/command.h"
 #include "cli/report/say.h"
+#include "cli/report/user_language.h"
 #include "print/embosser.h"
 #include "tactics/error.h"
 #include "tactics/haptics/devices/haptic_devices.h"
@@ -34,14 +35,15 @@ int run(const Given& given) {
             json.add("address", device.address);
             json.add("id", device.id);
             json.add("embosser", embosser);
-            json.add("note", device.note);
+            json.add("note", device.note.english());
             text += json.text() + "\n";
             continue;
         }
-        text += (device.address.empty() ? "a printer on USB" : device.address) + ": " +
-                (device.id.empty() ? "does not tell what it is" : device.id);
-        text += embosser.empty() ? "" : "; --embosser " + embosser;
-        text += (device.note.empty() ? "" : "; " + device.note) + "\n";
+        Phrase line = phrase("{0}: {1}", device.address.empty() ? phrase("a printer on USB") : Phrase(device.address),
+                             device.id.empty() ? phrase("does not tell what it is") : Phrase(device.id));
+        if (!embosser.empty()) line = phrase("{0}; {1}", line, "--embosser " + embosser);
+        if (!device.note.empty()) line = phrase("{0}; {1}", line, device.note);
+        text += line.in(user_language()) + "\n";
     }
     print_out(text);
     if (devices.empty() && !given.has("--json"))

@@ -213,26 +213,28 @@ int exit_code_of(Ending ending) {
     return 2;
 }
 
-std::string words_for(Ending ending, const std::string& why) {
+Phrase words_for(Ending ending, const std::string& why) {
     switch (ending) {
-        case Ending::paper_out: return "the machine is out of paper";
+        case Ending::paper_out: return phrase("the machine is out of paper");
         case Ending::stalled:
-            return "the machine takes nothing; look whether it is switched to ready, and on a serial line whether speed and flow "
-                   "are its own";
-        case Ending::gone: return "the machine is gone: unplugged, switched off or out of the network";
-        case Ending::cancelled: return "cancelled";
+            return phrase(
+                "the machine takes nothing; look whether it is switched to ready, and on a serial line whether speed "
+                "and flow are its own");
+        case Ending::gone: return phrase("the machine is gone: unplugged, switched off or out of the network");
+        case Ending::cancelled: return phrase("cancelled");
         default: return why;
     }
 }
 
-std::string accepted_line(const EmbossJob& job, std::size_t accepted) {
-    std::string line = std::to_string(accepted) + " of " + std::to_string(job.bytes.size()) + " bytes accepted";
+Phrase accepted_line(const EmbossJob& job, std::size_t accepted) {
+    Phrase line = phrase("{0} of {1} bytes accepted", std::to_string(accepted), std::to_string(job.bytes.size()));
     if (job.pages.empty()) return line;
     const std::size_t complete = pages_within(job.pages, accepted), all = job.first + job.pages.size();
-    line += ", " + (complete == 0 ? "no page" : "page " + std::to_string(job.first + complete) + " of " + std::to_string(all)) +
-            " complete";
+    line = complete == 0 ? phrase("{0}, no page complete", std::move(line))
+                         : phrase("{0}, page {1} of {2} complete", std::move(line), std::to_string(job.first + complete),
+                                  std::to_string(all));
     if (accepted < job.bytes.size() && complete < job.pages.size())
-        line += "; go on with --from-page " + std::to_string(job.first + complete + 1);
+        line = phrase("{0}; go on with --from-page {1}", std::move(line), std::to_string(job.first + complete + 1));
     return line;
 }
 
@@ -266,8 +268,8 @@ Delivery deliver_to(const Address& address, const std::string& place, const Embo
     Delivery delivery = deliver(*channel, job.bytes, wish);
     // The machine is left as after a whole job. The page is complete, so nothing is sent twice.
     if (delivery.ending == Ending::cancelled && std::binary_search(job.pages.begin(), job.pages.end(), delivery.accepted))
-        if (const std::string why = end_job(*channel, job_end(job, delivery.accepted),
-                                            [] { return cancel_by_key() == DeliveryWish::Cancel::at_once; });
+        if (const Phrase why = end_job(*channel, job_end(job, delivery.accepted),
+                                       [] { return cancel_by_key() == DeliveryWish::Cancel::at_once; });
             !why.empty())
             say(phrase("tactics: {0}: {1}", place, why));
     return delivery;
@@ -312,7 +314,7 @@ int run(const Given& given) {
         say(phrase("tactics: {0}: {1}. {2}. What the machine punched of them only a look at its paper tells", place,
                    words_for(delivery.ending, delivery.why), accepted_line(job, delivery.accepted)));
     else if (!given.has("--quiet") && address.kind != Address::Kind::file)
-        say(place + ": " + accepted_line(job, delivery.accepted));
+        say(phrase("{0}: {1}", place, accepted_line(job, delivery.accepted)));
     return exit_code_of(delivery.ending);
 }
 

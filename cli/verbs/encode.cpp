@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `tactics encode`: heights, or what was felt in a play, packed for storing and sending.
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "cli/choice_value.h"
@@ -14,7 +15,6 @@
 #include "tactics/job/disk.h"
 #include "tactics/relief/read_heights.h"
 #include "tactics/text/json.h"
-#include "tactics/text/rounded.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 
@@ -93,8 +93,10 @@ Plan plan_encode(const Given& given) {
     return plan;
 }
 
+Phrase in_steps(double value, double step) { return numeral(std::round(value / step) * step); }
+
 void finish(const Plan& plan, const Given& given, const std::string& bytes, const std::vector<Phrase>& notes, JsonAnswer object,
-            const std::string& line) {
+            const Phrase& line) {
     write_file(plan.output, bytes);
     const std::string name = plan.input == "-" ? "standard input" : plan.input;
     if (given.has("--json")) {
@@ -133,16 +135,17 @@ int encode_ticks(const Plan& plan, const Given& given, TickTable ticks) {
     object.add("most_error_n", loss.most);
     object.add("most_of_threshold", loss.of_threshold);
     object.add("work_added_nmm", loss.work);
-    std::string line = std::to_string(truth.times.size()) + " ticks in " + rounded(seconds, 1e-3) + " s";
+    Phrase line = phrase("{0} ticks in {1} s", std::to_string(truth.times.size()), in_steps(seconds, 1e-3));
     if (plan.band.share > 0)
-        line += ", of which " + std::to_string(encoded.told) + " tell a force (" +
-                rounded(1000 * static_cast<double>(encoded.told) / count, 0.1) + " of 1000); forces within " +
-                rounded(100 * plan.band.share, 0.1) + " % or " + to_text(plan.band.floor) + " N, at most " +
-                rounded(100 * loss.of_threshold, 1) + " % of that; at most " + rounded(loss.work, 1e-3) +
-                " N mm more work than recorded, of " + to_text(plan.band.allowance) + " allowed";
+        line = phrase(
+            "{0}, of which {1} tell a force ({2} of 1000); forces within {3} % or {4} N, at most {5} % of that; at most "
+            "{6} N mm more work than recorded, of {7} allowed",
+            std::move(line), std::to_string(encoded.told), in_steps(1000 * static_cast<double>(encoded.told) / count, 0.1),
+            in_steps(100 * plan.band.share, 0.1), numeral(plan.band.floor), in_steps(100 * loss.of_threshold, 1),
+            in_steps(loss.work, 1e-3), numeral(plan.band.allowance));
     else
-        line += ", all forces as they are";
-    finish(plan, given, encoded.bytes, {ticks.notes.begin(), ticks.notes.end()}, std::move(object), line);
+        line = phrase("{0}, all forces as they are", std::move(line));
+    finish(plan, given, encoded.bytes, ticks.notes, std::move(object), line);
     return 0;
 }
 
@@ -163,8 +166,8 @@ int encode_heights(const Plan& plan, const Given& given, Source& source) {
     object.add("high_mm", map.high);
     object.add("levels", map.top + 1);
     finish(plan, given, bytes, file.notes, std::move(object),
-           std::to_string(map.columns) + " x " + std::to_string(map.rows) + " heights of " + std::to_string(map.top + 1) +
-               " levels from " + rounded(map.low, 1e-3) + " to " + rounded(map.high, 1e-3) + " mm");
+           phrase("{0} x {1} heights of {2} levels from {3} to {4} mm", std::to_string(map.columns), std::to_string(map.rows),
+                  std::to_string(map.top + 1), in_steps(map.low, 1e-3), in_steps(map.high, 1e-3)));
     return 0;
 }
 

@@ -146,7 +146,7 @@ private:
 // The last words, "2 could not be scored:" and which. Gives the exit code.
 int tell_problems(const StudyFindings& findings) {
     if (findings.problems.empty()) return 0;
-    say(std::to_string(findings.problems.size()) + " could not be " + std::string(findings.undone) + ":");
+    say(phrase(findings.undone, std::to_string(findings.problems.size())));
     for (const auto& problem : findings.problems) say("  " + problem);
     return static_cast<int>(Fault::failed);
 }

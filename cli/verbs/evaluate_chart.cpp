@@ -12,12 +12,14 @@ std::vector<ChartFile> plan_charts(const Given& given, const Disk& disk) {
     if (!given.has("--chart")) {
         for (const std::string_view flag : {"--orientation", "--title", "--no-print-title", "--braille", "--dpi"})
             if (given.has(flag))
-                throw Error(Fault::usage, flag, "no chart is drawn, so this would do nothing; add --chart FILE, or leave it out");
+                throw Error(Fault::usage, flag,
+                            phrase("no chart is drawn, so this would do nothing; add --chart FILE, or leave it out"));
         return {};
     }
     std::vector<ChartFile> charts = plan_chart_files(given, "--chart", disk);
     for (const ChartFile& chart : charts)
-        if (chart.path == "-") throw Error(Fault::usage, "--chart", "the results are written to standard output; name a file");
+        if (chart.path == "-")
+            throw Error(Fault::usage, "--chart", phrase("the results are written to standard output; name a file"));
     return charts;
 }
 
@@ -30,7 +32,7 @@ void check_charts(const std::vector<std::string>& names, const std::vector<Chart
 void write_charts(const Plot& plot, const std::vector<ChartFile>& charts) {
     const bool empty = plot.marks.empty() && std::all_of(plot.curves.begin(), plot.curves.end(),
                                                          [](const PlotCurve& curve) { return curve.points.empty(); });
-    if (empty) throw Error(Fault::failed, "--chart", "no recipe could be scored, so there is nothing to draw");
+    if (empty) throw Error(Fault::failed, "--chart", phrase("no recipe could be scored, so there is nothing to draw"));
     write_chart_files(plot, charts);
 }
 

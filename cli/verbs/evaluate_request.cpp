@@ -29,7 +29,7 @@ std::vector<std::string> files_in(const std::string& folder) {
         std::error_code unknown;
         if (name[0] != '.' && !at->is_directory(unknown)) files.push_back((fs::path(folder) / name).string());
     }
-    if (fault) throw Error(Fault::failed, folder, "this folder cannot be read: " + fault.message());
+    if (fault) throw Error(Fault::failed, folder, phrase("this folder cannot be read: {0}", fault.message()));
     return files;
 }
 
@@ -38,8 +38,8 @@ void keep_half(std::vector<Subject>& subjects, const std::string& half) {
     if (half == "all") return;
     if (half != "even" && half != "odd")
         throw Error(Fault::usage, "--half",
-                    "it cannot be \"" + half.substr(0, 80) + "\"" + did_you_mean(half, {"even", "odd", "all"}) +
-                        "; it is even, odd or all");
+                    phrase("it cannot be \"{0}\"{1}; it is even, odd or all", half.substr(0, 80),
+                           did_you_mean(half, {"even", "odd", "all"})));
     std::vector<Subject> kept;
     for (std::size_t i = half == "odd" ? 0 : 1; i < subjects.size(); i += 2) kept.push_back(std::move(subjects[i]));
     subjects = std::move(kept);
@@ -47,23 +47,24 @@ void keep_half(std::vector<Subject>& subjects, const std::string& half) {
 
 void plan_subjects(EvaluateRequest& request, const Given& given, const Disk& disk) {
     if (given.words.size() != 1)
-        throw Error(Fault::usage, "evaluate",
-                    "name one folder with pictures in images/ and contour maps in gt/; for example: tactics evaluate photos/");
+        throw Error(
+            Fault::usage, "evaluate",
+            phrase("name one folder with pictures in images/ and contour maps in gt/; for example: tactics evaluate photos/"));
     const std::string& folder = given.words[0];
     const std::string inner = (fs::path(folder) / "images").string();
     const std::string pictures = disk.is_folder(inner) ? inner : folder;
     const std::string truth = given.value("--truth", (fs::path(folder) / "gt").string());
     const bool there = disk.is_folder(truth);
     if (!there && (request.study->needs_maps || given.has("--truth")))
-        throw Error(Fault::failed, truth, "there is no such folder; name the folder of the contour maps with --truth");
+        throw Error(Fault::failed, truth, phrase("there is no such folder; name the folder of the contour maps with --truth"));
     // Studies that need no maps report more if there are some.
     Pairing pairing = pair_up(files_in(pictures), there ? files_in(truth) : std::vector<std::string>{});
     request.subjects = std::move(pairing.subjects);
     request.problems = std::move(pairing.problems);
-    if (request.subjects.empty()) throw Error(Fault::failed, pictures, "there is no picture in this folder");
+    if (request.subjects.empty()) throw Error(Fault::failed, pictures, phrase("there is no picture in this folder"));
     keep_half(request.subjects, given.value("--half", "all"));
     if (request.subjects.empty())
-        throw Error(Fault::usage, "--half", "there is only one picture, which is the first (odd); leave --half out");
+        throw Error(Fault::usage, "--half", phrase("there is only one picture, which is the first (odd); leave --half out"));
 }
 
 // --sweep kmeans.k=2,3,4
@@ -74,7 +75,7 @@ std::vector<Change> sweep_of(const Given& given) {
     const auto equals = text.find('=');
     if (equals == std::string::npos)
         throw Error(Fault::usage, "--sweep",
-                    "\"" + text.substr(0, 80) + "\" is no sweep; write FILTER.OPTION=V1,V2,V3, for example kmeans.k=2,3,4");
+                    phrase("\"{0}\" is no sweep; write FILTER.OPTION=V1,V2,V3, for example kmeans.k=2,3,4", text.substr(0, 80)));
     for (std::size_t from = equals + 1; from <= text.size();) {
         const std::size_t comma = std::min(text.find(',', from), text.size());
         values.push_back(parse_change(text.substr(0, equals + 1) + text.substr(from, comma - from), "--sweep"));
@@ -82,7 +83,7 @@ std::vector<Change> sweep_of(const Given& given) {
     }
     if (find_filter(filters(), values.front().name) == nullptr)
         throw Error(Fault::usage, "--sweep",
-                    values.front().name + " is a format, and no page is made here; sweep the option of a filter");
+                    phrase("{0} is a format, and no page is made here; sweep the option of a filter", values.front().name));
     return values;
 }
 
@@ -90,9 +91,9 @@ void refuse_formats(const Given& given) {
     for (std::size_t i = 0; i < given.all("--set").size(); ++i) {
         const Change change = parse_change(given.all("--set")[i], "--set " + std::to_string(i + 1));
         if (find_filter(filters(), change.name) == nullptr)
-            throw Error(
-                Fault::usage, change.place,
-                change.name + " is a format, and --set does not reach formats here; leave it out, or use --dpi for a chart");
+            throw Error(Fault::usage, change.place,
+                        phrase("{0} is a format, and --set does not reach formats here; leave it out, or use --dpi for a chart",
+                               change.name));
     }
 }
 
@@ -144,7 +145,7 @@ std::vector<std::string> usual_recipes(const Study& study) {
 void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& disk) {
     if (given.value("--detail") == "best")
         throw Error(Fault::usage, "--detail",
-                    "best depends on a medium, and the same is asked of all pictures here; take a number");
+                    phrase("best depends on a medium, and the same is asked of all pictures here; take a number"));
     const std::vector<Change> sweep = sweep_of(given);
     refuse_formats(given);
     std::vector<std::string> names = given.all("--recipe");
@@ -170,7 +171,7 @@ void plan_candidates(EvaluateRequest& request, const Given& given, const Disk& d
                                    [](const Candidate& candidate) { return !candidate.settings.front().empty(); });
     if (!sweep.empty() && !swept)
         throw Error(Fault::usage, "--sweep",
-                    "no recipe here has the filter " + sweep.front().name + ", so this would do nothing; name one that has");
+                    phrase("no recipe here has the filter {0}, so this would do nothing; name one that has", sweep.front().name));
 }
 
 // What one study alone asks for.
@@ -183,10 +184,9 @@ void plan_options(EvaluateRequest& request, const Given& given) {
             const auto number = parse_number(given.value(flag));
             if (!number || *number < option.min || *number > option.max || *number != std::floor(*number))
                 throw Error(Fault::usage, flag,
-                            "it must be a whole number from " + to_text(option.min) + " to " + to_text(option.max));
+                            phrase("it must be a whole number from {0} to {1}", numeral(option.min), numeral(option.max)));
             if (study != request.study)
-                throw Error(Fault::usage, flag,
-                            std::string(study->no_options) + "; it is for --study " + std::string(study->name));
+                throw Error(Fault::usage, flag, phrase("{0}; it is for --study {1}", study->no_options, study->name));
             request.settings.set(option.name, given.value(flag), flag, study->name);
         }
 }
@@ -195,16 +195,16 @@ void plan_study(EvaluateRequest& request, const Given& given) {
     const std::string name = given.value("--study");
     request.study = given.has("--study") && name.empty() ? nullptr : find_study(name);
     plan_options(request, given);
-    const auto refuse = [&](std::string_view option, std::string_view why) {
+    const auto refuse = [&](std::string_view option, const Phrase& why) {
         const std::string flag = "--" + std::string(option);
-        if (given.has(flag)) throw Error(Fault::usage, flag, std::string(why) + "; leave it out");
+        if (given.has(flag)) throw Error(Fault::usage, flag, phrase("{0}; leave it out", why));
     };
     const bool charted = request.study != nullptr && request.study->charted != nullptr;
-    if (!charted) refuse("chart", "this study has no chart");
-    if (request.study == nullptr)
+    if (!charted) refuse("chart", phrase("this study has no chart"));
+    if (const auto names = study_names(); request.study == nullptr)
         throw Error(Fault::usage, "--study",
-                    "there is no study \"" + name.substr(0, 80) + "\"" + did_you_mean(name, study_names()) + "; there are " +
-                        joined(study_names(), ", ", " and "));
+                    phrase("there is no study \"{0}\"{1}; there are {2}", name.substr(0, 80), did_you_mean(name, names),
+                           listed({names.begin(), names.end()})));
     for (const auto& [option, why] : request.study->refuses) refuse(option, why);
 }
 
@@ -222,13 +222,13 @@ void plan_sheet(EvaluateRequest& request, const Given& given) {
 // Outputs written last are checked first, so that no work is lost.
 void check_csv(const EvaluateRequest& request, const Disk& disk) {
     if (request.csv.empty() || request.csv == "-") return;
-    if (disk.is_folder(request.csv)) throw Error(Fault::usage, "--csv", request.csv + " is a folder; name a file");
+    if (disk.is_folder(request.csv)) throw Error(Fault::usage, "--csv", phrase("{0} is a folder; name a file", request.csv));
     const std::string folder = fs::path(request.csv).parent_path().string();
     if (!folder.empty() && !disk.is_folder(folder))
-        throw Error(Fault::usage, "--csv", "there is no folder " + folder + "; make it, or name another file");
+        throw Error(Fault::usage, "--csv", phrase("there is no folder {0}; make it, or name another file", folder));
     for (const ChartFile& chart : request.chart_files)
         if (disk.identity(chart.path) == disk.identity(request.csv))
-            throw Error(Fault::usage, "--csv", request.csv + " is the file of --chart, too; name another");
+            throw Error(Fault::usage, "--csv", phrase("{0} is the file of --chart, too; name another", request.csv));
 }
 
 }  // namespace
@@ -243,14 +243,15 @@ EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
     plan_sheet(request, given);
     plan_subjects(request, given, disk);
     request.csv = given.value("--csv");
-    if (given.has("--csv") && request.csv.empty()) throw Error(Fault::usage, "--csv", "the name of the file is missing");
+    if (given.has("--csv") && request.csv.empty()) throw Error(Fault::usage, "--csv", phrase("the name of the file is missing"));
     check_csv(request, disk);
     request.allowed = allowed_formats(given);
     request.workers = workers_value(given);
     request.quiet = given.has("--quiet");
     request.json = given.has("--json");
     if (request.json && request.csv == "-")
-        throw Error(Fault::usage, "standard output", "only one can be written to it: --json or --csv; write the other to a file");
+        throw Error(Fault::usage, "standard output",
+                    phrase("only one can be written to it: --json or --csv; write the other to a file"));
     return request;
 }
 

@@ -3,15 +3,15 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <string_view>
 
+#include "tactics/text/phrase.h"
 #include "tactics/transport/delivery.h"
 
 namespace tactics {
 
 /// Sends the bytes that end a job, unless the user cancels again or the machine accepts nothing for 5 s. Returns a message if
 /// they were not sent; empty: they were.
-std::string end_job(Channel& channel, std::string_view end, const std::function<bool()>& given_up);
+Phrase end_job(Channel& channel, std::string_view end, const std::function<bool()>& given_up);
 
 }  // namespace tactics

@@ -73,15 +73,17 @@ std::vector<StreamMedium> media_of(const Recording& recording, const MeasuredStr
     for (const MediumChannel& channel : channels)
         if (channel.most_force > 0) media.push_back({channel, carried_by(recording, stream, channel)});
     if (media.empty() && !channels.empty())
-        throw Error(Fault::usage, "--media", "a recording is of forces, which only mouse, omni, desktop and phantom have");
+        throw Error(Fault::usage, "--media",
+                    phrase("a recording is of forces, which only mouse, omni, desktop and phantom have"));
     return media;
 }
 
 int measure_stream(const Given& given, const std::string& name, const TickTable& ticks,
                    const std::vector<MediumChannel>& channels) {
     for (const std::string_view flag : {"--best", "--levels-of-detail", "--pitch", "--width", "--low", "--high"})
-        if (given.has(flag)) throw Error(Fault::usage, flag, "it is about heights and drawings, and " + name + " is a recording");
-    StreamReport report{name, measured(ticks.recording, name), {}, {ticks.notes.begin(), ticks.notes.end()}};
+        if (given.has(flag))
+            throw Error(Fault::usage, flag, phrase("it is about heights and drawings, and {0} is a recording", name));
+    StreamReport report{name, measured(ticks.recording, name), {}, ticks.notes};
     report.media = media_of(ticks.recording, report.stream, channels);
     if (!given.has("--quiet") && !given.has("--json"))
         for (const Phrase& note : report.notes) say(phrase("{0}: {1}", name, note));
@@ -92,10 +94,10 @@ int measure_stream(const Given& given, const std::string& name, const TickTable&
 int measure_voxels(const Given& given, const std::string& name, Source& source) {
     for (const std::string_view flag : {"--media", "--best", "--pitch", "--width", "--low", "--high"})
         if (given.has(flag))
-            throw Error(Fault::usage, flag, "it is about heights and drawings, and " + name + " is voxels; leave it out");
+            throw Error(Fault::usage, flag, phrase("it is about heights and drawings, and {0} is voxels; leave it out", name));
     const VoxelReport report = voxel_report(name, read_nrrd(source), given.has("--levels-of-detail"));
     if (!given.has("--quiet") && !given.has("--json"))
-        for (const std::string& note : report.notes) say(name + ": " + note);
+        for (const Phrase& note : report.notes) say(phrase("{0}: {1}", name, note));
     print_out(given.has("--json") ? json_of(report) : text_of(report));
     return 0;
 }
@@ -103,9 +105,9 @@ int measure_voxels(const Given& given, const std::string& name, Source& source) 
 int run(const Given& given) {
     if (given.words.size() != 1)
         throw Error(Fault::usage, "measure",
-                    "name one file, or - for standard input; for example: tactics measure photo.jpg --media all");
+                    phrase("name one file, or - for standard input; for example: tactics measure photo.jpg --media all"));
     if (given.has("--best") && !given.has("--media"))
-        throw Error(Fault::usage, "--best", "it is about media; name some with --media, or all");
+        throw Error(Fault::usage, "--best", phrase("it is about media; name some with --media, or all"));
     std::optional<Paper> paper;
     if (given.has("--paper")) paper = find_paper(given.value("--paper"), "--paper");
     std::vector<MediumChannel> channels;

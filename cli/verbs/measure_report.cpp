@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "cli/report/user_language.h"
 #include "tactics/information/felt_rate.h"
 #include "tactics/information/stream.h"
 #include "tactics/text/json.h"
@@ -16,43 +17,50 @@ namespace tactics {
 
 namespace {
 
-std::string ratio(double of) { return fixed(of, of < 0.01 ? 6 : 4); }
+std::string ratio(double of) { return for_user(fixed(of, of < 0.01 ? 6 : 4)); }
 // "488201 to 489030", or once where both are the same.
-std::string interval(const Measures& measures) {
-    const std::string low = fixed_count(measures.low), high = fixed_count(measures.high);
-    return low == high ? high : low + " to " + high;
+Phrase interval(const Measures& measures) {
+    const std::string low = for_user(fixed_count(measures.low)), high = for_user(fixed_count(measures.high));
+    return low == high ? Phrase(high) : phrase("{0} to {1}", low, high);
 }
+
+Phrase length(double mm) { return numeral(std::round(mm / 0.001) * 0.001); }
 
 std::string scene_lines(const MeasureReport& report) {
     const MeasuredScene& scene = report.found.scene;
     const LevelGrid& grid = scene.pyramid.whole();
     const Measures& measures = scene.measures;
     const auto cells = static_cast<double>(grid.count());
-    std::string text = report.file + ": " + report.found.format + " of " + std::to_string(grid.columns) + " x " +
-                       std::to_string(grid.rows) + " cells, " + rounded(scene.width, 0.001) + " x " +
-                       rounded(scene.height, 0.001) + " mm, " +
-                       (scene.is_drawn() ? std::string("lines\n")
-                                         : std::to_string(grid.levels) + " levels from " + rounded(scene.low, 0.001) + " to " +
-                                               rounded(scene.high, 0.001) + " mm\n");
-    text += "bits in it: " + interval(measures) + " (" + fixed(measures.low / cells, 3) + " to " +
-            fixed(measures.high / cells, 3) + " a cell); " + fixed_count(measures.raw) + " as it is written\n";
-    text += "of its levels alone: " + fixed(measures.alone.corrected, 3) + " bits a cell; topology index " +
-            fixed(measures.topology, 3) + "\n";
+    const Phrase heights = scene.is_drawn() ? phrase("lines")
+                                            : phrase("{0} levels from {1} to {2} mm", std::to_string(grid.levels),
+                                                     length(scene.low), length(scene.high));
+    std::string text = line_for_user(phrase("{0}: {1} of {2} x {3} cells, {4} x {5} mm, {6}", report.file, report.found.format,
+                                            std::to_string(grid.columns), std::to_string(grid.rows), length(scene.width),
+                                            length(scene.height), heights));
+    text += line_for_user(phrase("bits in it: {0} ({1} to {2} a cell); {3} as it is written", interval(measures),
+                                 for_user(fixed(measures.low / cells, 3)), for_user(fixed(measures.high / cells, 3)),
+                                 for_user(fixed_count(measures.raw))));
+    text += line_for_user(phrase("of its levels alone: {0} bits a cell; topology index {1}",
+                                 for_user(fixed(measures.alone.corrected, 3)), for_user(fixed(measures.topology, 3))));
     if (measures.felt)
-        text +=
-            "enough for a finger that feels " + rounded(kFeltHeight, 0.001) + " mm: " + fixed_count(*measures.felt) + " bits\n";
+        text += line_for_user(phrase("enough for a finger that feels {0} mm: {1} bits", length(kFeltHeight),
+                                     for_user(fixed_count(*measures.felt))));
     return text;
 }
 
+Row heads(const std::vector<Phrase>& heads) { return in_language(heads, user_language()); }
+
 std::string media_table(const MeasureReport& report) {
-    std::vector<Row> rows = {{"medium", "cells", "levels", "bits in", "bits carried", "ratio", "loss", "what is lost"}};
+    std::vector<Row> rows = {heads({phrase("medium"), phrase("cells"), phrase("levels"), phrase("bits in"),
+                                    phrase("bits carried"), phrase("ratio"), phrase("loss"), phrase("what is lost")})};
     for (const MeasuredMedium& medium : report.media) {
         const Carried& carried = medium.carried;
+        const std::vector<std::string> lost = in_language(carried.lost, user_language());
         rows.push_back({medium.channel.name, std::to_string(carried.columns) + "x" + std::to_string(carried.rows),
-                        std::to_string(carried.fit.levels), interval(report.found.scene.measures), fixed_count(carried.bits),
-                        ratio(carried.ratio), exact_percent(carried.loss),
-                        joined({carried.lost.begin(), carried.lost.end()}, "; ", "; ")});
-        if (carried.lost.empty()) rows.back().back() = "nothing";
+                        std::to_string(carried.fit.levels), interval(report.found.scene.measures).in(user_language()),
+                        for_user(fixed_count(carried.bits)), ratio(carried.ratio), for_user(exact_percent(carried.loss)),
+                        joined({lost.begin(), lost.end()}, "; ", "; ")});
+        if (carried.lost.empty()) rows.back().back() = phrase("nothing").in(user_language());
     }
     return aligned(std::move(rows));
 }
@@ -61,16 +69,18 @@ std::string least_lines(const MeasureReport& report) {
     std::string text;
     for (const MeasuredMedium& medium : report.media)
         if (medium.least)
-            text += medium.channel.name + ": " + explained(*medium.least, report.found.scene.pyramid.whole()) + "\n";
+            text += line_for_user(
+                phrase("{0}: {1}", medium.channel.name, explained(*medium.least, report.found.scene.pyramid.whole())));
     return text;
 }
 
 std::string level_table(const MeasureReport& report) {
-    std::vector<Row> rows = {{"cells", "bits", "of all", "bits a cell in common", "error in mm"}};
+    std::vector<Row> rows = {
+        heads({phrase("cells"), phrase("bits"), phrase("of all"), phrase("bits a cell in common"), phrase("error in mm")})};
     for (const DetailLevel& level : report.levels)
-        rows.push_back({std::to_string(level.columns) + "x" + std::to_string(level.rows), fixed_count(level.bits),
-                        exact_percent(level.bits / report.found.scene.measures.high), fixed(level.mutual, 3),
-                        report.found.scene.is_drawn() ? "" : fixed(level.error, 3)});
+        rows.push_back({std::to_string(level.columns) + "x" + std::to_string(level.rows), for_user(fixed_count(level.bits)),
+                        for_user(exact_percent(level.bits / report.found.scene.measures.high)), for_user(fixed(level.mutual, 3)),
+                        report.found.scene.is_drawn() ? "" : for_user(fixed(level.error, 3))});
     return aligned(std::move(rows));
 }
 

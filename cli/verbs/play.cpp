@@ -169,12 +169,14 @@ std::vector<FingerSettings> any_finger() {
 // A surface that the machine would make tremble is refused before it is switched on.
 void refuse_unstable(const ForceLaw& law, const StableCheck& check) {
     if (check.stable) return;
-    throw Error(Fault::usage, law.sign == DampingSign::as_printed ? "--damping-sign" : "--stiffness",
-                check.stiffness == 0
-                    ? check.reason
-                    : check.reason + "; with a tenth to spare this comes to rest: --stiffness " + to_text(check.stiffness) +
-                          " --damping " + to_text(std::round(check.damping_ns_per_m * 100) / 100) +
-                          (law.sign == DampingSign::as_printed ? " --damping-sign corrected" : ""));
+    throw Error(
+        Fault::usage, law.sign == DampingSign::as_printed ? "--damping-sign" : "--stiffness",
+        check.stiffness == 0 ? check.reason
+        : law.sign == DampingSign::as_printed
+            ? phrase("{0}; with a tenth to spare this comes to rest: --stiffness {1} --damping {2} --damping-sign corrected",
+                     check.reason, to_text(check.stiffness), to_text(std::round(check.damping_ns_per_m * 100) / 100))
+            : phrase("{0}; with a tenth to spare this comes to rest: --stiffness {1} --damping {2}", check.reason,
+                     to_text(check.stiffness), to_text(std::round(check.damping_ns_per_m * 100) / 100)));
 }
 
 // The default is the largest stable value. `law` is unchanged if the user named an unstable one.
@@ -182,8 +184,8 @@ void take_what_is_borne(ForceLaw& law, StableCheck& check, const Given& given) {
     const bool fits = check.stiffness > 0 && (check.stiffness == law.stiffness || !given.has("--stiffness"));
     if (check.stable || !fits || given.has("--damping") || law.sign == DampingSign::as_printed) return;
     if (!given.has("--quiet"))
-        say(check.reason + "; it is played with " + to_text(check.stiffness) + " N/mm and " + to_text(check.damping_ns_per_m) +
-            " N s/m");
+        say(phrase("{0}; it is played with {1} N/mm and {2} N s/m", check.reason, numeral(check.stiffness),
+                   numeral(check.damping_ns_per_m)));
     law = {check.stiffness, check.damping_ns_per_m, law.sign};
     check.stable = true;
 }
@@ -200,12 +202,13 @@ HeightMap map_of(const PlayPlan& plan, bool quiet) {
 void check_map(const PlayPlan& plan, const ReliefSurface& surface, bool quiet) {
     const LeverSettings& lever = plan.machine.lever;
     if (!quiet && (surface.lowest() < lever.lowest || surface.highest() > lever.highest))
-        say(plan.map + ": it goes from " + to_text(surface.lowest()) + " to " + to_text(surface.highest()) +
-            " mm, and the lever from " + to_text(lever.lowest) + " to " + to_text(lever.highest) +
-            "; give it other heights with --low and --high, or the lever another way with --lever");
+        say(phrase(
+            "{0}: it goes from {1} to {2} mm, and the lever from {3} to {4}; give it other heights with --low and --high, or the "
+            "lever another way with --lever",
+            plan.map, numeral(surface.lowest()), numeral(surface.highest()), numeral(lever.lowest), numeral(lever.highest)));
     const double longest = std::max(surface.map().width(), surface.map().height());
     if (plan.part && (plan.part->x >= longest || plan.part->y <= 0))
-        throw Error(Fault::usage, "--part", "the map has nothing there; it ends at " + to_text(longest) + " mm");
+        throw Error(Fault::usage, "--part", phrase("the map has nothing there; it ends at {0} mm", numeral(longest)));
 }
 
 int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
@@ -224,7 +227,7 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     wish.columns.truth = kind.knows_truth;
     wish.settings.begin = {kind.knows_truth ? 0 : surface.map().width() / 2, surface.map().height() / 2};
     if (device->is_real() && !plan.overlay && !quiet)
-        say(plan.device + ": the finger begins in the middle of the map, as no overlay tells where it is");
+        say(phrase("{0}: the finger begins in the middle of the map, as no overlay tells where it is", plan.device));
     ReliefScene scene(surface, plan.feel);
     const PlayedScene played = play_scene(scene, *device, fusion.get(), std::move(wish));
     tell_figures(played, quiet, json);
@@ -239,7 +242,7 @@ int run(const Given& given) {
     const int axes = kind_of_device(given.value("--device", std::string(device_kinds().front()->name))).axes;
     if (axes == 3 || (axes == 0 && given.has("--arm"))) return play_on_arm(given);
     for (const std::string_view flag : arm_flags())
-        if (given.has(flag)) throw Error(Fault::usage, flag, "it is about an arm; leave it out, or take --device arm");
+        if (given.has(flag)) throw Error(Fault::usage, flag, phrase("it is about an arm; leave it out, or take --device arm"));
     PlayPlan plan = plan_play(given);
     ForceLaw& law = plan.feel.wall.law;
     const std::vector<FingerSettings> fingers = any_finger();

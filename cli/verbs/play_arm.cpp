@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -30,7 +31,6 @@
 #include "tactics/job/holds.h"
 #include "tactics/job/table.h"
 #include "tactics/readers/model.h"
-#include "tactics/text/rounded.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -71,15 +71,18 @@ ArmScene scene_in(const std::string& path, const Given& given, const ArmFile& ar
         return scene;
     };
     if (holds == Holds::table) {
-        refuse(given, kModelFlags, "it is about maps and models, and a table is felt on an arm as its plot; leave it out");
-        refuse(given, kMapFlags, "it is about maps, and a table is felt on an arm as its plot; leave it out");
+        refuse(given, kModelFlags,
+               phrase("it is about maps and models, and a table is felt on an arm as its plot; leave it out"));
+        refuse(given, kMapFlags, phrase("it is about maps, and a table is felt on an arm as its plot; leave it out"));
         return whole_or_cut(plot_of(source, table_wish(given), told));
     }
-    refuse(given, kTableFlags, "it is about the plot of a table, and " + path + " is none; leave it out");
-    if (!cut.any()) refuse(given, kPlotFlags, "it is about a plot; a surface is one with --levels or --section, too");
+    refuse(given, kTableFlags, phrase("it is about the plot of a table, and {0} is none; leave it out", path));
+    if (!cut.any()) refuse(given, kPlotFlags, phrase("it is about a plot; a surface is one with --levels or --section, too"));
     if (holds == Holds::model && !cut.any()) {
-        refuse(given, kMapFlags,
-               "a model is felt on an arm as it is, from all sides; leave it out, or make a map of it first: tactics relief");
+        refuse(
+            given, kMapFlags,
+            phrase(
+                "a model is felt on an arm as it is, from all sides; leave it out, or make a map of it first: tactics relief"));
         const Mesh mesh = read_mesh(source, told);
         return model_on_arm(mesh, path, given, arm, told);
     }
@@ -88,10 +91,11 @@ ArmScene scene_in(const std::string& path, const Given& given, const ArmFile& ar
     if (given.has("--best")) wish.best_for = channel_of(given.value("--arm", std::string(kArms.front().name)), arm.arm);
     FeltHeights felt = felt_map(std::move(source), path, wish, given.has("--quiet"));
     if (!cut.any()) return relief_on_arm(std::move(felt), wish.radius.value_or(kFingertip), given, arm, told);
-    refuse(given, kRadius, "lines are felt by a point; leave it out");
+    refuse(given, kRadius, phrase("lines are felt by a point; leave it out"));
     if (felt.drawn)
-        throw Error(Fault::usage, cut.levels ? "--levels" : "--section",
-                    path + " is drawn as lines, which are no surface; take its lightness as heights, for example --high 10mm");
+        throw Error(
+            Fault::usage, cut.levels ? "--levels" : "--section",
+            phrase("{0} is drawn as lines, which are no surface; take its lightness as heights, for example --high 10mm", path));
     return whole_or_cut(plot_of_map(felt.file.map, kMostSamples));
 }
 
@@ -107,13 +111,13 @@ struct ArmPlan {
 };
 
 ArmPlan plan_arm(const Given& given) {
-    refuse(given, kMouseFlags, "it is about a mouse; leave it out, or take another --device");
+    refuse(given, kMouseFlags, phrase("it is about a mouse; leave it out, or take another --device"));
     if (given.words.size() != 1)
         throw Error(Fault::usage, "play",
-                    "name one table, picture, height map or model; for example: tactics play data.csv --device arm");
+                    phrase("name one table, picture, height map or model; for example: tactics play data.csv --device arm"));
     check_page_flags(given);
     if (given.has("--view") && !given.has("--plot"))
-        throw Error(Fault::usage, "--view", "it is of the drawing of --plot; name that, too");
+        throw Error(Fault::usage, "--view", phrase("it is of the drawing of --plot; name that, too"));
     const Disk disk = real_disk();
     ArmPlan plan{given.value("--device"), given.words[0],       given.value("--csv"), nullptr, arm_of(given), &hand_of(given), {},
                  view_of(given),          given.has("--quiet"), given.has("--json")};
@@ -145,7 +149,8 @@ int play_on_arm(const Given& given) {
         for (const Phrase& line : told) say(phrase("{0}: {1}", plan.path, line));
     const PlotFrame& frame = scene.frame;
     if (scene.solid && plan.hand->of_plots)
-        throw Error(Fault::usage, "--hand", "a relief and a model have no curves and no points; take to-and-fro or sections");
+        throw Error(Fault::usage, "--hand",
+                    phrase("a relief and a model have no curves and no points; take to-and-fro or sections"));
 
     DeviceWish wish;
     wish.axes = 3;
@@ -174,13 +179,13 @@ int play_on_arm(const Given& given) {
     layers.tell_ways(played, found);
     // The same input has the same figures, unless they are those of a clock.
     if (played.figures.real) {
-        found.lines.push_back("it could be felt " + rounded(ready, 0.01) + " s after it was asked for");
+        found.lines.push_back(phrase("it could be felt {0} s after it was asked for", numeral(std::round(ready * 100) / 100)));
         found.json += (found.json.empty() ? "" : ",") + std::string("\"ready_s\":") + to_text(ready);
     }
     found.json = frame_json(frame, scene.mounting) + (found.json.empty() ? "" : ",") + found.json;
     tell_figures(played, plan.quiet, plan.json, found.json);
     if (!plan.quiet && !plan.json)
-        for (const std::string& line : found.lines) say(line);
+        for (const Phrase& line : found.lines) say(line);
     if (played.unlogged) throw *played.unlogged;
     return 0;
 }

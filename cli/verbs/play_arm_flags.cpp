@@ -23,8 +23,8 @@ ArmFile arm_of(const Given& given) {
     if (std::find(names.begin(), names.end(), name) == names.end()) {
         if (name.find_first_of("./") == std::string::npos && !std::filesystem::exists(name))
             throw Error(Fault::usage, "--arm",
-                        "there is no arm \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) +
-                            "; it is omni, desktop, phantom, or a file of its numbers");
+                        phrase("there is no arm \"{0}\"{1}; it is omni, desktop, phantom, or a file of its numbers",
+                               name.substr(0, 80), did_you_mean(name, names)));
         text.clear();
         append_file(text, name);
     }
@@ -49,9 +49,10 @@ std::optional<ScenePlane> plane_of(const Given& given) {
         rest.remove_prefix(std::min(comma + 1, rest.size()));
     }
     if (numbers.size() != 4 || std::hypot(numbers[0], numbers[1], numbers[2]) < 1e-9)
-        throw Error(Fault::usage, "--plane",
-                    "it is upright, flat, or A,B,C,D of the plane Ax + By + Cz + D = 0, x to the right, y upwards, z towards the "
-                    "person, mm; 0,0,1,0 is upright");
+        throw Error(
+            Fault::usage, "--plane",
+            phrase("it is upright, flat, or A,B,C,D of the plane Ax + By + Cz + D = 0, x to the right, y upwards, z towards the "
+                   "person, mm; 0,0,1,0 is upright"));
     return ScenePlane{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
@@ -68,8 +69,8 @@ std::vector<const PlotPart*> parts_of(const Given& given) {
             std::find_if(plot_parts().begin(), plot_parts().end(), [&](const PlotPart* part) { return part->name == name; });
         if (found == plot_parts().end())
             throw Error(Fault::usage, "--feel",
-                        "a plot has no \"" + std::string(name.substr(0, 80)) + "\"" + did_you_mean(std::string(name), names) +
-                            "; it has wall, axes, grid, curves, points and surface");
+                        phrase("a plot has no \"{0}\"{1}; it has wall, axes, grid, curves, points and surface",
+                               name.substr(0, 80), did_you_mean(std::string(name), names)));
         parts.push_back(*found);
         rest.remove_prefix(std::min(comma + 1, rest.size()));
     }
@@ -85,7 +86,7 @@ FixtureSettings fixture_of(const Given& given) {
     }
     throw Error(
         Fault::usage, "--fixture",
-        "no fixture is called \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) + "; it is r2, r1, linear or rod");
+        phrase("no fixture is called \"{0}\"{1}; it is r2, r1, linear or rod", name.substr(0, 80), did_you_mean(name, names)));
 }
 
 const HandKind& hand_of(const Given& given) {
@@ -96,8 +97,8 @@ const HandKind& hand_of(const Given& given) {
         names.push_back(one.name);
     }
     throw Error(Fault::usage, "--hand",
-                "no hand is called \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) +
-                    "; it is to-and-fro, trace, points, sections or led");
+                phrase("no hand is called \"{0}\"{1}; it is to-and-fro, trace, points, sections or led", name.substr(0, 80),
+                       did_you_mean(name, names)));
 }
 
 ForceLaw arm_law_of(const Given& given, const ArmFile& file, double share) {
@@ -111,13 +112,13 @@ ForceLaw arm_law_of(const Given& given, const ArmFile& file, double share) {
     if (check.stable) return law;
     const ForceLaw nearest{std::floor(100 * share * check.stiffness) / 100, check.damping_ns_per_m};
     if (check.stiffness == 0 || given.has("--stiffness") || given.has("--damping"))
-        throw Error(
-            Fault::usage, "--stiffness",
-            check.reason + (check.stiffness == 0
-                                ? ""
-                                : std::string(share < 1 ? " (twice what is asked for, as two parts can push the same way)" : "") +
-                                      "; this comes to rest: --stiffness " + to_text(nearest.stiffness) + " --damping " +
-                                      to_text(nearest.damping_ns_per_m)));
+        throw Error(Fault::usage, "--stiffness",
+                    check.stiffness == 0 ? check.reason
+                    : share < 1 ? phrase("{0} (twice what is asked for, as two parts can push the same way); this comes to rest: "
+                                         "--stiffness {1} --damping {2}",
+                                         check.reason, to_text(nearest.stiffness), to_text(nearest.damping_ns_per_m))
+                                : phrase("{0}; this comes to rest: --stiffness {1} --damping {2}", check.reason,
+                                         to_text(nearest.stiffness), to_text(nearest.damping_ns_per_m)));
     return nearest;
 }
 

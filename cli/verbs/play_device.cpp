@@ -24,12 +24,12 @@ std::string overlay_path(const std::string& name) {
     const std::vector<TouchPlace> places = touch_places("");
     if (places.empty())
         throw Error(Fault::failed, "--overlay",
-                    "there is no touch overlay; plug it in, or name it, for example --overlay /dev/input/event5; "
-                    "/proc/bus/input/devices has their names");
+                    phrase("there is no touch overlay; plug it in, or name it, for example --overlay /dev/input/event5; "
+                           "/proc/bus/input/devices has their names"));
     if (places.size() == 1) return places[0].path;
     std::string all;
     for (const TouchPlace& place : places) all += (all.empty() ? "" : ", ") + place.path + " (" + place.name + ")";
-    throw Error(Fault::failed, "--overlay", "several touch devices are there: " + all + "; name one of them");
+    throw Error(Fault::failed, "--overlay", phrase("several touch devices are there: {0}; name one of them", all));
 }
 
 std::unique_ptr<HapticDevice> overlaid(std::unique_ptr<HapticDevice> mouse, const OverlayWish& wish) {
@@ -38,9 +38,10 @@ std::unique_ptr<HapticDevice> overlaid(std::unique_ptr<HapticDevice> mouse, cons
         return touch_overlay(open_touch_device(path), wish.place, path);
     };
     return mouse_with_overlay(std::move(mouse), open, [wish](bool there) {
-        say(wish.name +
-            (there ? ": the touch overlay is there again"
-                   : ": the touch overlay is gone; the finger is followed by the mouse alone until it is plugged in again"));
+        say(there
+                ? phrase("{0}: the touch overlay is there again", wish.name)
+                : phrase("{0}: the touch overlay is gone; the finger is followed by the mouse alone until it is plugged in again",
+                         wish.name));
     });
 }
 
@@ -53,8 +54,8 @@ FingerSettings finger_of(const std::string& name) {
         names.push_back(one.name);
     }
     throw Error(Fault::usage, "--finger",
-                "there is no finger \"" + name.substr(0, 80) + "\"" + did_you_mean(name, names) +
-                    "; it is soft, nominal, stiff, or none");
+                phrase("there is no finger \"{0}\"{1}; it is soft, nominal, stiff, or none", name.substr(0, 80),
+                       did_you_mean(name, names)));
 }
 
 const DeviceKind& device_of(const Given& given) {
@@ -76,16 +77,17 @@ std::optional<Point> two_lengths(std::string_view text, char between) {
 std::optional<OverlayWish> overlay_of(const Given& given) {
     for (const std::string_view flag : {"--overlay-size", "--map-at"})
         if (given.has(flag) && !given.has("--overlay"))
-            throw Error(Fault::usage, flag, "it is about a touch overlay; name that, too: --overlay auto");
+            throw Error(Fault::usage, flag, phrase("it is about a touch overlay; name that, too: --overlay auto"));
     if (!given.has("--overlay")) return std::nullopt;
     if (!device_of(given).real || !device_of(given).finds_place)
-        throw Error(Fault::usage, "--overlay", "it goes with a real mouse (--device hid:); the others know where they are");
+        throw Error(Fault::usage, "--overlay",
+                    phrase("it goes with a real mouse (--device hid:); the others know where they are"));
     OverlayWish wish{given.value("--overlay"), {}};
-    if (wish.name.empty()) throw Error(Fault::usage, "--overlay", "it is a device such as /dev/input/event5, or auto");
+    if (wish.name.empty()) throw Error(Fault::usage, "--overlay", phrase("it is a device such as /dev/input/event5, or auto"));
     if (given.has("--overlay-size")) {
         const auto size = two_lengths(given.value("--overlay-size"), 'x');
         if (!size || !(size->x >= 10 && size->x <= 10'000 && size->y >= 10 && size->y <= 10'000))
-            throw Error(Fault::usage, "--overlay-size", "it is a width and a height from 10mm to 10m, such as 600x340mm");
+            throw Error(Fault::usage, "--overlay-size", phrase("it is a width and a height from 10mm to 10m, such as 600x340mm"));
         wish.place.width = size->x;
         wish.place.height = size->y;
     }
@@ -93,7 +95,7 @@ std::optional<OverlayWish> overlay_of(const Given& given) {
         const auto at = two_lengths(given.value("--map-at"), ',');
         if (!at || !(std::abs(at->x) <= 10'000 && std::abs(at->y) <= 10'000))
             throw Error(Fault::usage, "--map-at",
-                        "it is how far to the right and how far down the map begins, such as 50mm,30mm");
+                        phrase("it is how far to the right and how far down the map begins, such as 50mm,30mm"));
         wish.place.map_at = *at;
     }
     return wish;
@@ -109,7 +111,7 @@ const DeviceKind& kind_of_device(const std::string& name) {
         all += (all.empty() ? "" : ", ") + std::string(one->example);
     }
     throw Error(Fault::usage, "--device",
-                "there is no device \"" + name.substr(0, 80) + "\"" + did_you_mean(kind, names) + "; it is " + all);
+                phrase("there is no device \"{0}\"{1}; it is {2}", name.substr(0, 80), did_you_mean(kind, names), all));
 }
 
 MouseSettings machine_of(const Given& given) {
@@ -126,8 +128,8 @@ MouseSettings machine_of(const Given& given) {
         // A name without a dot or a slash was meant for one of the presets.
         if (name.find_first_of("./") == std::string::npos && !std::filesystem::exists(name))
             throw Error(Fault::usage, "--lever",
-                        "there is no lever \"" + name.substr(0, 80) + "\"" + did_you_mean(name, {"light", "heavy"}) +
-                            "; it is light, heavy, or a file; see tactics help mouse");
+                        phrase("there is no lever \"{0}\"{1}; it is light, heavy, or a file; see tactics help mouse",
+                               name.substr(0, 80), did_you_mean(name, {"light", "heavy"})));
         append_file(text, name);
         machine = read_mouse(text, name);
     }
@@ -137,13 +139,15 @@ MouseSettings machine_of(const Given& given) {
         if (!machine.lifted) machine.finger = finger_of(finger);
     }
     if (real && machine.lifted)
-        throw Error(Fault::usage, "--finger", "a real mouse has a finger on it, or will have; it is soft, nominal or stiff");
+        throw Error(Fault::usage, "--finger",
+                    phrase("a real mouse has a finger on it, or will have; it is soft, nominal or stiff"));
     // Without a finger, the calculation uses the finger to come.
     if (machine.lifted) machine.finger = finger_of("soft");
     if (real && machine.lever.encoder_step == 0)
-        throw Error(Fault::usage, name,
-                    "an encoder of 0 mm is an ideal one, for simulations; give the height of a count, for example lever.encoder "
-                    "= 0.0146 mm");
+        throw Error(
+            Fault::usage, name,
+            phrase("an encoder of 0 mm is an ideal one, for simulations; give the height of a count, for example lever.encoder "
+                   "= 0.0146 mm"));
     if (real && machine.lever.delay == 0) machine.lever.delay = kHidDelay;
     machine.lever.rate_hz = number_value(given, "--rate", machine.lever.rate_hz, 100, kMostRateHz);
     return machine;
@@ -154,7 +158,7 @@ std::unique_ptr<HapticDevice> open_mouse(const std::string& name, DeviceWish wis
     if (colon != std::string::npos) wish.where = name.substr(colon + 1);
     const DeviceKind& kind = kind_of_device(name);
     if (kind.axes == 3 && wish.axes == 1)
-        throw Error(Fault::usage, "--device", "an arm pushes a finger in space, and a map lifts it only; take a mouse");
+        throw Error(Fault::usage, "--device", phrase("an arm pushes a finger in space, and a map lifts it only; take a mouse"));
     auto mouse = kind.open(wish);
     return overlay ? overlaid(std::move(mouse), *overlay) : std::move(mouse);
 }
@@ -183,7 +187,7 @@ void keep_learned(const std::string& file, bool own, const Fusion& fusion, bool 
         write_file(file, to_text(*learned));
     } catch (const Error& error) {
         if (!own) throw;
-        if (!quiet) say(std::string("what was learned of the mouse is not kept: ") + error.what());
+        if (!quiet) say(phrase("what was learned of the mouse is not kept: {0}", error.what()));
     }
 }
 

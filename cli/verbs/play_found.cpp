@@ -7,7 +7,6 @@
 
 #include "tactics/haptics/scenes/near_lines.h"
 #include "tactics/text/json.h"
-#include "tactics/text/rounded.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -17,6 +16,8 @@ namespace {
 constexpr double kPassed = 3;  // mm from a place of the curve: the finger has been there
 constexpr double kSame = 10;   // mm between two findings of one point
 constexpr double kStride = 1;  // mm along the curve between examined places
+
+Phrase to_step(double value, double step) { return numeral(std::round(value / step) * step); }
 
 const HandFinding* find(const std::vector<HandFinding>& findings, std::string_view what) {
     const auto found = std::find_if(findings.begin(), findings.end(), [&](const HandFinding& one) { return one.what == what; });
@@ -83,16 +84,16 @@ void tell_curve(const std::vector<HandFinding>& findings, const std::vector<Tick
     std::sort(off.begin(), off.end());
     const double most = off[off.size() * 95 / 100];
     const double share = static_cast<double>(std::count(passed.begin(), passed.end(), true)) / static_cast<double>(places.size());
-    report.lines.push_back("the hand found a curve after " + rounded(curve->time, 0.1) + " s and followed " +
-                           rounded(100 * share, 1) + " % of it, " + rounded(rms, 0.01) +
-                           " mm off (root of the mean square), 95 % within " + rounded(most, 0.01) + " mm");
+    report.lines.push_back(phrase(
+        "the hand found a curve after {0} s and followed {1} % of it, {2} mm off (root of the mean square), 95 % within {3} mm",
+        to_step(curve->time, 0.1), to_step(100 * share, 1), to_step(rms, 0.01), to_step(most, 0.01)));
     json.add("curve_followed", share);
     json.add("curve_rms_mm", rms);
     json.add("curve_p95_mm", most);
     if (end == nullptr) return;
     const double missed =
         std::min(distance({end->place.x, end->place.y}, line.back()), distance({end->place.x, end->place.y}, line.front()));
-    report.lines.push_back("it took the curve to end " + rounded(missed, 0.1) + " mm from its end");
+    report.lines.push_back(phrase("it took the curve to end {0} mm from its end", to_step(missed, 0.1)));
     json.add("end_off_mm", missed);
 }
 
@@ -103,8 +104,8 @@ void tell_tick(const std::vector<HandFinding>& findings, const Plot& plot, const
     const auto away = [&](double value) { return std::abs(frame.across(value) - tick->place.x); };
     const double nearest =
         *std::min_element(frame.x.ticks.begin(), frame.x.ticks.end(), [&](double a, double b) { return away(a) < away(b); });
-    report.lines.push_back("it stopped at the tick " + to_text(nearest) + " of " + plot.x.name + ", " +
-                           rounded(away(nearest), 0.1) + " mm from it");
+    report.lines.push_back(
+        phrase("it stopped at the tick {0} of {1}, {2} mm from it", numeral(nearest), plot.x.name, to_step(away(nearest), 0.1)));
     json.add("tick", nearest);
     json.add("tick_off_mm", away(nearest));
 }
@@ -133,7 +134,7 @@ void tell_points(const std::vector<HandFinding>& findings, const Plot& plot, con
     std::vector<double> heights;
     for (const PlotMark& mark : plot.marks) heights.push_back(mark.y);
     std::sort(heights.begin(), heights.end(), std::greater<>());
-    std::string highest;
+    std::vector<Phrase> highest;
     std::size_t right = 0;
     for (std::size_t i = 0; i < std::min<std::size_t>(3, groups.size()); ++i) {
         const Point at = groups[i].middle();
@@ -142,11 +143,11 @@ void tell_points(const std::vector<HandFinding>& findings, const Plot& plot, con
                 return distance({frame.across(a.x), frame.down(a.y)}, at) < distance({frame.across(b.x), frame.down(b.y)}, at);
             });
         if (nearest.y >= heights[std::min<std::size_t>(2, heights.size() - 1)]) ++right;
-        highest += (i == 0 ? "" : ", ") + to_text(nearest.x) + " " + to_text(nearest.y);
+        highest.push_back(phrase("{0} {1}", numeral(nearest.x), numeral(nearest.y)));
     }
-    report.lines.push_back("the hand felt " + std::to_string(groups.size()) + " points, of which there are " +
-                           std::to_string(plot.marks.size()) + "; the highest to it: " + highest + " (" + std::to_string(right) +
-                           " of the three highest)");
+    report.lines.push_back(
+        phrase("the hand felt {0} points, of which there are {1}; the highest to it: {2} ({3} of the three highest)",
+               std::to_string(groups.size()), std::to_string(plot.marks.size()), row_of(highest), std::to_string(right)));
     json.add("points_felt", static_cast<double>(groups.size()));
     json.add("highest_right", static_cast<double>(right));
 }
@@ -179,6 +180,12 @@ std::string shape_of(const Course& across, const Course& down) {
     return across.slope != 0 || down.slope != 0 ? "slope" : "flat";
 }
 
+constexpr SourceWords kShapes[] = {"saddle", "hill", "bowl", "ridge", "valley", "slope", "flat"};
+Phrase spoken(std::string_view shape) {
+    const auto found = std::find_if(std::begin(kShapes), std::end(kShapes), [&](SourceWords one) { return one.text == shape; });
+    return found == std::end(kShapes) ? Phrase(shape) : phrase(*found);
+}
+
 // The truth, from the numbers themselves: the row and the column in the middle.
 std::string true_shape(const PlotSurface& surface, double whole) {
     std::vector<double> across, down;
@@ -198,8 +205,9 @@ void tell_sections(const std::vector<HandFinding>& findings, const Plot& plot, c
     if (across.size() < 10 || down.size() < 10 || plot.surfaces.empty()) return;
     const std::string felt = shape_of(course_of(across, frame.depth), course_of(down, frame.depth));
     const std::string real = true_shape(plot.surfaces.front(), frame.z.high - frame.z.low);
-    report.lines.push_back("to the hand its two sections are those of a " + felt +
-                           (felt == real ? ", as they are" : "; they are those of a " + real));
+    report.lines.push_back(felt == real ? phrase("to the hand its two sections are those of a {0}, as they are", spoken(felt))
+                                        : phrase("to the hand its two sections are those of a {0}; they are those of a {1}",
+                                                 spoken(felt), spoken(real)));
     json.add("shape_felt", felt);
     json.add("shape", real);
 }

@@ -9,11 +9,12 @@
 #include "tactics/haptics/scenes/plot_frame.h"
 #include "tactics/haptics/simulated/hand.h"
 #include "tactics/plot.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 struct HandReport {
-    std::vector<std::string> lines;
+    std::vector<Phrase> lines;
     std::string json;  ///< members of an object; empty: the hand found nothing
 };
 

@@ -99,13 +99,14 @@ Point most_of_plane(const ScenePlane& plane, const ArmSettings& arm) {
 
 void check_field(Point size) {
     if (!(size.x >= kLeastField && size.y >= kLeastField))
-        throw Error(Fault::usage, "--plane", "the plane leaves a field of less than 30 mm in the workspace; take another");
+        throw Error(Fault::usage, "--plane",
+                    phrase("the plane leaves a field of less than 30 mm in the workspace; take another"));
 }
 
 FittedBox fit_box(const ScenePlane& plane, const ArmSettings& arm, const Point3& size, double under) {
     const MountedField field = mount(plane, {arm.width, arm.height, arm.depth}, 1, kArmMargin);
     if (!(field.width > 0))
-        throw Error(Fault::usage, "--plane", "the plane passes beside the workspace, or at its side; take another");
+        throw Error(Fault::usage, "--plane", phrase("the plane passes beside the workspace, or at its side; take another"));
     FittedBox box{field.mounting, INFINITY};
     box.axes.origin = field.mounting.to_device({field.width / 2, field.height / 2, 0});
     // To either side of the place, how far the box reaches along each side of the workspace.
@@ -136,18 +137,18 @@ PlotFrame frame_of_box(const Point3& low, const Point3& high, double mm_each) {
     return {axis(low.x, high.x), axis(low.y, high.y), axis(low.z, high.z), size.x, size.y, size.z};
 }
 
-std::string told_scale(const Point3& size, double scale) {
+Phrase told_scale(const Point3& size, double scale) {
     const auto rounded = [](double value) {
         // Three digits.
         const double step = value > 0 ? std::pow(10, std::floor(std::log10(value)) - 2) : 1;
-        return to_text(std::round(value / step) * step);
+        return numeral(std::round(value / step) * step);
     };
     const auto words = [&](const Point3& box) {
-        return rounded(box.x) + " x " + rounded(box.y) + " x " + rounded(box.z) + " mm";
+        return phrase("{0} x {1} x {2} mm", rounded(box.x), rounded(box.y), rounded(box.z));
     };
     constexpr double kLeastTold = 1e-6;
-    const std::string larger = scale < kLeastTold ? "far smaller" : rounded(scale) + " times as large";
-    return "it is " + words(size) + ", and is felt " + larger + ": " + words(scale * size);
+    const Phrase larger = scale < kLeastTold ? phrase("far smaller") : phrase("{0} times as large", rounded(scale));
+    return phrase("it is {0}, and is felt {1}: {2}", words(size), larger, words(scale * size));
 }
 
 namespace {

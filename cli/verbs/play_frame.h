@@ -8,6 +8,7 @@
 #include "tactics/haptics/scenes/plot_frame.h"
 #include "tactics/haptics/simulated/arm.h"
 #include "tactics/plot.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -40,7 +41,7 @@ Mounting mounting_of(const FittedBox& box, const Point3& size, double under);
 /// An axis from `low` to `high`, with that many mm per unit; without ticks.
 PlotFrame frame_of_box(const Point3& low, const Point3& high, double mm_each);
 /// "is 300 x 200 x 12 mm, of which 0.4 times is felt: 120 x 80 x 4.8 mm".
-std::string told_scale(const Point3& size, double scale);
+Phrase told_scale(const Point3& size, double scale);
 
 /// "scene":{...}: how large it is felt, which values its sides are, how many mm one of them has, and its corner (at the least x
 /// and the largest y) and axes in those of the workspace.

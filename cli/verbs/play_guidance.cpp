@@ -16,7 +16,6 @@
 #include "tactics/haptics/scenes/plot_part.h"
 #include "tactics/haptics/voice/keyed_scene.h"
 #include "tactics/text/json.h"
-#include "tactics/text/rounded.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
 
@@ -76,10 +75,11 @@ std::vector<unsigned> keys_to_press(const Given& given, const HandKind& hand) {
     std::vector<unsigned> keys;
     if (!given.has("--guide")) return keys;
     if (!kind_of_device(given.value("--device")).has_hand)
-        throw Error(Fault::usage, "--guide",
-                    "only a simulated hand presses keys by itself (--device arm); leave it out, and press those of the arm");
+        throw Error(
+            Fault::usage, "--guide",
+            phrase("only a simulated hand presses keys by itself (--device arm); leave it out, and press those of the arm"));
     if (hand.name != kLedHand)
-        throw Error(Fault::usage, "--guide", "only the hand that is led presses these keys; leave out --hand");
+        throw Error(Fault::usage, "--guide", phrase("only the hand that is led presses these keys; leave out --hand"));
     std::vector<std::string_view> names;
     for (const PlotKey& key : plot_keys().first(kNumberedKeys)) names.push_back(key.name);
     const std::string text = given.value("--guide");
@@ -89,12 +89,12 @@ std::vector<unsigned> keys_to_press(const Given& given, const HandKind& hand) {
         const auto found = std::find(names.begin(), names.end(), name);
         if (found == names.end())
             throw Error(Fault::usage, "--guide",
-                        "no key is called \"" + std::string(name.substr(0, 80)) + "\"" + did_you_mean(std::string(name), names) +
-                            "; it is " + joined(names, ", ", " or "));
+                        phrase("no key is called \"{0}\"{1}; it is {2}", name.substr(0, 80), did_you_mean(name, names),
+                               either_of({names.begin(), names.end()})));
         keys.push_back(static_cast<unsigned>(found - names.begin()) + 1);
         rest.remove_prefix(std::min(comma + 1, rest.size()));
     }
-    if (keys.empty()) throw Error(Fault::usage, "--guide", "name a key; for example --guide start,follow");
+    if (keys.empty()) throw Error(Fault::usage, "--guide", phrase("name a key; for example --guide start,follow"));
     return keys;
 }
 
@@ -128,7 +128,7 @@ struct PlotLayers::Parts {
             return;
         }
         if (wav_path != "alsa")
-            throw Error(Fault::usage, "--tones", "it is alsa, for the loudspeaker, or a file whose name ends in .wav");
+            throw Error(Fault::usage, "--tones", phrase("it is alsa, for the loudspeaker, or a file whose name ends in .wav"));
         OpenedTones opened = open_tones();
         heard = opened.note.empty();
         if (heard)
@@ -170,8 +170,8 @@ void PlotLayers::begin(bool by_wall) {
     if (!by_wall) return;
     parts_->terminal.emplace(parts_->typed);
     if (parts_->terminal->listens() && !parts_->quiet)
-        say("the keyboard has the keys of the arm, too: 1 to " + std::to_string(kNumberedKeys) +
-            " and letters; tactics help arms says what they do");
+        say(phrase("the keyboard has the keys of the arm, too: 1 to {0} and letters; tactics help arms says what they do",
+                   std::to_string(kNumberedKeys)));
 }
 
 void PlotLayers::finish() {
@@ -185,8 +185,8 @@ void PlotLayers::finish() {
     if (!parts.wav) return;
     parts.wav->finish(parts.track->tones());
     if (!parts.quiet && parts.track->lost())
-        say(parts.wav_path + ": only the first " + to_text(static_cast<double>(parts.track->tones().size()) / kTonesPerSecond) +
-            " s of the tones are in it");
+        say(phrase("{0}: only the first {1} s of the tones are in it", parts.wav_path,
+                   numeral(static_cast<double>(parts.track->tones().size()) / kTonesPerSecond)));
 }
 
 void PlotLayers::tell_ways(const PlayedScene& played, HandReport& report) const {
@@ -198,17 +198,17 @@ void PlotLayers::tell_ways(const PlayedScene& played, HandReport& report) const 
         json.add("curve", static_cast<double>(way.goal.curve) + 1);
         json.add("ticks", static_cast<double>(way.to - way.from));
         json.add("off_mm", way.off);
-        std::string line = std::string(name_of(way.goal.lead)) + ": the finger " +
-                           (way.end == LeadEnd::arrived    ? "arrived"
-                            : way.end == LeadEnd::resisted ? "resisted"
-                            : way.end == LeadEnd::left     ? "left"
-                                                           : "was let go of") +
-                           " " + rounded(way.off, 0.01) + " mm from where it was led";
+        const Phrase led = name_of(way.goal.lead), miss = numeral(std::round(way.off / 0.01) * 0.01);
+        Phrase line = way.end == LeadEnd::arrived    ? phrase("{0}: the finger arrived {1} mm from where it was led", led, miss)
+                      : way.end == LeadEnd::resisted ? phrase("{0}: the finger resisted {1} mm from where it was led", led, miss)
+                      : way.end == LeadEnd::left
+                          ? phrase("{0}: the finger left {1} mm from where it was led", led, miss)
+                          : phrase("{0}: the finger was let go of {1} mm from where it was led", led, miss);
         if (const auto off = off_curve(way, played, parts_->felt)) {
             json.add("rms_mm", off->rms);
             json.add("p95_mm", off->p95);
-            line += ", on its way " + rounded(off->rms, 0.01) + " mm off the curve (root of the mean square), 95 % within " +
-                    rounded(off->p95, 0.01) + " mm";
+            line = phrase("{0}, on its way {1} mm off the curve (root of the mean square), 95 % within {2} mm", std::move(line),
+                          numeral(std::round(off->rms / 0.01) * 0.01), numeral(std::round(off->p95 / 0.01) * 0.01));
         }
         report.lines.push_back(line);
         ways.push_back(json.text());

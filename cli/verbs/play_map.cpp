@@ -16,14 +16,14 @@ namespace tactics {
 std::optional<double> length_of(const Given& given, std::string_view flag) {
     if (!given.has(flag)) return std::nullopt;
     const auto value = parse_length(given.value(flag));
-    if (!value) throw Error(Fault::usage, flag, "it is a length such as 0.5mm");
+    if (!value) throw Error(Fault::usage, flag, phrase("it is a length such as 0.5mm"));
     return value;
 }
 
 std::optional<double> radius_of(const Given& given) {
     if (!given.has("--radius")) return std::nullopt;
     const double radius = parse_length(given.value("--radius")).value_or(-1);
-    if (!(radius >= 0 && radius <= 20)) throw Error(Fault::usage, "--radius", "it is a length from 0 to 20mm");
+    if (!(radius >= 0 && radius <= 20)) throw Error(Fault::usage, "--radius", phrase("it is a length from 0 to 20mm"));
     return radius;
 }
 
@@ -53,7 +53,8 @@ FeltHeights felt_map(Source source, const std::string& path, const MapWish& wish
         if (felt.drawn)
             throw Error(
                 Fault::usage, "--best",
-                path + " is felt as lines, and it is about heights; take --detail best, by which lines are chosen, or --high");
+                phrase("{0} is felt as lines, and it is about heights; take --detail best, by which lines are chosen, or --high",
+                       path));
         fit_heights(felt.file, *wish.best_for, path);
     }
     if (quiet) return felt;

@@ -23,7 +23,8 @@ ForceLaw law_of(const Given& given) {
     law.stiffness = number_value(given, "--stiffness", law.stiffness, 0.001, 1000);
     law.damping_ns_per_m = number_value(given, "--damping", law.damping_ns_per_m, 0, 100);
     const std::string sign = given.value("--damping-sign", "corrected");
-    if (sign != "corrected" && sign != "as_printed") throw Error(Fault::usage, "--damping-sign", "it is corrected or as_printed");
+    if (sign != "corrected" && sign != "as_printed")
+        throw Error(Fault::usage, "--damping-sign", phrase("it is corrected or as_printed"));
     if (sign == "as_printed") law.sign = DampingSign::as_printed;
     return law;
 }
@@ -36,21 +37,21 @@ WallMethod wall_of(const Given& given) {
     for (const NamedWall& wall : wall_methods()) names.push_back(wall.name);
     throw Error(
         Fault::usage, "--wall",
-        "there is no way \"" + name.substr(0, 80) + "\" into a wall" + did_you_mean(name, names) + "; see tactics help play");
+        phrase("there is no way \"{0}\" into a wall{1}; see tactics help play", name.substr(0, 80), did_you_mean(name, names)));
 }
 
 std::optional<Point> part_of(const Given& given) {
     if (!given.has("--part")) return std::nullopt;
     const auto part = two_lengths(given.value("--part"), ',');
     if (!part || !(part->x < part->y))
-        throw Error(Fault::usage, "--part", "it is from where to where on the map, such as 70mm,80mm");
-    if (!given.has("--plot")) throw Error(Fault::usage, "--part", "it is of the drawing of --plot; name that, too");
+        throw Error(Fault::usage, "--part", phrase("it is from where to where on the map, such as 70mm,80mm"));
+    if (!given.has("--plot")) throw Error(Fault::usage, "--part", phrase("it is of the drawing of --plot; name that, too"));
     return part;
 }
 
 // Refuses options that would have no effect but were certainly meant to have one.
 void check_company(const Given& given, const DeviceKind& kind) {
-    const auto refuse = [&](std::span<const std::string_view> flags, const char* why) {
+    const auto refuse = [&](std::span<const std::string_view> flags, const Phrase& why) {
         for (const std::string_view flag : flags)
             if (given.has(flag)) throw Error(Fault::usage, flag, why);
     };
@@ -58,11 +59,11 @@ void check_company(const Given& given, const DeviceKind& kind) {
                                              "--real-time", "--overlay", "--fusion", "--recipe", "--learned", "--filter",
                                              "--set",       "--detail",  "--page",   "--best"};
     constexpr std::string_view kSpeed[] = {"--speed"}, kFusion[] = {"--fusion", "--learned"}, kTrack[] = {"--track"};
-    if (given.words.empty()) refuse(kOfAPlay, "it is about a play; name a height map to be played");
-    if (!kind.has_hand) refuse(kSpeed, "it is that of a simulated hand; this mouse is moved by another");
-    if (!kind.finds_place) refuse(kFusion, "this mouse knows its place; take --device sensed, or hid:");
-    if (kind.real) refuse(kTrack, "a real mouse does not know where its finger truly is; take --device sensed");
-    if (!kind.knows_truth) refuse(kTrack, "this mouse knows its place; take --device sensed");
+    if (given.words.empty()) refuse(kOfAPlay, phrase("it is about a play; name a height map to be played"));
+    if (!kind.has_hand) refuse(kSpeed, phrase("it is that of a simulated hand; this mouse is moved by another"));
+    if (!kind.finds_place) refuse(kFusion, phrase("this mouse knows its place; take --device sensed, or hid:"));
+    if (kind.real) refuse(kTrack, phrase("a real mouse does not know where its finger truly is; take --device sensed"));
+    if (!kind.knows_truth) refuse(kTrack, phrase("this mouse knows its place; take --device sensed"));
 }
 
 // The folder for persistent state (XDG Base Directory Specification 0.8). Empty: there is no home folder.
@@ -90,25 +91,31 @@ void check_names(const std::vector<std::string>& outputs, const std::vector<std:
         const auto same = [&](const std::string& other) { return disk.identity(outputs[i]) == disk.identity(other); };
         for (const std::string& input : inputs)
             if (outputs[i] != "-" && !input.empty() && input != "-" && same(input))
-                throw Error(Fault::usage, "play", outputs[i] + " would be written over, and it is read; choose another name");
+                throw Error(Fault::usage, "play",
+                            phrase("{0} would be written over, and it is read; choose another name", outputs[i]));
+        const Phrase name = outputs[i] == "-" ? phrase("standard output") : Phrase(outputs[i]);
         for (std::size_t k = 0; k < i; ++k)
             if (outputs[i] == "-" ? outputs[k] == "-" : same(outputs[k]))
                 throw Error(Fault::usage, "play",
-                            (outputs[i] == "-" ? "standard output" : outputs[i]) + " is named for two outputs" +
-                                (json ? " (--json goes to standard output)" : "") + "; choose another name for one of them");
+                            json ? phrase("{0} is named for two outputs (--json goes to standard output); choose another name "
+                                          "for one of them",
+                                          name)
+                                 : phrase("{0} is named for two outputs; choose another name for one of them", name));
     }
 }
 
 void check_page_flags(const Given& given) {
     if (given.has("--plot") || given.has("--track") || given.has("--stable")) return;
     for (const std::string_view flag : kPageFlags)
-        if (given.has(flag)) throw Error(Fault::usage, flag, "it is about a drawing; name one with --plot, --track or --stable");
+        if (given.has(flag))
+            throw Error(Fault::usage, flag, phrase("it is about a drawing; name one with --plot, --track or --stable"));
 }
 
 PlayPlan plan_play(const Given& given) {
     if (given.words.size() > 1 || (given.words.empty() && !given.has("--stable")))
-        throw Error(Fault::usage, "play",
-                    "name one picture, drawing, model or height map; for example: tactics play relief.png --device simulated");
+        throw Error(
+            Fault::usage, "play",
+            phrase("name one picture, drawing, model or height map; for example: tactics play relief.png --device simulated"));
     const Disk disk = real_disk();
     PlayPlan plan;
     plan.device = given.value("--device", std::string(device_kinds().front()->name));
@@ -128,10 +135,10 @@ PlayPlan plan_play(const Given& given) {
     plan.settings.rate_hz = plan.machine.lever.rate_hz;
     plan.settings.safety.most_force = plan.machine.lever.most_force;
     const std::string fusion = given.value("--fusion", "learning");
-    if (fusion != "learning" && fusion != "paper") throw Error(Fault::usage, "--fusion", "it is learning or paper");
+    if (fusion != "learning" && fusion != "paper") throw Error(Fault::usage, "--fusion", phrase("it is learning or paper"));
     plan.paper_fusion = fusion == "paper";
     if (plan.paper_fusion && given.has("--learned"))
-        throw Error(Fault::usage, "--learned", "the paper's way learns nothing; leave out --fusion paper");
+        throw Error(Fault::usage, "--learned", phrase("the paper's way learns nothing; leave out --fusion paper"));
     plan.own_learned = !given.has("--learned");
     if (kind.finds_place && !plan.paper_fusion)
         plan.learned = plan.own_learned ? (kind.real ? own_learned_file() : "") : given.value("--learned");

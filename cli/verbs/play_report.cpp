@@ -8,7 +8,6 @@
 
 #include "tactics/error.h"
 #include "tactics/text/json.h"
-#include "tactics/text/rounded.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -74,29 +73,33 @@ PlayFigures figures_of(const std::vector<TickRecord>& records, const PlayLoopRep
     return figures;
 }
 
-std::vector<std::string> figure_lines(const PlayFigures& f, bool lost) {
-    std::vector<std::string> lines;
-    lines.push_back(std::to_string(f.ticks) + " ticks in " + rounded(f.seconds, 0.001) + " s, " + rounded(f.way, 0.1) +
-                    " mm of way, touched in " + rounded(100 * f.touched, 0.1) + " % of them; at most " +
-                    rounded(f.most_force, 0.01) + " N, the finger at most " + rounded(f.most_under, 0.01) + " mm in the surface");
+std::vector<Phrase> figure_lines(const PlayFigures& f, bool lost) {
+    const auto in_steps = [](double value, double step) { return numeral(std::round(value / step) * step); };
+    const auto us = [&](double seconds, double step) { return in_steps(1e6 * seconds, step); };
+    std::vector<Phrase> lines;
+    lines.push_back(
+        phrase("{0} ticks in {1} s, {2} mm of way, touched in {3} % of them; at most {4} N, the finger at most {5} mm "
+               "in the surface",
+               std::to_string(f.ticks), in_steps(f.seconds, 0.001), in_steps(f.way, 0.1), in_steps(100 * f.touched, 0.1),
+               in_steps(f.most_force, 0.01), in_steps(f.most_under, 0.01)));
     if (f.real)
-        lines.push_back("late by " + rounded(1e6 * f.late_p50, 0.1) + " us (half of the ticks), " +
-                        rounded(1e6 * f.late_p99, 0.1) + " us (99 %), " + rounded(1e6 * f.late_p999, 0.1) + " us (99.9 %); " +
-                        std::to_string(f.long_periods) + " periods over 5/4; " +
-                        (f.before_others ? "before all other programs (SCHED_FIFO)" : "as any other program (SCHED_OTHER)") +
-                        "; what is felt answered in " + rounded(1e6 * f.update_p50, 0.01) + " us (half of the ticks), " +
-                        rounded(1e6 * f.update_p999, 0.01) + " us (99.9 %)");
+        lines.push_back(phrase(
+            "late by {0} us (half of the ticks), {1} us (99 %), {2} us (99.9 %); {3} periods over 5/4; {4}; what is felt "
+            "answered in {5} us (half of the ticks), {6} us (99.9 %)",
+            us(f.late_p50, 0.1), us(f.late_p99, 0.1), us(f.late_p999, 0.1), std::to_string(f.long_periods),
+            f.before_others ? phrase("before all other programs (SCHED_FIFO)") : phrase("as any other program (SCHED_OTHER)"),
+            us(f.update_p50, 0.01), us(f.update_p999, 0.01)));
     if (f.place_error)
-        lines.push_back("the place was wrong by " + rounded(*f.place_error, 0.01) +
-                        " mm while it moved (root of the mean square)");
+        lines.push_back(
+            phrase("the place was wrong by {0} mm while it moved (root of the mean square)", in_steps(*f.place_error, 0.01)));
     if (f.not_finite + f.too_late + f.resets + f.gone > 0)
-        lines.push_back(std::to_string(f.not_finite) + " forces were not numbers, " + std::to_string(f.too_late) +
-                        " ticks came too late, the place was lost " + std::to_string(f.resets) + " times, the mouse " +
-                        std::to_string(f.gone) + " times");
+        lines.push_back(
+            phrase("{0} forces were not numbers, {1} ticks came too late, the place was lost {2} times, the mouse {3} times",
+                   std::to_string(f.not_finite), std::to_string(f.too_late), std::to_string(f.resets), std::to_string(f.gone)));
     if (f.reports_lost > 0)
-        lines.push_back(std::to_string(f.reports_lost) +
-                        " reports of the mouse never came; its way is too short by what they told");
-    if (lost) lines.push_back("figures and drawings are of the last " + std::to_string(f.ticks) + " ticks only");
+        lines.push_back(phrase("{0} reports of the mouse never came; its way is too short by what they told",
+                               std::to_string(f.reports_lost)));
+    if (lost) lines.push_back(phrase("figures and drawings are of the last {0} ticks only", std::to_string(f.ticks)));
     return lines;
 }
 
@@ -189,12 +192,12 @@ Plot way_plot(const std::vector<TickRecord>& records, const ReliefSurface& map, 
         surface.points.push_back({places[i], map.height(at(records[i]))});
         finger.points.push_back({places[i], records[i].finger});
     }
-    if (part && places.empty()) throw Error(Fault::usage, "--part", "nothing was played that it could be of");
+    if (part && places.empty()) throw Error(Fault::usage, "--part", phrase("nothing was played that it could be of"));
     if (part && surface.points.size() < 2) {
         const auto [least, most] = std::minmax_element(places.begin(), places.end());
         throw Error(Fault::usage, "--part",
-                    "the first way over the map has nothing there; it goes from " + rounded(*least, 0.1) + " to " +
-                        rounded(*most, 0.1) + " mm");
+                    phrase("the first way over the map has nothing there; it goes from {0} to {1} mm",
+                           numeral(std::round(*least * 10) / 10), numeral(std::round(*most * 10) / 10)));
     }
     plot.curves = {std::move(finger), std::move(surface)};
     return plot;
@@ -212,7 +215,8 @@ Plot track_plot(const std::vector<TickRecord>& records) {
     // An unfinished pass does not show its end; a finished one is followed by a rest.
     if (const std::size_t rest = back(end, true); rest > 0 && back(rest, false) > 0) end = rest;
     begin = back(back(end, false), true);
-    if (end - begin < 2) throw Error(Fault::usage, "--track", "no way was ended in that time; give it more with --seconds");
+    if (end - begin < 2)
+        throw Error(Fault::usage, "--track", phrase("no way was ended in that time; give it more with --seconds"));
     PlotCurve truth{"where it is", {}}, told{"where the mouse takes it to be", {}};
     const std::size_t step = std::max<std::size_t>(1, (end - begin) / kMostPoints);
     for (std::size_t i = begin; i < end; i += step) {

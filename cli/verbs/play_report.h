@@ -11,6 +11,7 @@
 #include "tactics/haptics/scenes/relief_surface.h"
 #include "tactics/haptics/scenes/stability.h"
 #include "tactics/plot.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -35,7 +36,7 @@ struct PlayFigures {
 /// `updates`: the time of the scene in each tick.
 PlayFigures figures_of(const std::vector<TickRecord>& records, const PlayLoopReport& played, const Playing& play,
                        const ForceLaw& law, const Lateness& updates, unsigned resets, bool before_others, bool real);
-std::vector<std::string> figure_lines(const PlayFigures& figures, bool lost);
+std::vector<Phrase> figure_lines(const PlayFigures& figures, bool lost);
 std::string figures_json(const PlayFigures& figures);
 
 /// Height against place: the whole path of the fingertip, and the surface where it is not too close to that; against the length

@@ -17,11 +17,11 @@ namespace {
 void tell_news(const std::string& device, DeviceNews news, const std::string& why) {
     const std::string place = device == "hid:" ? "hid" : device;
     if (news == DeviceNews::gone)
-        say(place + ": it is gone; plug it in again, or end with Ctrl-C");
+        say(phrase("{0}: it is gone; plug it in again, or end with Ctrl-C", place));
     else if (news == DeviceNews::silent)
-        say(place + ": it says nothing, its force is off; unplug it and plug it in again, or end with Ctrl-C");
+        say(phrase("{0}: it says nothing, its force is off; unplug it and plug it in again, or end with Ctrl-C", place));
     else
-        say(news == DeviceNews::back ? place + ": there again" : why);
+        say(news == DeviceNews::back ? phrase("{0}: there again", place) : Phrase(why));
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ void tell_figures(const PlayedScene& played, bool quiet, bool json, const std::s
         if (!more.empty()) object.insert(object.size() - 1, "," + more);
         print_out(object + "\n");
     } else if (!quiet) {
-        for (const std::string& line : figure_lines(played.figures, played.lost)) say(line);
+        for (const Phrase& line : figure_lines(played.figures, played.lost)) say(line);
     }
 }
 

@@ -13,7 +13,7 @@ namespace tactics {
 
 std::optional<Speaking> speaking_of(const Given& given, const Plot& plot, const PlotFrame& frame, bool quiet) {
     if (!given.has("--speak")) {
-        if (given.has("--language")) throw Error(Fault::usage, "--language", "it is that of --speak; name a voice, too");
+        if (given.has("--language")) throw Error(Fault::usage, "--language", phrase("it is that of --speak; name a voice, too"));
         return std::nullopt;
     }
     OpenedVoice opened = open_voice({.kind = given.value("--speak"), .language = given.value("--language", "en")});
@@ -29,7 +29,7 @@ void tell_voice(Speaking& speaking, bool quiet) {
     const bool ended = speaking.finish();
     if (quiet) return;
     if (!speaking.note().empty()) say(speaking.note());
-    if (!ended) say("the voice did not end and is left to itself");
+    if (!ended) say(phrase("the voice did not end and is left to itself"));
 }
 
 }  // namespace tactics

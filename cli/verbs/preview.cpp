@@ -7,6 +7,7 @@
 #include "cli/embosser_flags.h"
 #include "cli/outputs.h"
 #include "cli/report/say.h"
+#include "cli/report/user_language.h"
 #include "print/embosser.h"
 #include "print/format.h"
 #include "tactics/error.h"
@@ -53,17 +54,17 @@ Extent extent_of(const PunchedSheet& sheet) {
     return extent;
 }
 
-std::string mm(double value) { return to_text(std::round(value * 10) / 10); }
+Phrase mm(double value) { return numeral(std::round(value * 10) / 10); }
 
-std::string told(const PunchedSheet& sheet, std::size_t number, double width, double height) {
-    std::string text = "sheet " + std::to_string(number) + ": ";
-    if (sheet.dots.empty()) return text + "no dots\n";
+Phrase told(const PunchedSheet& sheet, std::size_t number, double width, double height) {
+    if (sheet.dots.empty()) return phrase("sheet {0}: no dots", std::to_string(number));
     const Extent extent = extent_of(sheet);
-    text += std::to_string(sheet.dots.size()) + (sheet.dots.size() == 1 ? " dot" : " dots") + ", from " + mm(extent.left) +
-            " to " + mm(extent.right) + " mm across and from " + mm(extent.top) + " to " + mm(extent.bottom) + " mm down";
+    const Phrase line = phrases(sheet.dots.size(), "sheet {1}: {0} dot, from {2} to {3} mm across and from {4} to {5} mm down",
+                                "sheet {1}: {0} dots, from {2} to {3} mm across and from {4} to {5} mm down",
+                                std::to_string(number), mm(extent.left), mm(extent.right), mm(extent.top), mm(extent.bottom));
     if (extent.right > width || extent.bottom > height || extent.left < 0 || extent.top < 0)
-        text += "; some lie beside the sheet of " + mm(width) + " x " + mm(height) + " mm";
-    return text + "\n";
+        return phrase("{0}; some lie beside the sheet of {1} x {2} mm", line, mm(width), mm(height));
+    return line;
 }
 
 std::string json_of(const PunchedSheet& sheet, std::size_t number, double width, double height,
@@ -199,12 +200,12 @@ int run(const Given& given) {
             if (!sheet.apart.empty()) text += unicode_of(sheet.apart) + "\n";
             for (const std::string& line : unicode_of(sheet, pitch)) text += line + "\n";
         } else {
-            text = told(sheet, i + 1, width, height);
-            if (!sheet.apart.empty()) text += "its line of text: " + unicode_of(sheet.apart) + "\n";
+            text = told(sheet, i + 1, width, height).in(user_language()) + "\n";
+            if (!sheet.apart.empty()) text += phrase("its line of text: {0}", unicode_of(sheet.apart)).in(user_language()) + "\n";
         }
         print_out(text);
     }
-    for (const std::string& note : punched.notes) say(given.words[0] + ": " + note);
+    for (const std::string& note : punched.notes) say(phrase("{0}: {1}", given.words[0], note));
     return 0;
 }
 

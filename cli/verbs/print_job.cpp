@@ -65,7 +65,7 @@ PrintedPages pages_of(Source& source, const PrintJob& wish) {
     pages.last = std::min(wish.last_page, pages.all);
     if (pages.count() < 1)
         throw Error(Fault::usage, "page-ranges",
-                    "the document has none of these pages; its last is page " + std::to_string(pages.all));
+                    phrase("the document has none of these pages; its last is page {0}", std::to_string(pages.all)));
     return pages;
 }
 
@@ -120,7 +120,8 @@ void emboss_print_job(Source source, const Queue& queue, const PrintJob& wish) {
     const PrintedPages pages = pages_of(source, wish);
     Job job{{source.name, {{queue.embosser, "-", ""}}}, queue.wishes};
     if (pages.count() > 1 && !queue.labels.empty())
-        throw Error(Fault::usage, "TacticsLabels", "labels are for a job of one page; print the page alone, or leave them out");
+        throw Error(Fault::usage, "TacticsLabels",
+                    phrase("labels are for a job of one page; print the page alone, or leave them out"));
     job.labels = queue.labels;
     const std::vector<Part> parts = parts_of(source, pages, wish, queue.wishes);
     std::size_t told = 0;

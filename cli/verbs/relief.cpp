@@ -72,10 +72,13 @@ std::optional<double> length_of(const Given& given, std::string_view name, bool 
 constexpr std::string_view kTableFlags[] = {"--x", "--y", "--z", "--matrix", "--decimal", "--dates"};
 
 // The settings of formats that have options of their own here.
-constexpr std::pair<std::string_view, std::string_view> kSettings[] = {
-    {"--samples", "only a .tif can hold either; leave it out"},
-    {"--base", "only an .stl has a plate; leave it out"},
+constexpr SourceWords kOfTif = "only a .tif can hold either; leave it out";
+constexpr SourceWords kOfStl = "only an .stl has a plate; leave it out";
+struct OwnFlag {
+    std::string_view flag;
+    SourceWords alone;
 };
+constexpr OwnFlag kSettings[] = {{"--samples", kOfTif}, {"--base", kOfStl}};
 
 struct HeightOutput {
     std::string path;
@@ -128,7 +131,7 @@ Plan plan_relief(const Given& given) {
             output.settings.set(name, given.value(flag), flag, output.format->name);
             taken = true;
         }
-        if (!taken) throw Error(Fault::usage, flag, std::string(alone));
+        if (!taken) throw Error(Fault::usage, flag, phrase(alone));
     }
     return plan;
 }

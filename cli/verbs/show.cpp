@@ -74,7 +74,7 @@ constexpr Flag kFlags[] = {
     {"--json", "", "", "report the size of the display and the parts on standard output, as a JSON object", false, ""},
 };
 
-int whole_number(const Given& given, std::string_view name, int most, const std::string& words) {
+int whole_number(const Given& given, std::string_view name, int most, const Phrase& words) {
     const auto number = parse_number(given.value(name, "1"));
     if (!number || *number < 1 || *number > most || *number != std::floor(*number)) throw Error(Fault::usage, name, words);
     return static_cast<int>(*number);
@@ -161,8 +161,8 @@ Next wait_for(Screen& screen, bool keyboard, std::optional<Clock::time_point> en
     }
 }
 
-std::string told(const Given& given, const std::vector<Page>& parts, std::size_t part) {
-    return given.value("--on") + ": part " + std::to_string(part + 1) + " of " + std::to_string(parts.size());
+Phrase told(const Given& given, const std::vector<Page>& parts, std::size_t part) {
+    return phrase("{0}: part {1} of {2}", given.value("--on"), std::to_string(part + 1), std::to_string(parts.size()));
 }
 
 std::string in_json(const Given& given, const DotSetting& size, std::size_t parts, std::size_t part, bool confirmed) {
@@ -183,14 +183,14 @@ int run(const Given& given) {
     if (!given.has("--on"))
         throw Error(Fault::usage, "--on",
                     phrase("name the display: dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0, hid: or brlapi:, for example"));
-    const int zoom = whole_number(given, "--zoom", 8, "it is a whole number from 1 to 8");
-    whole_number(given, "--part", 1'000'000, "it is the number of a part, from 1");
+    const int zoom = whole_number(given, "--zoom", 8, phrase("it is a whole number from 1 to {0}", "8"));
+    whole_number(given, "--part", 1'000'000, phrase("it is the number of a part, from 1"));
     end_of(given);  // before anything moves
     const auto screen = open_screen(given.value("--on"), given);
     const DotSetting size = screen->format().dots(screen->settings());
     const std::vector<Page> parts = parts_of(pages_for(*screen, given, zoom), size.width, size.height);
-    const std::string there_are =
-        parts.size() == 1 ? "there is one part; --zoom makes more" : "there are " + std::to_string(parts.size()) + " parts";
+    const Phrase there_are = parts.size() == 1 ? phrase("there is one part; --zoom makes more")
+                                               : phrase("there are {0} parts", std::to_string(parts.size()));
     auto part = static_cast<std::size_t>(whole_number(given, "--part", static_cast<int>(parts.size()), there_are)) - 1;
     const auto end = end_of(given);
     const bool keyboard = isatty(STDIN_FILENO) != 0;

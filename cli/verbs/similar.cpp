@@ -13,6 +13,7 @@
 #include "cli/page_flags.h"
 #include "cli/report/progress.h"
 #include "cli/report/say.h"
+#include "cli/report/user_language.h"
 #include "cli/request.h"
 #include "tactics/error.h"
 #include "tactics/information/likeness.h"
@@ -51,7 +52,8 @@ constexpr Flag kFlags[] = {
 
 struct Plan {
     std::string figure;
-    std::vector<std::string> files, faults;  ///< files to compare, and files that cannot be compared
+    std::vector<std::string> files;  ///< to compare
+    std::vector<Phrase> faults;      ///< of files that cannot be compared
     Wishes drawing;
     std::size_t count = kUsualCount;
     bool any_way_up = false;
@@ -67,26 +69,28 @@ void add_files(Plan& plan, const std::string& folder) {
         if (at->is_regular_file(unknown)) files.push_back(at->path().string());
         if (at->is_directory(unknown) && !at->is_symlink(unknown)) folders.push_back(at->path().string());
     }
-    if (fault) plan.faults.push_back(folder + ": this folder cannot be read: " + fault.message());
+    if (fault) plan.faults.push_back(phrase("{0}: {1}", folder, phrase("this folder cannot be read: {0}", fault.message())));
     std::sort(files.begin(), files.end());
     std::sort(folders.begin(), folders.end());
     plan.files.insert(plan.files.end(), files.begin(), files.end());
     if (plan.files.size() > kMostFiles)
-        throw Error(Fault::usage, folder, "these are more than " + std::to_string(kMostFiles) + " files; name a part of them");
+        throw Error(Fault::usage, folder,
+                    phrase("these are more than {0} files; name a part of them", std::to_string(kMostFiles)));
     for (const std::string& inner : folders) add_files(plan, inner);
 }
 
 Plan plan_similar(const Given& given) {
     if (given.words.size() < 2)
-        throw Error(Fault::usage, "similar",
-                    "name a figure, and the folder or the files to look in; for example: tactics similar heart.png drawings/");
+        throw Error(
+            Fault::usage, "similar",
+            phrase("name a figure, and the folder or the files to look in; for example: tactics similar heart.png drawings/"));
     const Disk disk = real_disk();
     Plan plan;
     plan.figure = given.words[0];
     if (given.has("--count")) {
         const auto count = parse_number(given.value("--count"));
         if (!count || *count < 1 || *count > kMostCount || *count != static_cast<int>(*count))
-            throw Error(Fault::usage, "--count", "it is a whole number from 1 to " + std::to_string(kMostCount));
+            throw Error(Fault::usage, "--count", phrase("it is a whole number from 1 to {0}", std::to_string(kMostCount)));
         plan.count = static_cast<std::size_t>(*count);
     }
     plan.any_way_up = given.has("--any-way-up");
@@ -104,7 +108,7 @@ Plan plan_similar(const Given& given) {
     if (plan.figure != "-") known.insert(disk.identity(plan.figure));
     std::erase_if(plan.files, [&](const std::string& file) { return !known.insert(disk.identity(file)).second; });
     if (plan.files.empty() && !plan.faults.empty()) throw Error(Fault::failed, "", plan.faults.front());
-    if (plan.files.empty()) throw Error(Fault::failed, given.words[1], "there is no other file to compare it with");
+    if (plan.files.empty()) throw Error(Fault::failed, given.words[1], phrase("there is no other file to compare it with"));
     return plan;
 }
 
@@ -123,7 +127,7 @@ struct Compared {
 
 struct Comparisons {
     std::vector<Compared> all;  ///< the nearest first
-    std::vector<std::string> faults;
+    std::vector<Phrase> faults;
 };
 
 Comparisons compare_all(const Plan& plan, const Look& figure, bool quiet) {
@@ -142,18 +146,18 @@ Comparisons compare_all(const Plan& plan, const Look& figure, bool quiet) {
     Comparisons comparisons{{}, plan.faults};
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (found[i]) comparisons.all.push_back({plan.files[i], *found[i]});
-        if (!failures[i].text.empty()) comparisons.faults.push_back(failures[i].text.english());
+        if (!failures[i].text.empty()) comparisons.faults.push_back(failures[i].text);
     }
     std::stable_sort(comparisons.all.begin(), comparisons.all.end(),
                      [](const Compared& a, const Compared& b) { return a.likeness.share > b.likeness.share; });
     return comparisons;
 }
 
-std::string words_of(const Alignment& alignment) {
-    constexpr std::string_view turns[] = {"", "turned a quarter", "upside down", "turned three quarters"};
-    std::string words = alignment.mirrored ? "mirrored" : "";
-    if (alignment.quarter_turns > 0) words += (words.empty() ? "" : ", ") + std::string(turns[alignment.quarter_turns]);
-    return words.empty() ? "as it is" : words;
+Phrase words_of(const Alignment& alignment) {
+    constexpr SourceWords kTurns[] = {"as it is", "turned a quarter", "upside down", "turned three quarters"};
+    const Phrase turned = phrase(kTurns[alignment.quarter_turns]);
+    if (!alignment.mirrored) return turned;
+    return alignment.quarter_turns > 0 ? phrase("mirrored, {0}", turned) : phrase("mirrored");
 }
 
 std::string json_of(const Compared& one) {
@@ -168,11 +172,12 @@ std::string json_of(const Compared& one) {
 }
 
 std::string told(const std::vector<Compared>& nearest, bool any_way_up) {
-    std::vector<Row> rows = {{"shared", "file"}};
-    if (any_way_up) rows.front().insert(rows.front().begin() + 1, "lies");
+    const auto said = [](const Phrase& words) { return words.in(user_language()); };
+    std::vector<Row> rows = {{said(phrase("shared")), said(phrase("file"))}};
+    if (any_way_up) rows.front().insert(rows.front().begin() + 1, said(phrase("lies")));
     for (const Compared& one : nearest) {
         Row row = {percent(one.likeness.share), one.file};
-        if (any_way_up) row.insert(row.begin() + 1, words_of(one.likeness.alignment));
+        if (any_way_up) row.insert(row.begin() + 1, said(words_of(one.likeness.alignment)));
         rows.push_back(std::move(row));
     }
     return aligned(std::move(rows));
@@ -184,10 +189,10 @@ int run(const Given& given) {
     const Look figure = look_of_file(plan.figure, plan.drawing);
     Comparisons comparisons = compare_all(plan, figure, quiet || json);
     if (!quiet && !comparisons.faults.empty()) {
-        say(std::to_string(comparisons.faults.size()) + " could not be compared:");
-        for (const std::string& fault : comparisons.faults) say("  " + fault);
+        say(phrase("{0} could not be compared:", std::to_string(comparisons.faults.size())));
+        for (const Phrase& fault : comparisons.faults) say("  " + fault.in(user_language()));
     }
-    if (comparisons.all.empty()) throw Error(Fault::failed, plan.figure, "nothing could be compared with it");
+    if (comparisons.all.empty()) throw Error(Fault::failed, plan.figure, phrase("nothing could be compared with it"));
     comparisons.all.resize(std::min(comparisons.all.size(), plan.count));
     if (json)
         for (const Compared& one : comparisons.all) print_out(json_of(one) + "\n");

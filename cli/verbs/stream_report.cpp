@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/verbs/stream_report.h"
 
+#include <cmath>
+
+#include "cli/report/user_language.h"
 #include "tactics/text/json.h"
-#include "tactics/text/rounded.h"
 #include "tactics/text/table.h"
 
 namespace tactics {
@@ -10,17 +12,32 @@ namespace tactics {
 namespace {
 
 constexpr std::string_view kDirections[] = {"right", "down", "up"};
+constexpr SourceWords kSpoken[] = {"right", "down", "up"};
+
+Phrase rounded_to(double value, double step) { return numeral(std::round(value / step) * step); }
+
+std::string in_words(const Phrase& line) { return line.in(user_language()) + "\n"; }
+
+Phrase lost_of(const StreamMedium& medium, const StreamReport& report) {
+    const CarriedForces& carried = medium.carried;
+    std::vector<Phrase> lost;
+    if (carried.levels < report.stream.levels) lost.push_back(phrase("steps finer than {0} N", numeral(kLeastForce)));
+    if (carried.cut > 0)
+        lost.push_back(phrase("forces over {0} N ({1} of its ticks)", numeral(medium.channel.most_force),
+                              for_user(percent(static_cast<double>(carried.cut) / static_cast<double>(report.stream.ticks)))));
+    if (lost.empty()) return phrase("nothing");
+    return lost.size() == 1 ? lost[0] : phrase("{0}; {1}", lost[0], lost[1]);
+}
 
 std::string media_table(const StreamReport& report) {
-    std::vector<Row> rows = {{"medium", "levels", "bits in", "bits carried", "loss", "what is lost"}};
+    std::vector<Row> rows = {in_language(
+        {phrase("medium"), phrase("levels"), phrase("bits in"), phrase("bits carried"), phrase("loss"), phrase("what is lost")},
+        user_language())};
     for (const StreamMedium& medium : report.media) {
         const CarriedForces& carried = medium.carried;
-        std::string lost = carried.levels < report.stream.levels ? "steps finer than " + to_text(kLeastForce) + " N" : "";
-        if (carried.cut > 0)
-            lost += (lost.empty() ? "" : "; ") + ("forces over " + to_text(medium.channel.most_force)) + " N (" +
-                    percent(static_cast<double>(carried.cut) / static_cast<double>(report.stream.ticks)) + " of its ticks)";
-        rows.push_back({medium.channel.name, std::to_string(carried.levels), fixed(report.stream.high, 0), fixed(carried.bits, 0),
-                        exact_percent(carried.loss), lost.empty() ? "nothing" : lost});
+        rows.push_back({medium.channel.name, std::to_string(carried.levels), for_user(fixed(report.stream.high, 0)),
+                        for_user(fixed(carried.bits, 0)), for_user(exact_percent(carried.loss)),
+                        lost_of(medium, report).in(user_language())});
     }
     return aligned(std::move(rows));
 }
@@ -30,17 +47,20 @@ std::string media_table(const StreamReport& report) {
 std::string text_of(const StreamReport& report) {
     const MeasuredStream& stream = report.stream;
     const auto ticks = static_cast<double>(stream.ticks);
-    std::string text = report.file + ": recording of " + std::to_string(stream.ticks) + " ticks in " +
-                       rounded(stream.seconds, 1e-3) + " s, forces up to " + rounded(stream.most, 1e-3) + " N in " +
-                       std::to_string(stream.levels) + " levels\n";
-    text += "bits in it: " + fixed(stream.low, 0) + " to " + fixed(stream.high, 0) + " (" + fixed(stream.low / ticks, 3) +
-            " to " + fixed(stream.high / ticks, 3) + " a tick)\n";
-    text += "enough for a hand that feels a tenth of a force: " + std::to_string(stream.felt) + " ticks, " +
-            rounded(1000 * static_cast<double>(stream.felt) / ticks, 0.1) + " of 1000\n\n";
-    std::vector<Row> rows = {{"force", "bits", "of its levels alone, a tick", "topology index"}};
+    std::string text = in_words(phrase("{0}: recording of {1} ticks in {2} s, forces up to {3} N in {4} levels", report.file,
+                                       std::to_string(stream.ticks), rounded_to(stream.seconds, 1e-3),
+                                       rounded_to(stream.most, 1e-3), std::to_string(stream.levels)));
+    text += in_words(phrase("bits in it: {0} to {1} ({2} to {3} a tick)", for_user(fixed(stream.low, 0)),
+                            for_user(fixed(stream.high, 0)), for_user(fixed(stream.low / ticks, 3)),
+                            for_user(fixed(stream.high / ticks, 3))));
+    text += in_words(phrase("enough for a hand that feels a tenth of a force: {0} ticks, {1} of 1000",
+                            std::to_string(stream.felt), rounded_to(1000 * static_cast<double>(stream.felt) / ticks, 0.1))) +
+            "\n";
+    std::vector<Row> rows = {in_language(
+        {phrase("force"), phrase("bits"), phrase("of its levels alone, a tick"), phrase("topology index")}, user_language())};
     for (std::size_t i = 0; i < stream.along.size(); ++i)
-        rows.push_back({std::string(kDirections[i]), fixed(stream.along[i].high, 0), fixed(stream.along[i].alone.corrected, 3),
-                        fixed(stream.along[i].topology, 3)});
+        rows.push_back({phrase(kSpoken[i]).in(user_language()), for_user(fixed(stream.along[i].high, 0)),
+                        for_user(fixed(stream.along[i].alone.corrected, 3)), for_user(fixed(stream.along[i].topology, 3))});
     text += aligned(std::move(rows));
     if (!report.media.empty()) text += "\n" + media_table(report);
     return text;

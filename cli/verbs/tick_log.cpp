@@ -50,15 +50,15 @@ int open_log(const std::string& path, const std::string& part) {
 
 TickLog::TickLog(std::string path, const Recorder& recorder, const TickColumns& columns)
     : path_(std::move(path)), recorder_(recorder), columns_(columns) {
-    if (path_.empty()) throw Error(Fault::usage, "--csv", "name a file, for example ticks.csv");
+    if (path_.empty()) throw Error(Fault::usage, "--csv", phrase("name a file, for example ticks.csv"));
     if (is_file(path_)) part_ = target_of(path_) + ".part";
     const int number = open_log(path_, part_);
     if (number < 0 && errno == EEXIST)
         throw Error(Fault::failed, path_,
-                    part_ + " has what was felt in a play that did not end; give it another name, or remove it");
+                    phrase("{0} has what was felt in a play that did not end; give it another name, or remove it", part_));
     if (number < 0)
         throw Error(Fault::failed, path_,
-                    std::string("cannot be written (") + std::strerror(errno) + "); name another file, or make its folder first");
+                    phrase("cannot be written ({0}); name another file, or make its folder first", std::strerror(errno)));
     file_.emplace(number);
     // write reports a closed pipe.
     std::signal(SIGPIPE, SIG_IGN);
@@ -94,7 +94,7 @@ void TickLog::write_new(std::size_t sure) {
     std::string lines;
     for (std::size_t end = recorder_.added(); written_ < end; ++written_) {
         if (recorder_.added() - written_ > sure) {
-            fail("it could not be written as quickly as it was felt, and ticks are missing");
+            fail(phrase("it could not be written as quickly as it was felt, and ticks are missing"));
             written_ = recorder_.added() - recorder_.most() / 2;
         }
         add_csv(lines, recorder_.at(written_), columns_);
@@ -105,10 +105,10 @@ void TickLog::write_new(std::size_t sure) {
     write(lines);
 }
 
-void TickLog::fail(const std::string& why) {
+void TickLog::fail(Phrase why) {
     if (!fault_.empty()) return;
-    fault_ = why;
-    say(path_ + ": the log is not whole: " + why);
+    fault_ = std::move(why);
+    say(phrase("{0}: the log is not whole: {1}", path_, fault_));
 }
 
 void TickLog::write(std::string_view text) {
@@ -118,7 +118,7 @@ void TickLog::write(std::string_view text) {
             const auto now = std::chrono::steady_clock::now();
             const bool ends = done_ || interrupts() > 0;
             if (ends && given_up == std::chrono::steady_clock::time_point::max()) given_up = now + kPatienceWithLog;
-            if (now >= given_up) fail("nobody reads it");
+            if (now >= given_up) fail(phrase("nobody reads it"));
             continue;
         }
         const ssize_t taken = ::write(file_->number(), text.data(), std::min(text.size(), kAtOnce));
@@ -139,10 +139,11 @@ void TickLog::finish() {
     file_.reset();
     if (!fault_.empty())
         throw Error(Fault::failed, path_,
-                    "the log is not whole: " + fault_ + (part_.empty() ? "" : "; what could be written is in " + part_));
+                    part_.empty() ? phrase("the log is not whole: {0}", fault_)
+                                  : phrase("the log is not whole: {0}; what could be written is in {1}", fault_, part_));
     std::error_code fault;
     if (!part_.empty()) std::filesystem::rename(part_, target_of(path_), fault);
-    if (fault) throw Error(Fault::failed, path_, "cannot take its name (" + fault.message() + "); the log is in " + part_);
+    if (fault) throw Error(Fault::failed, path_, phrase("cannot take its name ({0}); the log is in {1}", fault.message(), part_));
     if (!part_.empty()) keep_folder(std::filesystem::absolute(target_of(path_)).parent_path().string());
 }
 

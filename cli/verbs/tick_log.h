@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "tactics/haptics/loop/recorder.h"
+#include "tactics/text/phrase.h"
 #include "tactics/transport/descriptor.h"
 
 namespace tactics {
@@ -36,7 +37,7 @@ public:
 private:
     void write_new(std::size_t sure);  ///< ticks that the recorder certainly still holds
     void write(std::string_view text);
-    void fail(const std::string& why);
+    void fail(Phrase why);
     void stop_writer();
 
     std::string path_, part_;
@@ -45,7 +46,7 @@ private:
     std::optional<Descriptor> file_;
     std::size_t written_ = 0;  // ticks
     bool closed_ = false;      // the reader has closed the pipe
-    std::string fault_;
+    Phrase fault_;
     std::atomic<bool> done_ = false;
     std::thread writer_;
 };

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/report/user_language.h"
 #include "tactics/text/json.h"
-#include "tactics/text/rounded.h"
 #include "tactics/text/table.h"
 #include "tactics/units.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 // What a type of whole numbers has; fractions from the least to the most, those of vectors as far to either side, so that the
 // middle level is nothing.
-VoxelLevels levels_of(const Voxels& voxels, std::vector<std::string>& notes) {
+VoxelLevels levels_of(const Voxels& voxels, std::vector<Phrase>& notes) {
     VoxelLevels levels{voxels.components, voxels.lowest, voxels.lowest + voxels.levels - 1, voxels.levels};
     if (voxels.levels > 0) return levels;
     const auto [least, most] = std::minmax_element(voxels.values.begin(), voxels.values.end());
@@ -27,8 +27,8 @@ VoxelLevels levels_of(const Voxels& voxels, std::vector<std::string>& notes) {
         levels.low = -levels.high;
         levels.levels = kMostLevels - 1;
     }
-    notes.push_back("its numbers are fixed_count in " + std::to_string(levels.levels) + " levels from " + to_text(levels.low) +
-                    " to " + to_text(levels.high));
+    notes.push_back(phrase("its numbers are counted in {0} levels from {1} to {2}", std::to_string(levels.levels),
+                           numeral(levels.low), numeral(levels.high)));
     return levels;
 }
 
@@ -60,20 +60,25 @@ VoxelReport voxel_report(const std::string& file, Voxels voxels, bool with_detai
 std::string text_of(const VoxelReport& report) {
     const MeasuredVoxels& measured = report.measured;
     const double count = static_cast<double>(report.columns) * report.rows * report.slices;
-    std::string text = report.file + ": NRRD of " + size_of(report.columns, report.rows, report.slices) + " voxels" +
-                       (report.levels.components > 1 ? " with three components each, " : ", ") +
-                       std::to_string(report.levels.levels) + " levels\n";
-    text += "bits in it: " + fixed_count(measured.low) + " to " + fixed_count(measured.high) + " (" +
-            fixed(measured.low / count, 3) + " to " + fixed(measured.high / count, 3) + " a voxel); " +
-            fixed_count(measured.raw) + " as it is written\n";
+    const std::string size = size_of(report.columns, report.rows, report.slices), levels = std::to_string(report.levels.levels);
+    std::string text =
+        line_for_user(report.levels.components > 1
+                          ? phrase("{0}: NRRD of {1} voxels with three components each, {2} levels", report.file, size, levels)
+                          : phrase("{0}: NRRD of {1} voxels, {2} levels", report.file, size, levels));
+    text += line_for_user(phrase("bits in it: {0} to {1} ({2} to {3} a voxel); {4} as it is written",
+                                 for_user(fixed_count(measured.low)), for_user(fixed_count(measured.high)),
+                                 for_user(fixed(measured.low / count, 3)), for_user(fixed(measured.high / count, 3)),
+                                 for_user(fixed_count(measured.raw))));
     for (const Measures& along : measured.along)
-        text += "of its levels alone: " + fixed(along.alone.corrected, 3) + " bits a voxel; topology index " +
-                fixed(along.topology, 3) + "\n";
+        text += line_for_user(phrase("of its levels alone: {0} bits a voxel; topology index {1}",
+                                     for_user(fixed(along.alone.corrected, 3)), for_user(fixed(along.topology, 3))));
     if (measured.details.empty()) return text;
-    std::vector<Row> rows = {{"voxels", "bits", "of all", "error if the rest is interpolated"}};
+    std::vector<Row> rows = {in_language(
+        {phrase("voxels"), phrase("bits"), phrase("of all"), phrase("error if the rest is interpolated")}, user_language())};
     for (const VoxelDetail& detail : measured.details)
-        rows.push_back({size_of(detail.columns, detail.rows, detail.slices), fixed_count(detail.bits),
-                        exact_percent(measured.high > 0 ? detail.bits / measured.high : 1), fixed(detail.error, 3)});
+        rows.push_back({size_of(detail.columns, detail.rows, detail.slices), for_user(fixed_count(detail.bits)),
+                        for_user(exact_percent(measured.high > 0 ? detail.bits / measured.high : 1)),
+                        for_user(fixed(detail.error, 3))});
     return text + "\n" + aligned(std::move(rows));
 }
 

@@ -7,6 +7,7 @@
 
 #include "tactics/information/voxels.h"
 #include "tactics/readers/nrrd.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -15,7 +16,7 @@ struct VoxelReport {
     int columns = 0, rows = 0, slices = 0;
     VoxelLevels levels;
     MeasuredVoxels measured;
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
 };
 
 /// Throws Error(failed): all voxels are the same.

@@ -35,7 +35,7 @@ public:
     Numbers(std::string_view bytes, const std::string& place) : bytes_(bytes), place_(place) {}
 
     std::uint64_t next(int size) {
-        if (bytes_.size() < static_cast<std::size_t>(size)) fail("is cut short");
+        if (bytes_.size() < static_cast<std::size_t>(size)) fail(phrase("is cut short"));
         std::uint64_t value = 0;
         for (int i = size; i-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes_[static_cast<std::size_t>(i)]);
         bytes_.remove_prefix(static_cast<std::size_t>(size));
@@ -43,8 +43,8 @@ public:
     }
     int small(int size) { return static_cast<int>(next(size)); }
     std::size_t left() const { return bytes_.size(); }
-    [[noreturn]] void fail(const std::string& what) const {
-        throw Error(Fault::failed, place_, "the contour net " + what + " (install program and nets again)");
+    [[noreturn]] void fail(const Phrase& what) const {
+        throw Error(Fault::failed, place_, phrase("the contour net {0} (install program and nets again)", what));
     }
 
 private:
@@ -93,11 +93,11 @@ std::size_t place_of(const NetLayer& layer, int filled, int output, int input, i
 void read_weights(Numbers& numbers, NetLayer& layer) {
     const int taps = layer.side * layer.side, inputs = layer.each ? 1 : layer.inputs;
     const int filled = (layer.outputs + kChannelGroup - 1) / kChannelGroup * kChannelGroup;
-    if (numbers.left() < static_cast<std::size_t>(layer.outputs * (5 + inputs * taps))) numbers.fail("is cut short");
+    if (numbers.left() < static_cast<std::size_t>(layer.outputs * (5 + inputs * taps))) numbers.fail(phrase("is cut short"));
     std::vector<int> up;  // of each output: by how many bits its weights are larger than the file has them
     for (int o = 0; o < layer.outputs; ++o) {
         up.push_back(numbers.small(1));
-        if (up.back() > kMostUp) numbers.fail("has weights out of range");
+        if (up.back() > kMostUp) numbers.fail(phrase("has weights out of range"));
     }
     layer.bias.assign(static_cast<std::size_t>(filled), 0);
     for (int o = 0; o < layer.outputs; ++o)
@@ -109,11 +109,11 @@ void read_weights(Numbers& numbers, NetLayer& layer) {
         for (int i = 0; i < inputs; ++i)
             for (int tap = 0; tap < taps; ++tap) {
                 const int weight = static_cast<std::int8_t>(numbers.small(1)) * (1 << up[static_cast<std::size_t>(o)]);
-                if (std::abs(weight) > std::numeric_limits<std::int16_t>::max()) numbers.fail("has weights out of range");
+                if (std::abs(weight) > std::numeric_limits<std::int16_t>::max()) numbers.fail(phrase("has weights out of range"));
                 layer.weights[place_of(layer, filled, o, i, tap)] = static_cast<std::int16_t>(weight);
                 most += static_cast<long long>(std::abs(weight)) * kMostActivation;
             }
-        if (most > std::numeric_limits<std::int32_t>::max()) numbers.fail("has sums that can overflow");
+        if (most > std::numeric_limits<std::int32_t>::max()) numbers.fail(phrase("has sums that can overflow"));
     }
     layer.outputs = filled;
 }
@@ -122,13 +122,16 @@ void read_weights(Numbers& numbers, NetLayer& layer) {
 
 ContourNet ContourNet::from_bytes(std::string_view bytes, const std::string& place) {
     Numbers head(bytes, place);
-    if (!bytes.starts_with(kMagic)) throw Error(Fault::failed, place, "is no contour net (install program and nets again)");
+    if (!bytes.starts_with(kMagic))
+        throw Error(Fault::failed, place, phrase("is no contour net (install program and nets again)"));
     head.next(static_cast<int>(kMagic.size()));
     if (const int version = head.small(2); version != kVersion)
-        head.fail("is of version " + std::to_string(version) + ", and this program reads version " + std::to_string(kVersion));
-    if (head.left() < 4) head.fail("is cut short");
+        head.fail(
+            phrase("is of version {0}, and this program reads version {1}", std::to_string(version), std::to_string(kVersion)));
+    if (head.left() < 4) head.fail(phrase("is cut short"));
     const std::string_view checked = bytes.substr(0, bytes.size() - 4);
-    if (checksum_of(checked) != Numbers(bytes.substr(checked.size()), place).next(4)) head.fail("is damaged or cut short");
+    if (checksum_of(checked) != Numbers(bytes.substr(checked.size()), place).next(4))
+        head.fail(phrase("is damaged or cut short"));
 
     Numbers numbers(checked.substr(kMagic.size() + 2), place);
     const int count = numbers.small(2);
@@ -136,11 +139,11 @@ ContourNet ContourNet::from_bytes(std::string_view bytes, const std::string& pla
     for (int& channels : net.channels_) {
         channels = numbers.small(2);
         if (channels < kChannelGroup || channels > kMostChannels || channels % kChannelGroup != 0)
-            numbers.fail("has " + std::to_string(channels) + " channels");
+            numbers.fail(phrase("has {0} channels", std::to_string(channels)));
     }
     for (int& blocks : net.blocks_) {
         blocks = numbers.small(2);
-        if (blocks > kMostBlocks) numbers.fail("has " + std::to_string(blocks) + " blocks at a scale");
+        if (blocks > kMostBlocks) numbers.fail(phrase("has {0} blocks at a scale", std::to_string(blocks)));
     }
     net.proof_ = numbers.next(8);
     net.layers_ = layers_for(net.channels_, net.blocks_);
@@ -152,9 +155,9 @@ ContourNet ContourNet::from_bytes(std::string_view bytes, const std::string& pla
         layer.shift = numbers.small(1);
         as_expected = as_expected && layer.shift >= 1 && layer.shift <= kMostShift && numbers.small(1) == 0;
     }
-    if (!as_expected) numbers.fail("has other layers than this program knows");
+    if (!as_expected) numbers.fail(phrase("has other layers than this program knows"));
     for (NetLayer& layer : net.layers_) read_weights(numbers, layer);
-    if (numbers.left() != 0) numbers.fail("goes on after its end");
+    if (numbers.left() != 0) numbers.fail(phrase("goes on after its end"));
     return net;
 }
 

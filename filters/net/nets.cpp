@@ -28,8 +28,8 @@ std::string read(const std::string& path) {
     std::string bytes(kMostBytes + 1, '\0');
     if (file != nullptr) bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
     if (file == nullptr || std::ferror(file.get()) != 0)
-        throw Error(Fault::failed, path, "the contour net cannot be read (let it be read, or delete it to do without)");
-    if (bytes.size() > kMostBytes) throw Error(Fault::failed, path, "is no contour net (install program and nets again)");
+        throw Error(Fault::failed, path, phrase("the contour net cannot be read (let it be read, or delete it to do without)"));
+    if (bytes.size() > kMostBytes) throw Error(Fault::failed, path, phrase("is no contour net (install program and nets again)"));
     return bytes;
 }
 

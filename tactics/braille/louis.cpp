@@ -84,19 +84,20 @@ std::string printable(std::string text) {
 }
 
 // Lists the tables. liblouis itself would open every file in every folder of LOUIS_TABLEPATH for this.
-std::string table_advice(std::string_view table) {
+Phrase table_advice(std::string_view table) {
     if (table.find("nemeth") != std::string_view::npos)
-        return "; liblouis has Nemeth for MathML only, not for plain text; en-ueb-g1.ctb has signs for numbers and formulae";
+        return phrase(
+            "; liblouis has Nemeth for MathML only, not for plain text; en-ueb-g1.ctb has signs for numbers and formulae");
     constexpr std::size_t kMost = 8;  // maximum listed for a language; few have more literary tables
     const std::vector<std::string> names = louis_tables();
-    if (names.empty()) return "; no tables are installed: apt-get install liblouis-data";
+    if (names.empty()) return phrase("; no tables are installed: apt-get install liblouis-data");
     std::vector<BrailleTable> fitting = tables_for(table, described_tables());
     if (fitting.size() > kMost) fitting.resize(kMost);
     std::string told;
     for (const BrailleTable& one : fitting) told += (told.empty() ? "" : ", ") + one.name + " (" + one.title + ")";
-    if (!told.empty()) return "; choose " + told + ", or another of tactics list braille";
+    if (!told.empty()) return phrase("; choose {0}, or another of tactics list braille", told);
     const std::vector<std::string_view> views(names.begin(), names.end());
-    return did_you_mean(table, views) + "; see tactics list braille";
+    return phrase("{0}; see tactics list braille", did_you_mean(table, views));
 }
 
 // A complaint of liblouis may hold any bytes of the file, so only its line number is used.
@@ -106,7 +107,7 @@ std::string faulty_line(std::string_view complaint) {
     const auto start = complaint.substr(0, end).rfind(':') + 1;
     const std::string_view number = complaint.substr(start, end - start);
     const bool line = !number.empty() && number != "0" && number.find_first_not_of("0123456789") == std::string_view::npos;
-    return line ? " (it does not understand line " + std::string(number) + ")" : "";
+    return line ? std::string(number) : "";
 }
 
 [[noreturn]] void refuse_table(const LouisTable& table, const std::string& complaint) {
@@ -116,8 +117,11 @@ std::string faulty_line(std::string_view complaint) {
     if (missing)
         throw Error(Fault::usage, spelled("braille"),
                     phrase("there is no braille table \"{0}\"{1}", shown, table_advice(table.shown)));
+    const std::string line = faulty_line(complaint);
     throw Error(Fault::usage, spelled("braille"),
-                phrase("\"{0}\" is no liblouis table{1}{2}", shown, faulty_line(complaint), table_advice("")));
+                line.empty()
+                    ? phrase("\"{0}\" is no liblouis table{1}", shown, table_advice(""))
+                    : phrase("\"{0}\" is no liblouis table (it does not understand line {1}){2}", shown, line, table_advice("")));
 }
 
 // As cells U+2800 + dots. Needs the session; an empty text is to liblouis a failure.

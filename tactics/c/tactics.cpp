@@ -124,7 +124,7 @@ tactics_code guarded(tactics_job* job, const Act& act) noexcept {
 }
 
 void check_path(const char* path, const char* place) {
-    if (path == nullptr || *path == '\0') throw Error(Fault::usage, place, "the name of a file is missing");
+    if (path == nullptr || *path == '\0') throw Error(Fault::usage, place, phrase("the name of a file is missing"));
 }
 
 void forget_outcome(tactics_job& job) {
@@ -141,12 +141,12 @@ int memory_file(const void* bytes, std::size_t size, const std::string& name) {
         if (written <= 0) {
             const int fault = errno;
             close(file);
-            throw Error(Fault::failed, name, "it cannot be kept in memory: " + std::string(std::strerror(fault)));
+            throw Error(Fault::failed, name, phrase("it cannot be kept in memory: {0}", std::strerror(fault)));
         }
         from += written;
         size -= static_cast<std::size_t>(written);
     }
-    if (file < 0) throw Error(Fault::failed, name, "it cannot be kept in memory: " + std::string(std::strerror(errno)));
+    if (file < 0) throw Error(Fault::failed, name, phrase("it cannot be kept in memory: {0}", std::strerror(errno)));
     return file;
 }
 
@@ -157,7 +157,7 @@ Source source_of(const tactics_job& job, const Job& wanted, std::vector<Phrase>&
     if (file >= 0) source.file.reset(fdopen(file, "rb"));
     if (source.file == nullptr) {
         if (file >= 0) close(file);
-        throw Error(Fault::failed, job.input, "it cannot be opened again; perhaps too many files are open");
+        throw Error(Fault::failed, job.input, phrase("it cannot be opened again; perhaps too many files are open"));
     }
     std::rewind(source.file.get());
     return wanted.as_text ? std::move(source) : page_of_input(std::move(source), job.input, page_wish(wanted), notes);
@@ -165,19 +165,19 @@ Source source_of(const tactics_job& job, const Job& wanted, std::vector<Phrase>&
 
 // The job's request, as if typed after `tactics convert`.
 Request request_of(const tactics_job& job) {
-    if (job.input.empty()) throw Error(Fault::usage, "", "there is no input; name one with tactics_input");
+    if (job.input.empty()) throw Error(Fault::usage, "", phrase("there is no input; name one with tactics_input"));
     std::vector<std::string> words;
     bool writes = false;
     for (const auto& [name, value] : job.flags) {
         writes = writes || name == spelled("output");
         words.push_back(value ? name + "=" + *value : name);
     }
-    if (!writes) throw Error(Fault::usage, "", "there is no output; name one with tactics_output");
+    if (!writes) throw Error(Fault::usage, "", phrase("there is no output; name one with tactics_output"));
     // A program gets the same pages whoever runs it.
     words.insert(words.end(), {spelled("no-defaults"), "--", job.input});
     Request request = plan(parse_words(convert_command, words), real_disk());
     if (request.items.size() != 1)
-        throw Error(Fault::usage, spelled("page"), "a job makes one page of a PDF; run a job for each page");
+        throw Error(Fault::usage, spelled("page"), phrase("a job makes one page of a PDF; run a job for each page"));
     return request;
 }
 
@@ -219,10 +219,11 @@ void add_option(tactics_job& job, const char* name, const char* value) {
         names.push_back(flag.name);
         if (flag.name == option) found = &flag;
     }
-    if (found == nullptr) throw Error(Fault::usage, option, "a job has no such option" + did_you_mean(option, names));
-    if (found->value.empty() && value != nullptr) throw Error(Fault::usage, option, "it takes no value; pass a null pointer");
+    if (found == nullptr) throw Error(Fault::usage, option, phrase("a job has no such option{0}", did_you_mean(option, names)));
+    if (found->value.empty() && value != nullptr)
+        throw Error(Fault::usage, option, phrase("it takes no value; pass a null pointer"));
     if (!found->value.empty() && value == nullptr)
-        throw Error(Fault::usage, option, "its value is missing: " + std::string(found->value));
+        throw Error(Fault::usage, option, phrase("its value is missing: {0}", found->value));
     if (!found->repeatable) std::erase_if(job.flags, [&](const auto& other) { return other.first == option; });
     job.flags.emplace_back(option, value == nullptr ? std::nullopt : std::optional<std::string>(value));
 }
@@ -240,7 +241,7 @@ tactics_code tactics_input(tactics_job* job, const char* path) {
         check_path(path, "tactics_input");
         if (std::strcmp(path, "-") == 0)
             throw Error(Fault::usage, "tactics_input",
-                        "standard input is not read here; read it and pass its bytes to tactics_input_bytes");
+                        phrase("standard input is not read here; read it and pass its bytes to tactics_input_bytes"));
         own.input = path;
         own.forget_bytes();
         return TACTICS_DONE;
@@ -250,7 +251,7 @@ tactics_code tactics_input(tactics_job* job, const char* path) {
 tactics_code tactics_input_bytes(tactics_job* job, const void* bytes, size_t size, const char* name) {
     return guarded(job, [&](tactics_job& own) {
         check_path(name, "tactics_input_bytes");
-        if (bytes == nullptr || size == 0) throw Error(Fault::usage, name, "it is empty");
+        if (bytes == nullptr || size == 0) throw Error(Fault::usage, name, phrase("it is empty"));
         const int file = memory_file(bytes, size, name);
         own.forget_bytes();
         own.bytes = file;
@@ -264,7 +265,7 @@ tactics_code tactics_output(tactics_job* job, const char* path) {
         check_path(path, "tactics_output");
         const std::string_view text = path;
         if (text == "-" || text.ends_with(":-"))
-            throw Error(Fault::usage, path, "the library does not write to standard output; name a file");
+            throw Error(Fault::usage, path, phrase("the library does not write to standard output; name a file"));
         own.flags.emplace_back(spelled("output"), path);
         return TACTICS_DONE;
     });

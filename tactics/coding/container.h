@@ -21,6 +21,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tactics/text/phrase.h"
+
 namespace tactics {
 
 inline constexpr std::string_view kContainerMagic{
@@ -45,7 +47,7 @@ public:
     std::string_view part(std::size_t number) const;
     const std::string& name() const noexcept { return name_; }
     /// Throws Error(failed) that the file is damaged, and how: "the head tells of no rows".
-    [[noreturn]] void fail(const std::string& what) const;
+    [[noreturn]] void fail(const Phrase& what) const;
 
 private:
     struct Part {

@@ -36,7 +36,7 @@ struct Facts {
 
 Facts facts_of(const Container& container) {
     if (container.kind() != ContainerKind::heights)
-        throw Error(Fault::failed, container.name(), "holds a recording and no heights; tactics decode gives it out");
+        throw Error(Fault::failed, container.name(), phrase("holds a recording and no heights; tactics decode gives it out"));
     ByteReader reader(container.facts());
     const std::uint64_t columns = reader.number(4), rows = reader.number(4);
     LevelMap map;
@@ -47,21 +47,21 @@ Facts facts_of(const Container& container) {
     map.top = static_cast<int>(reader.number(2));
     const auto side = static_cast<int>(reader.number(2));
     const std::uint64_t profile = reader.number(1), rest = reader.number(1);
-    if (!reader.whole() || reader.left() > 0 || rest != 0) container.fail("its facts are none of heights");
+    if (!reader.whole() || reader.left() > 0 || rest != 0) container.fail(phrase("its facts are none of heights"));
     if (columns < 1 || rows < 1 || columns > kMostSide || rows > kMostSide)
-        container.fail("it tells of " + std::to_string(columns) + " x " + std::to_string(rows) + " levels");
+        container.fail(phrase("it tells of {0} x {1} levels", std::to_string(columns), std::to_string(rows)));
     if (!(map.pitch > 0) || !std::isfinite(map.pitch) || !std::isfinite(map.low) || !std::isfinite(map.high) ||
         !(map.high > map.low))
-        container.fail("its pitch or its heights are no lengths");
+        container.fail(phrase("its pitch or its heights are no lengths"));
     if (!(map.rise > 0) || !(map.rise * map.top <= (map.high - map.low) * (1 + kRounding)))
-        container.fail("its levels go above its highest place");
+        container.fail(phrase("its levels go above its highest place"));
     if (map.top < 1 || side < 1 || side > kMostTileSide || profile >= kProfiles.size())
-        container.fail("a fact of it is none that there is");
+        container.fail(phrase("a fact of it is none that there is"));
     map.columns = static_cast<int>(columns);
     map.rows = static_cast<int>(rows);
     map.profile = kProfiles[profile];
     const auto tiles = static_cast<std::size_t>(count_of(map.columns, side)) * static_cast<std::size_t>(count_of(map.rows, side));
-    if (container.parts() != tiles) container.fail("it has not as many parts as tiles");
+    if (container.parts() != tiles) container.fail(phrase("it has not as many parts as tiles"));
     return {std::move(map), side};
 }
 
@@ -125,8 +125,8 @@ LevelMap decode_levels(const Container& container, const LevelWindow& window, lo
     const long long count = static_cast<long long>(window.columns) * window.rows;
     if (count > most)
         throw Error(Fault::failed, container.name(),
-                    "has " + std::to_string(window.columns) + " x " + std::to_string(window.rows) + " heights; at most " +
-                        std::to_string(most / 1'000'000) + " million are read, make it smaller first");
+                    phrase("has {0} x {1} heights; at most {2} million are read, make it smaller first",
+                           std::to_string(window.columns), std::to_string(window.rows), std::to_string(most / 1'000'000)));
     map.columns = window.columns;
     map.rows = window.rows;
     map.levels.resize(static_cast<std::size_t>(count));
@@ -149,7 +149,7 @@ LevelMap decode_levels(const Container& container, const LevelWindow& window, lo
                 view = view_of(apart.data(), tile.columns, 0, 0, tile.columns, tile.rows);
             }
             if (!read_tile(container.part(number), view, map.top))
-                container.fail("tile " + std::to_string(number + 1) + " is none");
+                container.fail(phrase("tile {0} is none", std::to_string(number + 1)));
             if (!within) copy_tile(apart, tile, window, map);
         }
     return std::move(map);

@@ -150,7 +150,7 @@ Recording empty_of(const RecordingFacts& facts) {
 
 void add_part(const Container& container, const RecordingFacts& facts, std::size_t part, Recording& recording) {
     if (!read_part(container.part(part), ticks_of(part, facts.ticks).count, facts.band.guess == ForceGuess::linear, recording))
-        container.fail("part " + std::to_string(part + 1) + " of the recording is none");
+        container.fail(phrase("part {0} of the recording is none", std::to_string(part + 1)));
 }
 
 std::int64_t begin_of(const Container& container, std::size_t part) {
@@ -227,7 +227,7 @@ ForceLoss loss_of(const Recording& truth, const Recording& decoded, const ForceB
 RecordingFacts recording_facts(const Container& container) {
     if (container.kind() != ContainerKind::recording)
         throw Error(Fault::failed, container.name(),
-                    "holds heights and no recording; play it, or make another file of heights of it with tactics relief");
+                    phrase("holds heights and no recording; play it, or make another file of heights of it with tactics relief"));
     ByteReader reader(container.facts());
     RecordingFacts facts;
     facts.ticks = reader.number(4);
@@ -239,14 +239,14 @@ RecordingFacts recording_facts(const Container& container) {
     facts.band = {reader.real(), reader.real(), reader.real(), guess == 1 ? ForceGuess::linear : ForceGuess::hold};
     reader.number(8);
     if (!reader.whole() || reader.left() > 0 || guess > 1 || flags > 3 || rest != 0)
-        container.fail("its facts are none of a recording");
+        container.fail(phrase("its facts are none of a recording"));
     const auto is_step = [](double step) { return step >= 1e-9 && step <= 1e3; };
     const auto is_bound = [](double bound) { return bound >= 0 && bound <= 1e9; };
     if (!is_step(facts.place_step) || !is_step(facts.force_step) || !is_bound(facts.band.share) || !is_bound(facts.band.floor) ||
         !is_bound(facts.band.allowance))
-        container.fail("a step or a bound of it is none");
+        container.fail(phrase("a step or a bound of it is none"));
     if (facts.ticks < 1 || facts.ticks > kMostTicks || container.parts() != parts_of(facts.ticks))
-        container.fail("it has not as many parts as its ticks need");
+        container.fail(phrase("it has not as many parts as its ticks need"));
     return facts;
 }
 

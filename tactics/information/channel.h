@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tactics/information/scene.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -38,9 +39,9 @@ struct Carried {
     /// C(M) = min(C(M(W)), H(W)) (equation 3): of the capacity, of the scene (Measures::high) and of what the filter leaves of
     /// it (Pyramid::most_bits), the least.
     double bits = 0;
-    double ratio = 0;                    ///< C / H (equation 4)
-    double loss = 0;                     ///< max(H - C, 0) / H (equation 5)
-    std::vector<std::string> lost = {};  ///< in words; empty: nothing
+    double ratio = 0;               ///< C / H (equation 4)
+    double loss = 0;                ///< max(H - C, 0) / H (equation 5)
+    std::vector<Phrase> lost = {};  ///< in words; empty: nothing
 };
 
 /// What comes through. A channel whose pitch, step and workspace are no worse than another's never loses more. Throws

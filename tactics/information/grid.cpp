@@ -19,10 +19,10 @@ std::uint16_t part_of(double value, double low, double high, int parts) {
 }
 
 [[noreturn]] void no_number(std::string_view name) {
-    throw Error(Fault::failed, name, "one of its values is not a number, so nothing can be counted; mend the file");
+    throw Error(Fault::failed, name, phrase("one of its values is not a number, so nothing can be counted; mend the file"));
 }
 [[noreturn]] void no_sample(std::string_view name) {
-    throw Error(Fault::failed, name, "it has no samples, so there is nothing to measure");
+    throw Error(Fault::failed, name, phrase("it has no samples, so there is nothing to measure"));
 }
 
 LevelGrid components(std::span<const Point3> forces, LevelGrid grid, int index, double most, std::string_view name) {

@@ -91,18 +91,19 @@ LeastLoss least_loss(MeasuredScene& scene, const MediumChannel& channel) {
     return least;
 }
 
-std::string explained(const LeastLoss& least, const LevelGrid& whole) {
-    if (least.plain == 0) return "nothing is lost as it is";
-    std::vector<std::string> steps;
+Phrase explained(const LeastLoss& least, const LevelGrid& whole) {
+    if (least.plain == 0) return phrase("nothing is lost as it is");
+    std::vector<Phrase> steps;
     const Transformation& made = least.best;
-    if (made.longest < std::max(whole.columns, whole.rows)) steps.push_back(std::to_string(made.longest) + " cells long");
-    if (made.smoothing > 0) steps.push_back("smoothed over " + std::to_string(2 * made.smoothing + 1) + " cells");
-    if (made.evenness > 0) steps.push_back("heights evened by " + percent(made.evenness));
-    const std::string done = joined({steps.begin(), steps.end()}, ", ", ", ");
-    return (least.loss < least.plain
-                ? "least loss " + exact_percent(least.loss) + " instead of " + exact_percent(least.plain) + ", " + done
-                : "nothing loses less than its own filter, " + exact_percent(least.plain)) +
-           " (" + std::to_string(least.tried) + " tried)";
+    if (made.longest < std::max(whole.columns, whole.rows))
+        steps.push_back(phrase("{0} cells long", std::to_string(made.longest)));
+    if (made.smoothing > 0) steps.push_back(phrase("smoothed over {0} cells", std::to_string(2 * made.smoothing + 1)));
+    if (made.evenness > 0) steps.push_back(phrase("heights evened by {0}", percent(made.evenness)));
+    const std::string tried = std::to_string(least.tried);
+    if (least.loss < least.plain)
+        return phrase("least loss {0} instead of {1}, {2} ({3} tried)", exact_percent(least.loss), exact_percent(least.plain),
+                      row_of(steps), tried);
+    return phrase("nothing loses less than its own filter, {0} ({1} tried)", exact_percent(least.plain), tried);
 }
 
 }  // namespace tactics

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "tactics/information/channel.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -34,6 +35,6 @@ HeightMap transformed_heights(MeasuredScene& scene, const Transformation& transf
 LeastLoss least_loss(MeasuredScene& scene, const MediumChannel& channel);
 
 /// What was found and why it was chosen, for the user: "least loss 80.1 % instead of 93 %, heights evened by 25 % (30 tried)".
-std::string explained(const LeastLoss& least, const LevelGrid& whole);
+Phrase explained(const LeastLoss& least, const LevelGrid& whole);
 
 }  // namespace tactics

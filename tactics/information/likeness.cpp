@@ -154,7 +154,7 @@ Found best_of(const Comparison& comparison, const Alignment& turned) {
 
 Look look_of(const LevelGrid& drawn, std::string_view name) {
     const Box box = box_of(drawn);
-    if (box.right < box.left) throw Error(Fault::failed, name, "nothing is drawn of it that could be compared");
+    if (box.right < box.left) throw Error(Fault::failed, name, phrase("nothing is drawn of it that could be compared"));
     const int wide = box.right - box.left + 1, high = box.bottom - box.top + 1;
     const double scale = static_cast<double>(kBoxSide) / std::max(wide, high);
     const double left = (kLookSide - wide * scale) / 2, top = (kLookSide - high * scale) / 2;

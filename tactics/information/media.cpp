@@ -70,12 +70,17 @@ Channels::const_iterator channel_in(const Channels& all, const std::string& name
                                     const std::string& place) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const MediumChannel& channel) { return channel.name == name; });
     if (found != all.end()) return found;
-    const std::string also = besides.empty() ? "" : "all, or names between commas: ";
+    const bool takes_lists = !besides.empty();
     std::transform(all.begin(), all.end(), std::back_inserter(besides),
                    [](const MediumChannel& channel) { return std::string_view(channel.name); });
     throw Error(Fault::usage, place,
-                "there is no medium \"" + name.substr(0, 80) + "\"" + did_you_mean(name, besides) + "; it is " + also +
-                    "a medium, an embosser, a display or a file of heights of tactics list, mouse, omni, desktop or phantom");
+                !takes_lists
+                    ? phrase("there is no medium \"{0}\"{1}; it is a medium, an embosser, a display or a file of heights of "
+                             "tactics list, mouse, omni, desktop or phantom",
+                             name.substr(0, 80), did_you_mean(name, besides))
+                    : phrase("there is no medium \"{0}\"{1}; it is all, or names between commas: a medium, an embosser, "
+                             "a display or a file of heights of tactics list, mouse, omni, desktop or phantom",
+                             name.substr(0, 80), did_you_mean(name, besides)));
 }
 
 }  // namespace

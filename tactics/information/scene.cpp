@@ -21,7 +21,8 @@ bool is_flat(const LevelGrid& grid) {
 
 MeasuredScene scene_of(LevelGrid grid, double pitch, double low, double high, std::string_view name) {
     if (is_flat(grid))
-        throw Error(Fault::failed, name, "all of it has one height, so there is nothing to be felt or lost; take another file");
+        throw Error(Fault::failed, name,
+                    phrase("all of it has one height, so there is nothing to be felt or lost; take another file"));
     const double width = grid.columns * pitch, height = grid.rows * pitch;
     const Measures measures = measure(grid, kFeltHeight / ((high - low) / grid.levels));
     return {Pyramid(std::move(grid), Pooling::mean), measures, width, height, low, high, {}};
@@ -29,7 +30,8 @@ MeasuredScene scene_of(LevelGrid grid, double pitch, double low, double high, st
 
 MeasuredScene scene_of(LevelGrid grid, double pitch, Drawing lines, std::string_view name) {
     if (is_flat(grid))
-        throw Error(Fault::failed, name, "nothing is drawn of it that could be felt; take another " + spelled("recipe"));
+        throw Error(Fault::failed, name,
+                    phrase("nothing is drawn of it that could be felt; take another {0}", spelled("recipe")));
     const double width = grid.columns * pitch, height = grid.rows * pitch;
     const Measures measures = measure(grid, {});
     return {Pyramid(std::move(grid), Pooling::highest), measures, width, height, 0, 0, std::move(lines)};

@@ -41,12 +41,13 @@ Point3 cut(const Point3& force, double most) { return length_of(force) <= most ?
 
 MeasuredStream measured(const Recording& recording, std::string_view name) {
     const std::vector<Point3> forces = forces_of(recording);
-    if (forces.size() < 2) throw Error(Fault::failed, name, "it has fewer than two ticks, so there is nothing to measure");
+    if (forces.size() < 2)
+        throw Error(Fault::failed, name, phrase("it has fewer than two ticks, so there is nothing to measure"));
     MeasuredStream stream;
     stream.ticks = forces.size();
     stream.seconds = static_cast<double>(recording.times.back() - recording.times.front()) / 1e6;
     stream.most = most_along(forces);
-    if (!(stream.most > 0)) throw Error(Fault::failed, name, "nothing was felt in it: no tick has a force");
+    if (!(stream.most > 0)) throw Error(Fault::failed, name, phrase("nothing was felt in it: no tick has a force"));
     stream.levels = levels_of(stream.most, recording.force_step);
     for (int component = 0; component < 3; ++component) {
         Measures& along = stream.along[static_cast<std::size_t>(component)];

@@ -43,9 +43,9 @@ int half_of(int side) { return side < 2 ? side : std::max(2, (side + 1) / 2); }
 
 MeasuredVoxels measured(const ForceField& field, const VoxelLevels& levels, bool with_details, std::string_view name) {
     if (std::adjacent_find(field.forces.begin(), field.forces.end(), std::not_equal_to<>()) == field.forces.end())
-        throw Error(Fault::failed, name, "all its voxels are the same, so there is nothing to measure");
+        throw Error(Fault::failed, name, phrase("all its voxels are the same, so there is nothing to measure"));
     if (!std::isfinite((levels.levels - 1) / (levels.high - levels.low)))
-        throw Error(Fault::failed, name, "its numbers lie too near each other to be counted; multiply them");
+        throw Error(Fault::failed, name, phrase("its numbers lie too near each other to be counted; multiply them"));
     MeasuredVoxels all;
     for (int which = 0; which < levels.components; ++which) {
         all.along.push_back(measure(grid_along(field, which, levels), {}));

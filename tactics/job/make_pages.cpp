@@ -152,7 +152,7 @@ private:
                         ? to_act_on(phrase("the title runs from right to left, which print does not do here, and is left out; "
                                            "name a {0} table",
                                            spelled("braille")))
-                        : Note("the title runs from right to left and is in braille only, as print does not do that here"));
+                        : phrase("the title runs from right to left and is in braille only, as print does not do that here"));
         }
         return sheet;
     }

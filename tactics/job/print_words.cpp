@@ -213,18 +213,18 @@ void place_legend(PrintWords& words, Reading& reading) {
                           static_cast<int>(box.right * across), static_cast<int>(box.bottom * down)},
                          may ? lettering.words[i].letter_height * down : 0});
     }
-    std::string told;
+    std::vector<Phrase> told;
     for (const LegendEntry& entry : legend_in(picture, boxes)) {
         const double x = 100.0 / picture.width, y = 100.0 / picture.height;
         words.told[entry.words].wanted = {entry.at.x * x, entry.at.y * y};
         words.told[entry.words].loose = false;
         words.samples.push_back(
             {entry.sample.left * x, entry.sample.top * y, entry.sample.width() * x, entry.sample.height() * y});
-        told += (told.empty() ? "\"" : ", \"") + words.told[entry.words].text + "\"";
+        told.push_back(phrase("\"{0}\"", words.told[entry.words].text));
     }
     if (!told.empty())
-        words.notes.push_back("of its legend these words " + told +
-                              " each name what is painted like their sample, and stand there");
+        words.notes.push_back(
+            phrase("of its legend these words {0} each name what is painted like their sample, and stand there", row_of(told)));
 }
 
 }  // namespace

@@ -160,12 +160,13 @@ namespace {
 // A table of many columns is often meant as a curve for each.
 void tell_left_out(const TableHead& head, std::size_t y, ColumnChoice& others, std::vector<Phrase>& notes) {
     constexpr std::size_t kNamed = 3;
-    std::string names;
+    std::vector<Phrase> named;
     std::size_t count = 0;
     for (auto other = others.next(); other; other = others.next(), ++count)
-        if (count < kNamed) names += (count == 0 ? "" : ", ") + beginning_of(head.columns[*other]);
+        if (count < kNamed) named.push_back(beginning_of(head.columns[*other]));
     if (count == 0) return;
-    if (count > kNamed) names += " and " + std::to_string(count - kNamed) + " more";
+    Phrase names = row_of(named);
+    if (count > kNamed) names = phrase("{0} and {1} more", std::move(names), std::to_string(count - kNamed));
     notes.push_back(
         phrase("of its columns of numbers {0} is shown, and not {1}; name another by {2}, or, for a curve each, name several",
                beginning_of(head.columns[y]), names, spelled("y")));

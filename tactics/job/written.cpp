@@ -219,14 +219,16 @@ Written written_in_pdf(const Source& source, PageRange pages) {
 }
 
 // What is in a file that is no text, and what may be done.
-std::string no_text(std::string_view bytes) {
+Phrase no_text(std::string_view bytes) {
     constexpr std::size_t kHead = 64;  // that readers look at
     const auto known = [&](const Reader* reader) {
         return reader->recognises({reinterpret_cast<const unsigned char*>(bytes.data()), std::min(bytes.size(), kHead)});
     };
-    if (std::any_of(readers().begin(), readers().end(), known)) return "it is a picture, no text; leave out " + spelled("text");
-    if (bytes.starts_with("PK\3\4")) return "it is an Office file, an e-book or an archive; save it as text or as PDF first";
-    return "it is no text in UTF-8; save it as UTF-8, or convert it: iconv -f latin1 -t utf-8";
+    if (std::any_of(readers().begin(), readers().end(), known))
+        return phrase("it is a picture, no text; leave out {0}", spelled("text"));
+    if (bytes.starts_with("PK\3\4"))
+        return phrase("it is an Office file, an e-book or an archive; save it as text or as PDF first");
+    return phrase("it is no text in UTF-8; save it as UTF-8, or convert it: iconv -f latin1 -t utf-8");
 }
 
 // Markup would be set with all its signs.

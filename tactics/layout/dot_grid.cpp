@@ -14,8 +14,8 @@ namespace tactics {
 namespace {
 
 constexpr double kGridRounding = 1e-6;  // a live area of exactly 40 cells has 40
-constexpr std::string_view kNoRoom = "there is no room for a braille cell on the page; take larger paper or a smaller margin";
-constexpr std::string_view kTooMany = "the page has over 16 million dots; take smaller paper";
+constexpr SourceWords kNoRoom = "there is no room for a braille cell on the page; take larger paper or a smaller margin";
+constexpr SourceWords kTooMany = "the page has over 16 million dots; take smaller paper";
 
 // Centres of `dots` a cell, `step` from each other, of all cells `pitch` from each other that lie within [low, high], one
 // of them at `first`.
@@ -40,11 +40,11 @@ DotGrid dot_grid(const Page& page) {
     const Rect& live = page.live;
     const double right = live.left + live.width, bottom = live.top + live.height;
     if (bed.raster > 0 && !(live.width / bed.raster * (live.height / bed.raster) < kMostDots))
-        throw Error(Fault::usage, "", std::string(kTooMany));
+        throw Error(Fault::usage, "", phrase(kTooMany));
     const bool raster = bed.raster > 0;
     DotGrid grid{centres(bed.first.x, bed.across(cell), raster ? 1 : 2, cell.dot_pitch, live.left, right),
                  centres(bed.first.y, bed.down(cell), raster ? 1 : bed.dots_down, cell.dot_pitch, live.top, bottom)};
-    if (grid.columns.size() < 2 || grid.rows.size() < 2) throw Error(Fault::usage, "", std::string(kNoRoom));
+    if (grid.columns.size() < 2 || grid.rows.size() < 2) throw Error(Fault::usage, "", phrase(kNoRoom));
     return grid;
 }
 
@@ -62,8 +62,8 @@ DotGrid cell_grid(const Rect& live, const CellSize& cell) {
         throw std::logic_error("braille cells overlap");
     const double cells = std::floor((live.width - cell.dot_pitch + kGridRounding) / cell.cell_pitch) + 1;
     const double lines = std::floor((live.height - 2 * cell.dot_pitch + kGridRounding) / cell.line_pitch) + 1;
-    if (!(cells >= 1) || !(lines >= 1)) throw Error(Fault::usage, "", std::string(kNoRoom));
-    if (cells * lines * 6 > kMostDots) throw Error(Fault::usage, "", std::string(kTooMany));
+    if (!(cells >= 1) || !(lines >= 1)) throw Error(Fault::usage, "", phrase(kNoRoom));
+    if (cells * lines * 6 > kMostDots) throw Error(Fault::usage, "", phrase(kTooMany));
     // The remaining space is divided equally between both sides, so that no edge is farther from a dot than the grid's own gaps.
     const double left = live.left + std::max(0.0, live.width - (cells - 1) * cell.cell_pitch - cell.dot_pitch) / 2;
     const double top = live.top + std::max(0.0, live.height - (lines - 1) * cell.line_pitch - 2 * cell.dot_pitch) / 2;

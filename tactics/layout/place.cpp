@@ -16,7 +16,7 @@ namespace tactics {
 namespace {
 
 // Rounded down, so that what a message offers is accepted when it is given back.
-std::string mm(double value) { return to_text(std::max(0.0, std::floor(value * 10 + 1e-6) / 10)) + " mm"; }
+Phrase mm(double value) { return phrase("{0} mm", numeral(std::max(0.0, std::floor(value * 10 + 1e-6) / 10))); }
 
 // From the first dot of a machine's cells that lies in the live area to the last, so that braille in its corner has dots and no
 // line lies beside them. What the machine keeps free at the left and the top it does on the other sides, too.
@@ -107,7 +107,7 @@ Phrase crowded_words(const Sheet& sheet, const Title& title, const TitleBand& ba
     if (band.braille.size() > 1)
         taken = phrase("{0} ({1} lines of braille)", std::move(taken), std::to_string(band.braille.size()));
     const Phrase mend = sheet.window ? phrase("leave it out") : phrase("shorten it, leave it out, or take larger paper");
-    const std::string all = mm(height);
+    const Phrase all = mm(height);
     if (title.caption.empty())
         return phrase("the title takes {0} of the page's {1}, which leaves too little to the drawing; {2}", taken, all, mend);
     if (title.text.empty())

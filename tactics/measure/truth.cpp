@@ -62,15 +62,15 @@ PixelSet read_truth(const std::string& path, int width, int height) {
     Source source = open_source(path);
     const Image image = read_picture(source, {0, false});
     if (image.width != width || image.height != height)
-        throw Error(Fault::failed, path,
-                    "this contour map has " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                        " pixels and its picture " + std::to_string(width) + " x " + std::to_string(height) +
-                        "; both must have the same size");
+        throw Error(
+            Fault::failed, path,
+            phrase("this contour map has {0} x {1} pixels and its picture {2} x {3}; both must have the same size",
+                   std::to_string(image.width), std::to_string(image.height), std::to_string(width), std::to_string(height)));
     PixelSet set{width, height, {}};
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         if (image.pixels[i] != 0) set.pixels.push_back(static_cast<std::uint32_t>(i));
     if (set.pixels.size() > image.pixels.size() / 2)
-        throw Error(Fault::failed, path, "more than half of this contour map is line; lines are white on black in it");
+        throw Error(Fault::failed, path, phrase("more than half of this contour map is line; lines are white on black in it"));
     return set;
 }
 

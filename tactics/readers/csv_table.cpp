@@ -24,9 +24,9 @@ std::vector<std::string> names_in(const std::string& comment, char separator, st
 
 void check_count(const TableHead& head, std::size_t line, std::size_t cells, bool ended) {
     if (cells == head.columns.size()) return;
-    const std::string mend = !ended                              ? "the file seems to end in the middle; get all of it"
-                             : head.separator == kBlankSeparator ? "write NaN where nothing is known"
-                                                                 : "write a value with a comma in it in double quotes";
+    const Phrase mend = !ended                              ? phrase("the file seems to end in the middle; get all of it")
+                        : head.separator == kBlankSeparator ? phrase("write NaN where nothing is known")
+                                                            : phrase("write a value with a comma in it in double quotes");
     fail(head.name, line,
          phrase("there are {0} values for {1} columns; {2}", std::to_string(cells), std::to_string(head.columns.size()), mend));
 }

@@ -12,69 +12,73 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::string_view kExport = "open it and export what you need as PNG";
-constexpr std::string_view kUnpack = "unpack it first and name the picture in it";
-constexpr std::string_view kPage = "convert a page of it to PNG first, for example with pdftoppm -r 300 -png";
-constexpr std::string_view kDraw = "convert it to PNG first, for example with rsvg-convert -w 2000";
-constexpr std::string_view kFrame = "save the frame that you want as PNG";
-constexpr std::string_view kRaw = "save it as JPEG or TIFF with the camera's own program";
-constexpr std::string_view kPhoto = "name a photo or a figure: JPEG, PNG, TIFF, WebP, GIF, BMP, EXR, HDR, PNM";
+constexpr SourceWords kExport{"open it and export what you need as PNG"};
+constexpr SourceWords kUnpack{"unpack it first and name the picture in it"};
+constexpr SourceWords kPage{"convert a page of it to PNG first, for example with pdftoppm -r 300 -png"};
+constexpr SourceWords kDraw{"convert it to PNG first, for example with rsvg-convert -w 2000"};
+constexpr SourceWords kFrame{"save the frame that you want as PNG"};
+constexpr SourceWords kRaw{"save it as JPEG or TIFF with the camera's own program"};
+constexpr SourceWords kPhoto{"name a photo or a figure: JPEG, PNG, TIFF, WebP, GIF, BMP, EXR, HDR, PNM"};
 
 struct Kind {
     std::size_t at;
     std::string_view bytes;
-    std::string_view what;
-    std::string_view mend;
+    SourceWords what;
+    SourceWords mend;
 };
 
 constexpr Kind kKinds[] = {
-    {0, "%PDF-", "a PDF document", kPage},
-    {0, "%!PS", "a PostScript document", "convert a page of it to PNG first, for example with gs -sDEVICE=png16m -r300"},
-    {0, "\xC5\xD0\xD3\xC6", "an EPS drawing", "convert it to PNG first, for example with gs -sDEVICE=png16m -r300"},
-    {0, "\xD0\xCF\x11\xE0", "an old Word, Excel or PowerPoint file", kExport},
-    {0, "{\\rtf", "an RTF document", kExport},
-    {0, "\x1F\x8B", "a gzip archive", kUnpack},
-    {0, "BZh", "a bzip2 archive", kUnpack},
+    {0, "%PDF-", SourceWords("a PDF document"), kPage},
+    {0, "%!PS", SourceWords("a PostScript document"),
+     SourceWords("convert a page of it to PNG first, for example with gs -sDEVICE=png16m -r300")},
+    {0, "\xC5\xD0\xD3\xC6", SourceWords("an EPS drawing"),
+     SourceWords("convert it to PNG first, for example with gs -sDEVICE=png16m -r300")},
+    {0, "\xD0\xCF\x11\xE0", SourceWords("an old Word, Excel or PowerPoint file"), kExport},
+    {0, "{\\rtf", SourceWords("an RTF document"), kExport},
+    {0, "\x1F\x8B", SourceWords("a gzip archive"), kUnpack},
+    {0, "BZh", SourceWords("a bzip2 archive"), kUnpack},
     {0,
      "\xFD"
      "7zXZ",
-     "an xz archive", kUnpack},
-    {0, "\x28\xB5\x2F\xFD", "a Zstandard archive", kUnpack},
-    {0, "7z\xBC\xAF\x27\x1C", "a 7-Zip archive", kUnpack},
-    {0, "Rar!", "a RAR archive", kUnpack},
-    {257, "ustar", "a tar archive", kUnpack},
-    {4, "ftyp", "a video", kFrame},
-    {8, "AVI ", "a video", kFrame},
-    {0, "\x1A\x45\xDF\xA3", "a video", kFrame},
-    {0, "\0\0\1\xBA"sv, "a video", kFrame},
-    {8, "WAVE", "a sound file", kPhoto},
-    {0, "OggS", "a sound file", kPhoto},
-    {0, "fLaC", "a sound file", kPhoto},
-    {0, "ID3", "a sound file", kPhoto},
+     SourceWords("an xz archive"), kUnpack},
+    {0, "\x28\xB5\x2F\xFD", SourceWords("a Zstandard archive"), kUnpack},
+    {0, "7z\xBC\xAF\x27\x1C", SourceWords("a 7-Zip archive"), kUnpack},
+    {0, "Rar!", SourceWords("a RAR archive"), kUnpack},
+    {257, "ustar", SourceWords("a tar archive"), kUnpack},
+    {4, "ftyp", SourceWords("a video"), kFrame},
+    {8, "AVI ", SourceWords("a video"), kFrame},
+    {0, "\x1A\x45\xDF\xA3", SourceWords("a video"), kFrame},
+    {0, "\0\0\1\xBA"sv, SourceWords("a video"), kFrame},
+    {8, "WAVE", SourceWords("a sound file"), kPhoto},
+    {0, "OggS", SourceWords("a sound file"), kPhoto},
+    {0, "fLaC", SourceWords("a sound file"), kPhoto},
+    {0, "ID3", SourceWords("a sound file"), kPhoto},
     {0,
      "\x7F"
      "ELF",
-     "a program", kPhoto},
-    {0, "MZ", "a Windows program", kPhoto},
-    {0, "SQLite format 3", "a database", kPhoto},
-    {0, "glTF", "a 3-D model", "make a picture of it first"},
-    {0, "NRRD000", "a file of voxels (NRRD)", "measure says how much is in it; make a picture of a slice to draw it"},
+     SourceWords("a program"), kPhoto},
+    {0, "MZ", SourceWords("a Windows program"), kPhoto},
+    {0, "SQLite format 3", SourceWords("a database"), kPhoto},
+    {0, "glTF", SourceWords("a 3-D model"), SourceWords("make a picture of it first")},
+    {0, "NRRD000", SourceWords("a file of voxels (NRRD)"),
+     SourceWords("measure says how much is in it; make a picture of a slice to draw it")},
 };
 
 // Pictures all the same, in formats that are not read.
 constexpr Kind kUnread[] = {
-    {0, "II*\0\x10\0\0\0CR"sv, "a Canon raw photo", kRaw},
-    {0, "IIRO", "an Olympus raw photo", kRaw},
-    {0, "IIU\0"sv, "a Panasonic raw photo", kRaw},
-    {0, "FUJIFILMCCD-RAW", "a Fujifilm raw photo", kRaw},
-    {0, "FOVb", "a Sigma raw photo", kRaw},
-    {0, "gimp xcf", "a GIMP working file", kExport},
-    {0, "SDPX", "a DPX film frame", kFrame},
-    {0, "XPDS", "a DPX film frame", kFrame},
-    {4, "jP  \r\n", "a JPEG 2000 picture", "convert it to PNG first, for example with opj_decompress"},
-    {0, "\xFF\x4F\xFF\x51", "a JPEG 2000 picture", "convert it to PNG first, for example with opj_decompress"},
-    {4, "JXL \r\n", "a JPEG XL picture", "convert it to PNG first, for example with djxl"},
-    {0, "\xFF\x0A", "a JPEG XL picture", "convert it to PNG first, for example with djxl"},
+    {0, "II*\0\x10\0\0\0CR"sv, SourceWords("a Canon raw photo"), kRaw},
+    {0, "IIRO", SourceWords("an Olympus raw photo"), kRaw},
+    {0, "IIU\0"sv, SourceWords("a Panasonic raw photo"), kRaw},
+    {0, "FUJIFILMCCD-RAW", SourceWords("a Fujifilm raw photo"), kRaw},
+    {0, "FOVb", SourceWords("a Sigma raw photo"), kRaw},
+    {0, "gimp xcf", SourceWords("a GIMP working file"), kExport},
+    {0, "SDPX", SourceWords("a DPX film frame"), kFrame},
+    {0, "XPDS", SourceWords("a DPX film frame"), kFrame},
+    {4, "jP  \r\n", SourceWords("a JPEG 2000 picture"), SourceWords("convert it to PNG first, for example with opj_decompress")},
+    {0, "\xFF\x4F\xFF\x51", SourceWords("a JPEG 2000 picture"),
+     SourceWords("convert it to PNG first, for example with opj_decompress")},
+    {4, "JXL \r\n", SourceWords("a JPEG XL picture"), SourceWords("convert it to PNG first, for example with djxl")},
+    {0, "\xFF\x0A", SourceWords("a JPEG XL picture"), SourceWords("convert it to PNG first, for example with djxl")},
 };
 
 bool same(char a, char b) {
@@ -87,14 +91,14 @@ bool holds(std::string_view text, std::string_view word) {
 }
 
 // Office files are ZIP archives; the names of the first files in them tell which.
-std::string_view kind_of_archive(std::string_view head) {
-    if (holds(head, "word/")) return "a Word document (docx)";
-    if (holds(head, "ppt/")) return "a PowerPoint file (pptx)";
-    if (holds(head, "xl/")) return "an Excel sheet (xlsx)";
-    if (holds(head, "application/vnd.oasis.opendocument.text")) return "an OpenDocument text (odt)";
-    if (holds(head, "application/vnd.oasis.opendocument")) return "an OpenDocument file";
-    if (holds(head, "application/epub+zip")) return "an e-book (EPUB)";
-    if (holds(head, "[Content_Types].xml")) return "an Office file";
+Phrase kind_of_archive(std::string_view head) {
+    if (holds(head, "word/")) return phrase("a Word document (docx)");
+    if (holds(head, "ppt/")) return phrase("a PowerPoint file (pptx)");
+    if (holds(head, "xl/")) return phrase("an Excel sheet (xlsx)");
+    if (holds(head, "application/vnd.oasis.opendocument.text")) return phrase("an OpenDocument text (odt)");
+    if (holds(head, "application/vnd.oasis.opendocument")) return phrase("an OpenDocument file");
+    if (holds(head, "application/epub+zip")) return phrase("an e-book (EPUB)");
+    if (holds(head, "[Content_Types].xml")) return phrase("an Office file");
     return {};
 }
 
@@ -117,45 +121,44 @@ bool is_table(std::string_view text) {
     });
 }
 
-std::string answer(std::string_view what, std::string_view mend) {
-    return "looks like " + std::string(what) + ", not a picture; " + std::string(mend);
-}
+Phrase answer(const Phrase& what, const Phrase& mend) { return phrase("looks like {0}, not a picture; {1}", what, mend); }
 
-std::string text_answer(std::string_view text) {
+Phrase text_answer(std::string_view text) {
     const auto start = text.find_first_not_of(" \t\r\n\f");
-    if (start == std::string_view::npos) return answer("a text file with nothing but blanks", kPhoto);
+    if (start == std::string_view::npos) return answer(phrase("a text file with nothing but blanks"), phrase(kPhoto));
     const std::string_view body = text.substr(start);
-    if (holds(body, "<svg")) return answer("an SVG drawing", kDraw);
+    if (holds(body, "<svg")) return answer(phrase("an SVG drawing"), phrase(kDraw));
     if (holds(body.substr(0, 256), "<!doctype html") || holds(body.substr(0, 256), "<html"))
-        return answer("an HTML page", "save the picture that is on it, not the page");
-    if (body.substr(0, 5) == "<?xml") return answer("an XML file", kPhoto);
-    if (body.substr(0, 5) == "#VRML" || body.substr(0, 6) == "solid ") return answer("a 3-D model", "make a picture of it first");
-    if (body[0] == '{' || body[0] == '[') return answer("JSON data", kPhoto);
-    if (is_table(body)) return answer("a table of data (CSV)", "draw a chart of it first");
-    return answer("a text file", "lay it out in braille with " + spelled("text") + ", or " + std::string(kPhoto));
+        return answer(phrase("an HTML page"), phrase("save the picture that is on it, not the page"));
+    if (body.substr(0, 5) == "<?xml") return answer(phrase("an XML file"), phrase(kPhoto));
+    if (body.substr(0, 5) == "#VRML" || body.substr(0, 6) == "solid ")
+        return answer(phrase("a 3-D model"), phrase("make a picture of it first"));
+    if (body[0] == '{' || body[0] == '[') return answer(phrase("JSON data"), phrase(kPhoto));
+    if (is_table(body)) return answer(phrase("a table of data (CSV)"), phrase("draw a chart of it first"));
+    return answer(phrase("a text file"), phrase("lay it out in braille with {0}, or {1}", spelled("text"), phrase(kPhoto)));
 }
 
 }  // namespace
 
-std::string lookalike(std::span<const unsigned char> head) {
+Phrase lookalike(std::span<const unsigned char> head) {
     std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
     if (std::all_of(head.begin(), head.end(), [](unsigned char byte) { return byte == 0; }))
-        return "holds nothing but zero bytes, perhaps after a broken download or copy; get a fresh copy of it";
+        return phrase("holds nothing but zero bytes, perhaps after a broken download or copy; get a fresh copy of it");
     if (text.substr(0, 4) == "PK\3\4") {
-        const auto office = kind_of_archive(text);
-        return office.empty() ? answer("a ZIP archive", kUnpack) : answer(office, kExport);
+        const Phrase office = kind_of_archive(text);
+        return office.empty() ? answer(phrase("a ZIP archive"), phrase(kUnpack)) : answer(office, phrase(kExport));
     }
     const auto is = [&](const Kind& kind) {
         return text.size() > kind.at && text.substr(kind.at, kind.bytes.size()) == kind.bytes;
     };
     for (const Kind& kind : kUnread)
-        if (is(kind)) return "looks like " + std::string(kind.what) + ", which is not read; " + std::string(kind.mend);
+        if (is(kind)) return phrase("looks like {0}, which is not read; {1}", phrase(kind.what), phrase(kind.mend));
     for (const Kind& kind : kKinds)
-        if (is(kind)) return answer(kind.what, kind.mend);
+        if (is(kind)) return answer(phrase(kind.what), phrase(kind.mend));
     if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);  // byte order mark
     if (is_text(text)) return text_answer(text);
-    if (holds(text.substr(0, 1024), "%PDF-")) return answer("a PDF document", kPage);  // some have rubbish before
-    return "is not a picture of a known kind; " + std::string(kPhoto);
+    if (holds(text.substr(0, 1024), "%PDF-")) return answer(phrase("a PDF document"), phrase(kPage));  // some have rubbish before
+    return phrase("is not a picture of a known kind; {0}", phrase(kPhoto));
 }
 
 }  // namespace tactics

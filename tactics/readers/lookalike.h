@@ -3,7 +3,8 @@
 #pragma once
 
 #include <span>
-#include <string>
+
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -12,6 +13,6 @@ inline constexpr std::size_t kLookBytes = 4096;
 
 /// The end of a sentence that starts with the file's name: "looks like a PDF document, not a picture; ...".
 /// `head` is the first kLookBytes of the file, or all of it.
-std::string lookalike(std::span<const unsigned char> head);
+Phrase lookalike(std::span<const unsigned char> head);
 
 }  // namespace tactics

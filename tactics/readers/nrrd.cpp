@@ -75,7 +75,7 @@ public:
         const auto count = static_cast<std::size_t>(voxels.columns) * static_cast<std::size_t>(voxels.rows) *
                            static_cast<std::size_t>(voxels.slices) * static_cast<std::size_t>(voxels.components);
         const std::string& way = head_.encoding;
-        if (head_.line_skip != 0 || head_.byte_skip != 0) fail("it skips a part of its data, which is not read here");
+        if (head_.line_skip != 0 || head_.byte_skip != 0) fail(phrase("it skips a part of its data, which is not read here"));
         const std::string_view data = bytes_.substr(head_.data);
         if (way == "ascii" || way == "text" || way == "txt") {
             voxels.values = from_text(data, count, type);
@@ -84,20 +84,20 @@ public:
         } else if (way == "gzip" || way == "gz") {
             voxels.values = from_raw(gunzip(data, count * type.bytes, name_), count, type);
         } else {
-            fail("its encoding is \"" + way.substr(0, 40) + "\"; raw, ascii and gzip are read");
+            fail(phrase("its encoding is \"{0}\"; raw, ascii and gzip are read", way.substr(0, 40)));
         }
         for (std::size_t i = 0; i < count; ++i)
             if (!(std::abs(voxels.values[i]) < kMostValue))
-                fail("value " + std::to_string(i + 1) + " is not a number, or far too large");
+                fail(phrase("value {0} is not a number, or far too large", std::to_string(i + 1)));
         return voxels;
     }
 
 private:
-    [[noreturn]] void fail(const std::string& what) const { throw Error(Fault::failed, name_, what); }
+    [[noreturn]] void fail(const Phrase& what) const { throw Error(Fault::failed, name_, what); }
 
     std::string_view line_at(std::size_t& at) const {
         const std::size_t end = bytes_.find('\n', at);
-        if (end == std::string_view::npos || end > kMostHead) fail("its head is cut short");
+        if (end == std::string_view::npos || end > kMostHead) fail(phrase("its head is cut short"));
         const std::string_view line = bytes_.substr(at, end - at);
         at = end + 1;
         return line.substr(0, line.find_last_not_of('\r') + 1);
@@ -119,7 +119,8 @@ private:
             if (field == "dimension") head.dimension = number(value);
             if (field == "line skip" || field == "lineskip") head.line_skip = number(value);
             if (field == "byte skip" || field == "byteskip") head.byte_skip = number(value);
-            if (field == "data file" || field == "datafile") fail("its data is in another file; write both into one .nrrd");
+            if (field == "data file" || field == "datafile")
+                fail(phrase("its data is in another file; write both into one .nrrd"));
         }
         head.data = at;
         return head;
@@ -128,26 +129,26 @@ private:
     long long number(std::string_view text) const {
         const auto value = parse_number(text);
         if (!value || *value != std::floor(*value) || std::abs(*value) > 1e9)
-            fail("\"" + std::string(text.substr(0, 40)) + "\" in its head is no whole number");
+            fail(phrase("\"{0}\" in its head is no whole number", text.substr(0, 40)));
         return static_cast<long long>(*value);
     }
 
     Voxels shape() const {
         std::vector<long long> sizes;
         for (const std::string_view word : words_of(head_.sizes)) sizes.push_back(number(word));
-        if (static_cast<long long>(sizes.size()) != head_.dimension) fail("it has not as many sizes as dimensions");
+        if (static_cast<long long>(sizes.size()) != head_.dimension) fail(phrase("it has not as many sizes as dimensions"));
         Voxels voxels;
         if (sizes.size() == 4 && sizes.front() == 3) {
             voxels.components = 3;
             sizes.erase(sizes.begin());
         }
         if (sizes.size() != 3)
-            fail("it is no lattice of numbers or of three components each: 3 dimensions, or 4 of which the first is 3");
+            fail(phrase("it is no lattice of numbers or of three components each: 3 dimensions, or 4 of which the first is 3"));
         long long all = voxels.components;
         for (const long long size : sizes) {
             if (size < 1 || size > kMostVoxels || all * size > kMostVoxels)
-                fail("it tells of sizes " + head_.sizes.substr(0, 80) + "; 1 to " + std::to_string(kMostVoxels / 1'000'000) +
-                     " million numbers are read");
+                fail(phrase("it tells of sizes {0}; 1 to {1} million numbers are read", head_.sizes.substr(0, 80),
+                            std::to_string(kMostVoxels / 1'000'000)));
             all *= size;
         }
         voxels.columns = static_cast<int>(sizes[0]);
@@ -159,7 +160,7 @@ private:
     const Type& type_of() const {
         for (const Type& type : kTypes)
             if (!head_.type.empty() && type.names.find("|" + head_.type + "|") != std::string_view::npos) return type;
-        fail("its type is \"" + head_.type.substr(0, 40) + "\"; whole numbers of up to 32 bits, float and double are read");
+        fail(phrase("its type is \"{0}\"; whole numbers of up to 32 bits, float and double are read", head_.type.substr(0, 40)));
     }
 
     // What is written as text may be none of the numbers that the head promises.
@@ -167,33 +168,33 @@ private:
         if (type.is_real) return;
         const double all = std::ldexp(1.0, static_cast<int>(8 * type.bytes)), least = type.has_sign ? -all / 2 : 0;
         if (value == std::floor(value) && value >= least && value < least + all) return;
-        fail("value " + std::to_string(number) + " is " + std::string(text) + ", and type " + head_.type +
-             " is whole numbers from " + to_text(least) + " to " + to_text(least + all - 1) +
-             "; correct it, or write \"type: float\" in the head");
+        fail(phrase(
+            "value {0} is {1}, and type {2} is whole numbers from {3} to {4}; correct it, or write \"type: float\" in the head",
+            std::to_string(number), text, head_.type, to_text(least), to_text(least + all - 1)));
     }
 
     std::vector<double> from_text(std::string_view text, std::size_t count, const Type& type) const {
-        if (count > text.size()) fail("it is cut short");
+        if (count > text.size()) fail(phrase("it is cut short"));
         std::vector<double> values;
         values.reserve(count);
         for (std::size_t at = text.find_first_not_of(" \t\r\n,"); at != std::string_view::npos && values.size() < count;) {
             const std::size_t end = std::min(text.find_first_of(" \t\r\n,", at), text.size());
             const auto value = end - at <= kMostTextOfValue ? parse_number(text.substr(at, end - at)) : std::nullopt;
             if (!value)
-                fail("value " + std::to_string(values.size() + 1) + ", \"" +
-                     std::string(text.substr(at, std::min<std::size_t>(end - at, 40))) + "\", is not a number");
+                fail(phrase("value {0}, \"{1}\", is not a number", std::to_string(values.size() + 1),
+                            text.substr(at, std::min<std::size_t>(end - at, 40))));
             values.push_back(*value);
             check_holds(type, *value, values.size(), text.substr(at, end - at));
             at = text.find_first_not_of(" \t\r\n,", end);
         }
-        if (values.size() < count) fail("it is cut short");
+        if (values.size() < count) fail(phrase("it is cut short"));
         return values;
     }
 
     std::vector<double> from_raw(std::string_view data, std::size_t count, const Type& type) const {
-        if (data.size() / type.bytes < count) fail("it is cut short");
+        if (data.size() / type.bytes < count) fail(phrase("it is cut short"));
         const bool big = head_.endian == "big";
-        if (type.bytes > 1 && !big && head_.endian != "little") fail("it does not tell the order of its bytes (endian)");
+        if (type.bytes > 1 && !big && head_.endian != "little") fail(phrase("it does not tell the order of its bytes (endian)"));
         std::vector<double> values(count);
         for (std::size_t i = 0; i < count; ++i) {
             std::uint64_t bits = 0;

@@ -28,20 +28,20 @@ public:
             tile_row_bytes_ = TIFFTileRowSize(file_.get());
             tile_width_ = tile_width;
             if (tile_width == 0 || band == 0 || tile_bytes_ <= 0 || tile_row_bytes_ <= 0 || tile_bytes_ > kMaxBandBytes)
-                file_.refuse("with tiles of an impossible size");
+                file_.refuse(phrase("with tiles of an impossible size"));
             // Tiles are put side by side byte by byte (TIFF 6.0 wants widths that are multiples of 16, so they can be).
             const long long tile_row_bits = tile_width * pixel_bits;
             if (tile_row_bits % 8 != 0 || tile_row_bytes_ != tile_row_bits / 8 || tile_bytes_ != band * tile_row_bytes_)
-                file_.refuse("with tiles of an unusual size");
+                file_.refuse(phrase("with tiles of an unusual size"));
             tile_ = std::make_unique_for_overwrite<std::uint8_t[]>(static_cast<std::size_t>(tile_bytes_));
         } else if (tags_.separate()) {
             band = std::min(tags_.rows_per_strip, tags_.height);
         }
         // Rows of subsampled colours would be larger than their pixels; those are read in another way.
-        if (!tags_.tiled && TIFFScanlineSize(file_.get()) > row_bytes_) file_.refuse("whose rows are of an unusual size");
+        if (!tags_.tiled && TIFFScanlineSize(file_.get()) > row_bytes_) file_.refuse(phrase("whose rows are of an unusual size"));
         band_rows_ = std::max(1u, std::min(band, tags_.height));
         if (static_cast<long long>(band_rows_) * row_bytes_ * planes_ > kMaxBandBytes)
-            file_.refuse("whose strips or tiles are too large to be read");
+            file_.refuse(phrase("whose strips or tiles are too large to be read"));
         band_.reset(new std::uint8_t[static_cast<std::size_t>(band_rows_ * row_bytes_ * planes_)]);
     }
 

@@ -83,18 +83,18 @@ public:
                         phrase("no screen reader answers ({0}); start BRLTTY, or name where it runs: brlapi:HOST:0", opened.why));
         const auto told = std::make_shared<std::pair<unsigned, unsigned>>();
         const Said sized = ask([size = library_.size, told] { return size(&told->first, &told->second); });
-        if (sized.result < 0) fail("the size of the display is not told", sized.why);
+        if (sized.result < 0) fail(phrase("the size of the display is not told"), sized.why);
         const auto [columns, lines] = *told;
         if (columns <= 1 && lines <= 1)
             fail(  // BRLTTY without a display has one cell
-                "no braille display is there; plug it in and look whether BRLTTY finds it", sized.why);
+                phrase("no braille display is there; plug it in and look whether BRLTTY finds it"), sized.why);
         size_ = told_size(columns, lines);
         // The console that it is started from, or, where there is none (ssh, cron), whatever is in front.
         const Said given = ask([enter = library_.enter, enter_path = library_.enter_path] {
             const int entered = enter(BRLAPI_TTY_DEFAULT, nullptr);
             return entered < 0 ? enter_path(nullptr, 0, nullptr) : entered;
         });
-        if (given.result < 0) fail("the display is not given to this program", given.why);
+        if (given.result < 0) fail(phrase("the display is not given to this program"), given.why);
     }
     ~BrlApi() override {
         if (silent_) return;

@@ -33,20 +33,27 @@ bool is_serial(const std::string& path) {
 
 Error refusal_of(const std::string& path, int fault) {
     const bool serial = is_serial(path);
-    const auto failed = [&](const std::string& message) { return Error(Fault::failed, path, message); };
+    const auto failed = [&](Phrase message) { return Error(Fault::failed, path, std::move(message)); };
     if (fault == ENOENT || fault == ENODEV || fault == ENXIO)
-        return failed("there is no such device; plug it in and switch it on; see tactics devices");
+        return failed(phrase("there is no such device; plug it in and switch it on; see tactics devices"));
     if (fault == EBUSY)
-        return failed(serial ? "is busy: another program has it open, perhaps BRLTTY or a second one of this; end that one first"
-                             : "is busy: another program has it open, perhaps a print queue; print to the queue instead (" +
-                                   spelled("to") + " queue:NAME)");
+        return failed(
+            serial
+                ? phrase("is busy: another program has it open, perhaps BRLTTY or a second one of this; end that one first")
+                : phrase(
+                      "is busy: another program has it open, perhaps a print queue; print to the queue instead ({0} queue:NAME)",
+                      spelled("to")));
     if (fault == EACCES || fault == EPERM) {
         const std::string group = serial ? "dialout" : "lp";
-        return failed("you are not permitted to use it; become a member of the group " + group + " (sudo adduser $USER " + group +
-                      ", then log in again)" +
-                      (serial ? "" : ", or install lib/udev/rules.d/70-tactics.rules of this program in /etc/udev/rules.d"));
+        return failed(
+            serial ? phrase("you are not permitted to use it; become a member of the group {0} (sudo adduser $USER {0}, then log "
+                            "in again)",
+                            group)
+                   : phrase("you are not permitted to use it; become a member of the group {0} (sudo adduser $USER {0}, then log "
+                            "in again), or install lib/udev/rules.d/70-tactics.rules of this program in /etc/udev/rules.d",
+                            group));
     }
-    return failed(std::string("cannot be opened: ") + std::strerror(fault));
+    return failed(phrase("cannot be opened: {0}", std::strerror(fault)));
 }
 
 Descriptor open_device(const std::string& path) {

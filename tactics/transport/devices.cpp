@@ -33,10 +33,10 @@ std::vector<AttachedDevice> attached_devices(const std::string& root) {
     // Printers that no driver of the kernel has: usblp is not loaded, or a program (usbfs) talks to them.
     for (const UsbPrinter& printer : usb_printers(root)) {
         if (!printer.driver.empty() && printer.driver != "usbfs") continue;
-        std::string note = note_for(root, printer.node(), "lp");
-        if (note.empty() && !printer.driver.empty()) note = "another program has it, perhaps CUPS: use its print queue";
-        devices.push_back(
-            {"usb:" + printer.place, printer.name, note.empty() ? "the kernel has no driver for it, it is used directly" : note});
+        Phrase note = note_for(root, printer.node(), "lp");
+        if (note.empty() && !printer.driver.empty()) note = phrase("another program has it, perhaps CUPS: use its print queue");
+        devices.push_back({"usb:" + printer.place, printer.name,
+                           note.empty() ? phrase("the kernel has no driver for it, it is used directly") : note});
     }
     for (const fs::path& entry : entries_of(root + "/sys/class/tty")) {
         const std::string name = entry.filename().string();
@@ -45,12 +45,12 @@ std::vector<AttachedDevice> attached_devices(const std::string& root) {
     }
     for (const HidDisplay& display : hid_displays(root)) {
         const BrailleReports& reports = display.reports;
-        std::string note =
-            "braille display of " + std::to_string(reports.columns) + " x " + std::to_string(reports.lines.size()) + " cells";
-        if (const std::string missing = note_if_missing(root, display.path); !missing.empty())
-            note += "; " + missing;
+        Phrase note =
+            phrase("braille display of {0} x {1} cells", std::to_string(reports.columns), std::to_string(reports.lines.size()));
+        if (const Phrase missing = note_if_missing(root, display.path); !missing.empty())
+            note = phrase("{0}; {1}", std::move(note), missing);
         else if (access((root + display.path).c_str(), R_OK | W_OK) != 0)
-            note += "; " + how_to_be_permitted(display);
+            note = phrase("{0}; {1}", std::move(note), how_to_be_permitted(display));
         devices.push_back({"hid:" + display.path, display.name, note});
     }
     return devices;

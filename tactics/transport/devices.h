@@ -6,12 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "tactics/text/phrase.h"
+
 namespace tactics {
 
 struct AttachedDevice {
     std::string address;  ///< as parse_address takes it, but those of displays
     std::string id;       ///< its IEEE-1284 id, or maker and product; empty: it does not tell
-    std::string note;     ///< why it cannot be used now, and the remedy, or how to use it; may be empty
+    Phrase note;          ///< why it cannot be used now, and the remedy, or how to use it; may be empty
 };
 
 /// Printers on USB, serial adapters and braille displays (hid:/dev/hidraw0), as the kernel lists them below `root` ("" but in

@@ -163,8 +163,8 @@ private:
 
 }  // namespace
 
-std::string how_to_be_permitted_to_touch(const std::string& path) {
-    return "you are not permitted to use it; sudo setfacl -m u:$USER:r " + path + " permits it until it is unplugged";
+Phrase how_to_be_permitted_to_touch(const std::string& path) {
+    return phrase("you are not permitted to use it; sudo setfacl -m u:$USER:r {0} permits it until it is unplugged", path);
 }
 
 std::unique_ptr<TouchDevice> open_touch_device(const std::string& path) {

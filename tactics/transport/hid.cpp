@@ -106,7 +106,7 @@ private:
 };
 
 // `permission`: what to do if it may not be opened.
-Device open_path(const std::string& path, const std::string& permission) {
+Device open_path(const std::string& path, const Phrase& permission) {
     errno = 0;
     Device device(hid_open_path(path.c_str()));
     if (device == nullptr) {

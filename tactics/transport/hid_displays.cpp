@@ -56,13 +56,17 @@ std::string udev_match(std::string_view id) {
     return "KERNELS==\"" + std::string(id.substr(0, 5)) + vendor + ":" + product + ".*\"";
 }
 
-std::string permission_for(const std::string& path, const std::string& kernel_id, const std::string& file) {
+Phrase permission_for(const std::string& path, const std::string& kernel_id, const std::string& file) {
     const std::string rule = udev_rule(kernel_id);
-    return "you are not permitted to use it; sudo setfacl -m u:$USER:rw " + path +
-           " permits it until it is unplugged; for good " +
-           (rule.empty() ? "write a udev rule for it with TAG+=\"uaccess\" in /etc/udev/rules.d/" + file
-                         : "write this line into /etc/udev/rules.d/" + file + ": " + rule) +
-           ", and plug it in again";
+    if (rule.empty())
+        return phrase(
+            "you are not permitted to use it; sudo setfacl -m u:$USER:rw {0} permits it until it is unplugged; for good "
+            "write a udev rule for it with TAG+=\"uaccess\" in /etc/udev/rules.d/{1}, and plug it in again",
+            path, file);
+    return phrase(
+        "you are not permitted to use it; sudo setfacl -m u:$USER:rw {0} permits it until it is unplugged; for good "
+        "write this line into /etc/udev/rules.d/{1}: {2}, and plug it in again",
+        path, file, rule);
 }
 
 }  // namespace
@@ -121,11 +125,11 @@ std::string udev_rule(std::string_view kernel_id) {
     return match.empty() ? "" : "KERNEL==\"hidraw*\", " + match + ", TAG+=\"uaccess\"";
 }
 
-std::string how_to_be_permitted(const HidDisplay& display) {
+Phrase how_to_be_permitted(const HidDisplay& display) {
     return permission_for(display.path, display.kernel_id, "70-tactics-display.rules");
 }
 
-std::string how_to_be_permitted(const std::string& path, const std::string& root) {
+Phrase how_to_be_permitted(const std::string& path, const std::string& root) {
     const fs::path device = fs::path(root + "/sys/class/hidraw") / fs::path(path).filename() / "device";
     return permission_for(path, property_of(device, "HID_ID"), "70-tactics-mouse.rules");
 }

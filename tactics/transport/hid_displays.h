@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tactics/text/phrase.h"
 #include "tactics/transport/braille_reports.h"
 
 namespace tactics {
@@ -28,8 +29,8 @@ HidDisplay hid_display(const std::string& path, const std::string& root);
 std::string udev_rule(std::string_view kernel_id);
 
 /// That the user may not open it, and what to do: for now, and the udev rule of that device for good.
-std::string how_to_be_permitted(const HidDisplay& display);
+Phrase how_to_be_permitted(const HidDisplay& display);
 /// The same for a device with our own reports, by its path.
-std::string how_to_be_permitted(const std::string& path, const std::string& root);
+Phrase how_to_be_permitted(const std::string& path, const std::string& root);
 
 }  // namespace tactics

@@ -38,16 +38,15 @@ std::string product_of(const fs::path& place) {
     return "";
 }
 
-std::string note_if_missing(const std::string& root, const std::string& path) {
-    return access((root + path).c_str(), F_OK) == 0 ? "" : "the kernel names it, but there is no " + path;
+Phrase note_if_missing(const std::string& root, const std::string& path) {
+    return access((root + path).c_str(), F_OK) == 0 ? Phrase() : phrase("the kernel names it, but there is no {0}", path);
 }
 
-std::string note_for(const std::string& root, const std::string& path, std::string_view group) {
-    if (std::string missing = note_if_missing(root, path); !missing.empty()) return missing;
+Phrase note_for(const std::string& root, const std::string& path, std::string_view group) {
+    if (Phrase missing = note_if_missing(root, path); !missing.empty()) return missing;
     if (access((root + path).c_str(), W_OK) != 0)
-        return "you are not permitted to use it: become a member of the group " + std::string(group) + " (sudo adduser $USER " +
-               std::string(group) + ")";
-    return "";
+        return phrase("you are not permitted to use it: become a member of the group {0} (sudo adduser $USER {0})", group);
+    return {};
 }
 
 }  // namespace tactics

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tactics/text/phrase.h"
+
 namespace tactics {
 
 /// A small file as one line; empty if it is not there.
@@ -18,9 +20,9 @@ std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folde
 std::string product_of(const std::filesystem::path& place);
 
 /// That a device below `root` is not there; empty: it is.
-std::string note_if_missing(const std::string& root, const std::string& path);
+Phrase note_if_missing(const std::string& root, const std::string& path);
 
 /// Why a device below `root` cannot be used, and what to do; empty: it can.
-std::string note_for(const std::string& root, const std::string& path, std::string_view group);
+Phrase note_for(const std::string& root, const std::string& path, std::string_view group);
 
 }  // namespace tactics

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tactics/text/phrase.h"
 #include "tactics/transport/touch_contacts.h"
 
 namespace tactics {
@@ -32,7 +33,7 @@ public:
 };
 
 /// That the user may not open it, and what to do.
-std::string how_to_be_permitted_to_touch(const std::string& path);
+Phrase how_to_be_permitted_to_touch(const std::string& path);
 
 /// Opens it by path, /dev/input/event0, for exclusive use if possible. Throws Error(failed) if it is missing, not permitted, or
 /// no touch device.

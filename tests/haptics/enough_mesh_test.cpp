@@ -58,8 +58,8 @@ TEST(EnoughMesh, OfAFlatGroundLittleMoreThanTheBorderStays) {
         enough_facets(facets_of(mesh_of(map_of(60, 50, 1, [](double x, double) { return 0.1 * x; }))), 0.055);
     EXPECT_LT(enough.error, 1e-5);
     EXPECT_LT(enough.facets.facets.size(), 2u * 2 * (60 + 50));
-    EXPECT_NE(enough.words.find(" of 5782 facets are enough for a device that tells 0.055 mm"), std::string::npos)
-        << enough.words;
+    EXPECT_NE(enough.words.english().find(" of 5782 facets are enough for a device that tells 0.055 mm"), std::string::npos)
+        << enough.words.english();
 }
 
 TEST(EnoughMesh, WhatHasNoSurfaceAroundACornerStaysAsItIs) {
@@ -69,18 +69,18 @@ TEST(EnoughMesh, WhatHasNoSurfaceAroundACornerStaysAsItIs) {
         EXPECT_EQ(enough.facets.facets, all.facets);
         EXPECT_EQ(enough.facets.corners, all.corners);
         EXPECT_EQ(enough.error, 0);
-        EXPECT_EQ(enough.words.rfind("all ", 0), 0u);
+        EXPECT_EQ(enough.words.english().rfind("all ", 0), 0u);
     }
 }
 
 TEST(EnoughMesh, IsWhatADeviceOfThatResolutionFeelsAndIsTold) {
     const Mesh ball = ball_mesh(5, [](const Point3&) { return 30; });
-    std::vector<std::string> fine, coarse;
+    std::vector<Phrase> fine, coarse;
     const auto all = scene_of(ball, {.law = {1, 0}, .radius = 1}, "ball", fine);
     const auto enough = scene_of(ball, {.law = {1, 0}, .radius = 1, .resolution = 0.055}, "ball", coarse);
     EXPECT_TRUE(fine.empty());
     ASSERT_EQ(coarse.size(), 1u);
-    EXPECT_NE(coarse[0].find("0.055 mm"), std::string::npos);
+    EXPECT_NE(coarse[0].english().find("0.055 mm"), std::string::npos);
     for (int i = 0; i < 2000; ++i) {
         const double turn = 0.01 * i, tilt = std::sin(0.003 * i);
         const Point3 way{std::cos(turn) * std::cos(tilt), std::sin(turn) * std::cos(tilt), std::sin(tilt)};

@@ -37,7 +37,7 @@ protected:
     std::string list() {
         std::string text;
         for (const AttachedDevice& device : haptic_devices(root))
-            text += device.address + " | " + device.id + " | " + device.note + "\n";
+            text += device.address + " | " + device.id + " | " + device.note.english() + "\n";
         return text;
     }
     const tests::Folder folder;

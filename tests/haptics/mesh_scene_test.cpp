@@ -16,7 +16,7 @@ namespace {
 using namespace tests;
 
 std::unique_ptr<Scene> scene(const Mesh& mesh, const MeshFeel& feel = {}) {
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     return scene_of(mesh, feel, "model", notes);
 }
 Point3 force_at(Scene& felt, const Point3& finger, const Point3& velocity = {}) {
@@ -142,7 +142,7 @@ TEST(MeshScene, OfAHeightMapFeelsAsTheMapItself) {
 }
 
 TEST(MeshScene, RefusesWhatCannotBeFelt) {
-    std::vector<std::string> notes;
+    std::vector<Phrase> notes;
     EXPECT_THROW(scene_of(mesh_with({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}), {}, "flat.obj", notes), Error);
     scene_of(mesh_with({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}), {}, "one.obj", notes);
     EXPECT_EQ(notes.size(), 1u);
@@ -167,7 +167,7 @@ TEST(SurfaceMesh, NoMoreFacetsThanADeviceCanTell) {
     EXPECT_GT(coarse.every, fine.every);
     EXPECT_GT(fine.every, 1);
     EXPECT_EQ(coarse.facets, mesh_of(map, coarse.every).triangles.size());
-    EXPECT_NE(coarse.words.find("0.055 mm"), std::string::npos);
+    EXPECT_NE(coarse.words.english().find("0.055 mm"), std::string::npos);
     const EnoughFacets all = enough_facets(map, 1e-9);
     EXPECT_EQ(all.every, 1);
     EXPECT_EQ(all.facets, all.of_all);

@@ -86,23 +86,23 @@ TEST(Stability, TheNearestIsStableAndSoSaid) {
     const std::vector<FingerSettings> all = {kFingers[0].finger, kFingers[1].finger, kFingers[2].finger};
     const StableCheck good = check_stable({1, 1}, {}, all);
     EXPECT_TRUE(good.stable);
-    EXPECT_EQ(good.reason, "");
+    EXPECT_EQ(good.reason.english(), "");
     EXPECT_EQ(good.stiffness, 1);
     // A lever that hardly moves, while its force jumps at every tick, is not at rest.
     for (const double damping : {45.0, 60.0}) {
         const StableCheck trembles = check_stable({1, damping}, {}, all);
         EXPECT_FALSE(trembles.stable) << damping;
-        EXPECT_NE(trembles.reason.find("trembles from tick to tick"), std::string::npos) << trembles.reason;
+        EXPECT_NE(trembles.reason.english().find("trembles from tick to tick"), std::string::npos) << trembles.reason.english();
     }
     for (const double delay : {0.0, 0.001, 0.003})
         for (const ForceLaw& law : {ForceLaw{40, 1}, ForceLaw{14, 100}, ForceLaw{5, 2, DampingSign::as_printed}}) {
             const LeverSettings lever = lever_of(30, delay);
             const StableCheck bad = check_stable(law, lever, all);
             ASSERT_FALSE(bad.stable) << law.stiffness << " " << delay;
-            EXPECT_NE(bad.reason.find("swings on by"), std::string::npos) << bad.reason;
+            EXPECT_NE(bad.reason.english().find("swings on by"), std::string::npos) << bad.reason.english();
             ASSERT_GT(bad.stiffness, 0) << law.stiffness << " " << delay;
             EXPECT_LE(bad.stiffness, law.stiffness);
-            EXPECT_TRUE(comes_to_rest({bad.stiffness, bad.damping_ns_per_m}, lever, all)) << bad.reason;
+            EXPECT_TRUE(comes_to_rest({bad.stiffness, bad.damping_ns_per_m}, lever, all)) << bad.reason.english();
         }
     EXPECT_FALSE(check_stable({0, 1}, {}, all).stable);
     EXPECT_FALSE(check_stable({1, -1}, {}, all).stable);
@@ -123,7 +123,7 @@ TEST(Stability, WhatIsOfferedComesToRestWithoutFingerAndFriction) {
         EXPECT_TRUE(comes_to_rest({check.stiffness, check.damping_ns_per_m}, lever, all)) << friction;
     }
     const StableCheck light = check_stable({1, 1}, lever_of(30, 0.0015), all);
-    EXPECT_NE(light.reason.find("once the finger is lifted"), std::string::npos) << light.reason;
+    EXPECT_NE(light.reason.english().find("once the finger is lifted"), std::string::npos) << light.reason.english();
     // No damping that can be offered bears it: softer.
     const StableCheck hard = check_stable({30, 1}, lever, all);
     EXPECT_LT(hard.stiffness, 10);

@@ -116,7 +116,7 @@ TEST(Channel, OfADrawingTheLinesThatAFingerConfusesAreTold) {
     const LevelGrid grid = grid_by(100, 100, 2, [](int x, int) { return x >= 50 && x < 53; });
     MeasuredScene scene = scene_of(grid, 1, lines, "lines");
     const MediumChannel close{.width = 100, .height = 100, .pitch = 1, .least_apart = 4, .shortest = 5};
-    const std::vector<std::string> lost = carried_by(scene, close).lost;
+    const std::vector<std::string> lost = in_language(carried_by(scene, close).lost, "en");
     ASSERT_EQ(lost.size(), 2u);
     EXPECT_NE(lost[0].find("lines closer than 4 mm ("), std::string::npos) << lost[0];
     EXPECT_EQ(lost[1], "lines shorter than 5 mm (1 of 4)");

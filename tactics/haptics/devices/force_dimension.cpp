@@ -101,18 +101,20 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& what) const {
+    [[noreturn]] void fail(const Phrase& what) const {
         const char* why = dhd_.why();
-        throw Error(Fault::failed, "dhd",
-                    what + (why != nullptr ? " (" + std::string(why) + ")" : "") +
-                        "; plug it in and switch it on, and look whether the SDK's own programs find it");
+        throw Error(
+            Fault::failed, "dhd",
+            why != nullptr
+                ? phrase("{0} ({1}); plug it in and switch it on, and look whether the SDK's own programs find it", what, why)
+                : phrase("{0}; plug it in and switch it on, and look whether the SDK's own programs find it", what));
     }
     void open() {
         const int id = dhd_.open();
-        if (id < 0) fail("no device is there");
+        if (id < 0) fail(phrase("no device is there"));
         if (dhd_.enable_force(kOn, static_cast<char>(id)) < 0) {
             dhd_.close(static_cast<char>(id));
-            fail("the device gives no force");
+            fail(phrase("the device gives no force"));
         }
         talk_ = std::make_unique<ArmTalk>();
         turns_ = std::make_unique<DhdTurns>(dhd_, static_cast<char>(id), *talk_);

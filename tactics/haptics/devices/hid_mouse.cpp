@@ -29,23 +29,26 @@ std::string path_of(const std::string& wished, const std::string& before) {
         // A udev rule can give it another name, which is a link.
         const std::string target = "/dev/" + std::filesystem::read_symlink(wished, fault).filename().string();
         if (has(target)) return target;
-        throw Error(Fault::failed, wished, "it is no haptic mouse; hid: finds the one that is there; see tactics help play");
+        throw Error(Fault::failed, wished,
+                    phrase("it is no haptic mouse; hid: finds the one that is there; see tactics help play"));
     }
     if (paths.empty() || has(before)) return paths.empty() ? "" : before;
     if (paths.size() == 1) return paths[0];
     std::string all;
     for (const std::string& path : paths) all += (all.empty() ? "" : ", ") + ("hid:" + path);
-    throw Error(Fault::failed, "hid", "several haptic mice are there: " + all + "; name one of them");
+    throw Error(Fault::failed, "hid", phrase("several haptic mice are there: {0}; name one of them", all));
 }
 
 class HidMouse : public HapticDevice {
 public:
     HidMouse(std::string wished, const HidMouseSettings& settings) : wished_(std::move(wished)), settings_(settings) {
         if (!open())
-            throw Error(Fault::failed, wished_.empty() ? "hid" : wished_,
-                        wished_.empty() ? "there is no haptic mouse; plug it in, or name it, " + spelled("device") +
-                                              " hid:/dev/hidraw0; see tactics help play"
-                                        : "it is not there; plug the mouse in; hid: finds it by itself");
+            throw Error(
+                Fault::failed, wished_.empty() ? "hid" : wished_,
+                wished_.empty()
+                    ? phrase("there is no haptic mouse; plug it in, or name it, {0} hid:/dev/hidraw0; see tactics help play",
+                             spelled("device"))
+                    : phrase("it is not there; plug the mouse in; hid: finds it by itself"));
     }
     ~HidMouse() override { let_go(); }
     HidMouse(const HidMouse&) = delete;

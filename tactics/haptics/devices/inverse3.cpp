@@ -144,12 +144,12 @@ Place place_of(const std::string& where) {
     }
     if (!host.empty() && host != "localhost" && host != "127.0.0.1" && host != "[::1]")
         throw Error(Fault::usage, spelled("device"),
-                    "\"" + host.substr(0, 80) +
-                        "\" is another machine; the Inverse Service is asked on this one only, as nothing on the way is "
-                        "encrypted: inverse3: or inverse3:localhost:10001");
+                    phrase("\"{0}\" is another machine; the Inverse Service is asked on this one only, as nothing on the way is "
+                           "encrypted: inverse3: or inverse3:localhost:10001",
+                           host.substr(0, 80)));
     const auto number = parse_number(port);
     if (!number || *number < 1 || *number > 65535 || port.find_first_not_of("0123456789") != std::string::npos)
-        throw Error(Fault::usage, spelled("device"), "a port is a number from 1 to 65535: inverse3:localhost:10001");
+        throw Error(Fault::usage, spelled("device"), phrase("a port is a number from 1 to 65535: inverse3:localhost:10001"));
     place.port = static_cast<unsigned short>(*number);
     place.spoken = "inverse3:localhost:" + port;
     return place;
@@ -180,9 +180,10 @@ private:
         std::string text;
         if (socket->receive(text, kOpens) != WebSocket::State::message)
             throw Error(Fault::failed, place_.spoken,
-                        "who listens there does not say what devices it has, as an Inverse Service does");
+                        phrase("who listens there does not say what devices it has, as an Inverse Service does"));
         const auto ids = inverse3_ids(text);
-        if (!ids) throw Error(Fault::failed, place_.spoken, "who listens there is no Inverse Service from version 3.1 on");
+        if (!ids)
+            throw Error(Fault::failed, place_.spoken, phrase("who listens there is no Inverse Service from version 3.1 on"));
         const std::string id = chosen(*ids);
         talk_ = std::make_unique<ArmTalk>();
         exchange_ = std::make_unique<Exchange>(std::move(socket), id, *talk_);
@@ -190,17 +191,17 @@ private:
 
     std::string chosen(const std::vector<std::string>& ids) {
         if (ids.empty())
-            throw Error(Fault::failed, place_.spoken, "the Inverse Service has no Inverse3; plug it in, with its power supply");
+            throw Error(Fault::failed, place_.spoken,
+                        phrase("the Inverse Service has no Inverse3; plug it in, with its power supply"));
         if (place_.id.empty() && ids.size() == 1) return ids[0];
         if (std::find(ids.begin(), ids.end(), place_.id) != ids.end()) return place_.id;
         std::string all;
         for (std::size_t i = 0; i < std::min<std::size_t>(ids.size(), 8); ++i)
             all += (all.empty() ? "" : ", ") + place_.spoken + "/" + ids[i];
         several_ = place_.id.empty();
-        throw Error(
-            Fault::failed, place_.spoken,
-            (several_ ? "several devices are there: " : "there is no device " + place_.id.substr(0, 80) + "; there are: ") + all +
-                "; name one of them");
+        throw Error(Fault::failed, place_.spoken,
+                    several_ ? phrase("several devices are there: {0}; name one of them", all)
+                             : phrase("there is no device {0}; there are: {1}; name one of them", place_.id.substr(0, 80), all));
     }
 
     Place place_;

@@ -82,14 +82,14 @@ public:
     // Throws Error(failed): there is none.
     HdTurns(const Hd& hd, ArmTalk& talk) : hd_(hd), talk_(talk), device_(hd.init(nullptr)) {
         const HdError error = hd_.error();
-        if (error.code != kSuccess || device_ == kNoHandle) fail("no device is there", error);
+        if (error.code != kSuccess || device_ == kNoHandle) fail(phrase("no device is there"), error);
         hd_.make_current(device_);
         hd_.enable(kForceOutput);
         call_ = hd_.schedule([](void* turns) { return static_cast<HdTurns*>(turns)->turn(); }, this, kPriority);
         hd_.start();
         if (const HdError fault = hd_.error(); fault.code != kSuccess) {
             close();
-            fail("the device does not start", fault);
+            fail(phrase("the device does not start"), fault);
         }
     }
     ~HdTurns() { close(); }
@@ -97,11 +97,12 @@ public:
     HdTurns& operator=(const HdTurns&) = delete;
 
 private:
-    [[noreturn]] void fail(const std::string& what, const HdError& error) const {
+    [[noreturn]] void fail(const Phrase& what, const HdError& error) const {
         const char* why = hd_.words(error.code);
         throw Error(Fault::failed, "openhaptics",
-                    what + (why != nullptr ? " (" + std::string(why) + ")" : "") +
-                        "; plug it in, and look whether the maker's Touch_Diagnostic finds it");
+                    why != nullptr
+                        ? phrase("{0} ({1}); plug it in, and look whether the maker's Touch_Diagnostic finds it", what, why)
+                        : phrase("{0}; plug it in, and look whether the maker's Touch_Diagnostic finds it", what));
     }
     // There are no more callbacks after the scheduler has stopped.
     void close() {

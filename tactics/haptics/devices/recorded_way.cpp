@@ -49,13 +49,15 @@ Columns columns_of(const std::vector<std::string_view>& cells, const Fail& fail)
          {std::pair<std::string_view, std::size_t*>{"time_s", &columns.time}, {"x_mm", &columns.x}, {"y_mm", &columns.y}}) {
         const auto found = find(name);
         if (!found)
-            fail("its first line names the columns, and none of them is " + std::string(name) +
-                 "; they are time_s,x_mm,y_mm and perhaps z_mm or finger_mm, with commas between them");
+            fail(
+                phrase("its first line names the columns, and none of them is {0}; they are time_s,x_mm,y_mm and perhaps z_mm or "
+                       "finger_mm, with commas between them",
+                       name));
         *column = *found;
     }
     columns.height = find("z_mm");
     const auto finger = find("finger_mm");
-    if (columns.height && finger) fail("z_mm and finger_mm are both the height of the finger; leave out one of them");
+    if (columns.height && finger) fail(phrase("z_mm and finger_mm are both the height of the finger; leave out one of them"));
     if (!columns.height) columns.height = finger;
     return columns;
 }
@@ -63,7 +65,8 @@ Columns columns_of(const std::vector<std::string_view>& cells, const Fail& fail)
 // The places of a recording in the container; its forces were those of another play.
 RecordedWay packed_way(std::string_view bytes, const std::string& name) {
     const Recording recording = decode_recording(Container(bytes, name));
-    if (recording.times.size() < 2) throw Error(Fault::failed, name, "a way has at least two moments; record a longer one");
+    if (recording.times.size() < 2)
+        throw Error(Fault::failed, name, phrase("a way has at least two moments; record a longer one"));
     std::vector<WayMoment> moments;
     moments.reserve(recording.times.size());
     const auto mm = [&](std::int64_t steps) { return static_cast<double>(steps) * recording.place_step; };
@@ -117,9 +120,7 @@ RecordedWay read_way(std::string_view csv, const std::string& name) {
         ++line_number;
         if (line.find_first_not_of(" \t\r") == std::string_view::npos || line[0] == '#') continue;
         const auto cells = cells_of_line(line);
-        const auto fail = [&](const std::string& what) {
-            throw Error(Fault::failed, name + ":" + std::to_string(line_number), what);
-        };
+        const auto fail = [&](const Phrase& what) { throw Error(Fault::failed, name + ":" + std::to_string(line_number), what); };
         if (moments.empty() && !headed && !parse_number(cells[0])) {
             headed = true;
             columns = columns_of(cells, fail);
@@ -127,19 +128,21 @@ RecordedWay read_way(std::string_view csv, const std::string& name) {
         }
         const auto number = [&](std::size_t column, double most) {
             const auto value = column < cells.size() ? parse_number(cells[column]) : std::nullopt;
-            if (!value) fail("a line is time_s,x_mm,y_mm, all of them numbers, for example 0.001,12.5,40");
+            if (!value) fail(phrase("a line is time_s,x_mm,y_mm, all of them numbers, for example 0.001,12.5,40"));
             if (!(std::abs(*value) <= most))
-                fail(std::string(cells[column]) + " is beyond " + to_text(most) + "; times are in s and lengths in mm");
+                fail(phrase("{0} is beyond {1}; times are in s and lengths in mm", cells[column], numeral(most)));
             return *value;
         };
         const WayMoment moment{number(columns.time, kMostTime),
                                {number(columns.x, kMostLength), number(columns.y, kMostLength),
                                 columns.height ? number(*columns.height, kMostLength) : 0}};
-        if (!moments.empty() && moment.time < moments.back().time) fail("time goes back here; sort the lines by their time");
-        if (moments.size() == kMostLines) fail("there are over 10 million lines; take fewer at a time");
+        if (!moments.empty() && moment.time < moments.back().time)
+            fail(phrase("time goes back here; sort the lines by their time"));
+        if (moments.size() == kMostLines) fail(phrase("there are over 10 million lines; take fewer at a time"));
         moments.push_back(moment);
     }
-    if (moments.size() < 2) throw Error(Fault::failed, name, "a way has at least two moments; a line is time_s,x_mm,y_mm");
+    if (moments.size() < 2)
+        throw Error(Fault::failed, name, phrase("a way has at least two moments; a line is time_s,x_mm,y_mm"));
     const double begin = moments.front().time;
     for (WayMoment& moment : moments) moment.time -= begin;
     return {std::move(moments), columns.height.has_value()};
@@ -148,7 +151,8 @@ RecordedWay read_way(std::string_view csv, const std::string& name) {
 std::unique_ptr<HapticDevice> recorded_arm(std::string_view csv, const std::string& name) {
     RecordedWay way = read_way(csv, name);
     if (!way.has_height())
-        throw Error(Fault::failed, name, "for an arm a way has three coordinates; its first line is time_s,x_mm,y_mm,z_mm");
+        throw Error(Fault::failed, name,
+                    phrase("for an arm a way has three coordinates; its first line is time_s,x_mm,y_mm,z_mm"));
     return std::make_unique<RecordedArm>(std::move(way));
 }
 

@@ -65,7 +65,8 @@ namespace {
 
 std::unique_ptr<HapticDevice> open_sensed(const DeviceWish& wish) {
     if (wish.seconds > kMostSensed)
-        throw Error(Fault::usage, spelled("seconds"), "a sensed mouse is simulated for at most " + to_text(kMostSensed) + " s");
+        throw Error(Fault::usage, spelled("seconds"),
+                    phrase("a sensed mouse is simulated for at most {0} s", numeral(kMostSensed)));
     const HeightMap& map = wish.surface->map();
     return sensed_mouse(wish.machine.lever, wish.machine.on_it(),
                         {geometry_of(wish.machine.sensors), map.width(), map.height(),

@@ -100,7 +100,7 @@ std::unique_ptr<HapticDevice> open_simulated(const DeviceWish& wish) {
 }
 
 std::unique_ptr<HapticDevice> open_recorded(const DeviceWish& wish) {
-    if (wish.where.empty()) throw Error(Fault::usage, spelled("device"), "name the file of the way: recorded:hand.csv");
+    if (wish.where.empty()) throw Error(Fault::usage, spelled("device"), phrase("name the file of the way: recorded:hand.csv"));
     std::string csv;
     append_file(csv, wish.where);
     if (wish.axes == 3) return recorded_arm(csv, wish.where);

@@ -40,9 +40,10 @@ std::array<std::optional<std::size_t>, kColumns> columns_of(const TableHead& hea
     if (!columns[kHeight]) columns[kHeight] = column_of(head, "z_mm");
     for (const std::size_t needed : {kTime, kX, kY})
         if (!columns[needed])
-            throw Error(Fault::failed, head.name,
-                        "has no column " + std::string(kNames[needed]) +
-                            "; a recording has time_s,x_mm,y_mm and perhaps finger_mm and force_n, as play writes it");
+            throw Error(
+                Fault::failed, head.name,
+                phrase("has no column {0}; a recording has time_s,x_mm,y_mm and perhaps finger_mm and force_n, as play writes it",
+                       kNames[needed]));
     return columns;
 }
 
@@ -55,24 +56,22 @@ std::vector<Row> rows_of(Source& table, const TableHead& head, const std::array<
         }
     std::vector<Row> rows;
     read_rows(table, head, wanted, [&](std::size_t line, std::span<const std::string_view> cells, bool) {
-        const auto fail = [&](const std::string& what) { throw Error(Fault::failed, place_of_row(head, line), what); };
+        const auto fail = [&](const Phrase& what) { throw Error(Fault::failed, place_of_row(head, line), what); };
         Row row{};
         for (std::size_t i = 0; i < places.size(); ++i) {
             const auto value = parse_number(cells[i]);
             const std::size_t place = places[i];
-            if (!value)
-                fail("\"" + std::string(cells[i].substr(0, 80)) + "\" is no number; " + std::string(kNames[place]) +
-                     " needs one in each line");
+            if (!value) fail(phrase("\"{0}\" is no number; {1} needs one in each line", cells[i].substr(0, 80), kNames[place]));
             if (!(std::abs(*value) <= kMost[place]))
-                fail(std::string(cells[i].substr(0, 80)) + " is beyond " + to_text(kMost[place]) +
-                     "; times are in s, lengths in mm and forces in N");
+                fail(phrase("{0} is beyond {1}; times are in s, lengths in mm and forces in N", cells[i].substr(0, 80),
+                            numeral(kMost[place])));
             row[place] = *value;
         }
-        if (!rows.empty() && row[kTime] < rows.back()[kTime]) fail("time goes back here; sort the lines by their time");
-        if (rows.size() == kMostTicks) fail("there are over 10 million ticks; take fewer at a time");
+        if (!rows.empty() && row[kTime] < rows.back()[kTime]) fail(phrase("time goes back here; sort the lines by their time"));
+        if (rows.size() == kMostTicks) fail(phrase("there are over 10 million ticks; take fewer at a time"));
         rows.push_back(row);
     });
-    if (rows.empty()) throw Error(Fault::failed, head.name, "has no ticks; a line is time_s,x_mm,y_mm");
+    if (rows.empty()) throw Error(Fault::failed, head.name, phrase("has no ticks; a line is time_s,x_mm,y_mm"));
     return rows;
 }
 
@@ -118,15 +117,16 @@ TickTable read_ticks(Source& table) {
         recording.forces.push_back({std::llround(row[kForceX] * per_newton), std::llround(row[kForceY] * per_newton),
                                     std::llround(row[kForce] * per_newton)});
     }
-    if (!columns[kForce] && !recording.spatial) ticks.notes.push_back("it has no column force_n: a way is kept, and no forces");
-    if (!exact) ticks.notes.push_back("numbers with more than six decimals are rounded to these");
+    if (!columns[kForce] && !recording.spatial)
+        ticks.notes.push_back(phrase("it has no column force_n: a way is kept, and no forces"));
+    if (!exact) ticks.notes.push_back(phrase("numbers with more than six decimals are rounded to these"));
     std::vector<std::string> left_out;
     for (std::size_t i = 0; i < head.columns.size(); ++i)
         if (std::find(columns.begin(), columns.end(), std::optional(i)) == columns.end()) left_out.push_back(head.columns[i]);
     if (!left_out.empty()) {
         std::string names;
         for (const std::string& name : left_out) names += (names.empty() ? "" : ", ") + name;
-        ticks.notes.push_back("left out: " + names);
+        ticks.notes.push_back(phrase("left out: {0}", names));
     }
     return ticks;
 }

@@ -7,6 +7,7 @@
 
 #include "tactics/coding/recording.h"
 #include "tactics/readers/read.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -15,7 +16,7 @@ bool has_ticks(Source& table);
 
 struct TickTable {
     Recording recording;
-    std::vector<std::string> notes;  ///< on things left out or not exact, one sentence each
+    std::vector<Phrase> notes;  ///< on things left out or not exact, one sentence each
 };
 
 /// Columns time_s,x_mm,y_mm; a height of the finger, finger_mm or z_mm; forces force_n (upwards), force_x_n, force_y_n. Other

@@ -27,12 +27,13 @@ FixtureSettings borne(FixtureSettings fixture, const ForceLaw& law) {
     return fixture;
 }
 
-std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<std::string>& told) {
+std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<Phrase>& told) {
     const FeltLines felt = felt_lines(feel.plot, feel.frame, feel.resolution);
     if (felt.lines.empty()) return nullptr;
     if (felt.kept < felt.points)
-        told.push_back(std::to_string(felt.points) + " points of the curves are felt as " + std::to_string(felt.kept) +
-                       ": the others lie no further off than the device tells apart");
+        told.push_back(
+            phrase("{0} points of the curves are felt as {1}: the others lie no further off than the device tells apart",
+                   std::to_string(felt.points), std::to_string(felt.kept)));
     return std::make_unique<CurveScene>(felt.lines, borne(feel.fixture, feel.law), feel.law.damping_ns_per_m);
 }
 

@@ -242,12 +242,13 @@ EnoughMesh enough_facets(MeshFacets facets, double tolerance) {
     enough.facets = std::move(facets);
     const std::size_t kept = enough.facets.facets.size();
     if (kept < enough.of_all)
-        enough.words = std::to_string(kept) + " of " + std::to_string(enough.of_all) +
-                       " facets are enough for a device that tells " + to_text(tolerance) +
-                       " mm: no place of its surface is further off than " + to_text(std::ceil(enough.error * 1e4) / 1e4) + " mm";
+        enough.words = phrase(
+            "{0} of {1} facets are enough for a device that tells {2} mm: no place of its surface is further off than {3} mm",
+            std::to_string(kept), std::to_string(enough.of_all), numeral(tolerance),
+            numeral(std::ceil(enough.error * 1e4) / 1e4));
     else
         enough.words =
-            "all " + std::to_string(kept) + " facets are kept: fewer would be further off than " + to_text(tolerance) + " mm";
+            phrase("all {0} facets are kept: fewer would be further off than {1} mm", std::to_string(kept), numeral(tolerance));
     return enough;
 }
 

@@ -12,7 +12,7 @@ struct EnoughMesh {
     MeshFacets facets;
     std::size_t of_all = 0;  ///< original number of facets
     double error = 0;        ///< mm: no point of either surface is farther from the other
-    std::string words;       ///< a sentence about the dropped facets
+    Phrase words;            ///< a sentence about the dropped facets
 };
 
 /// Corners collapse into a neighbour, one after another, while the surface stays within `tolerance` (mm) of the original. Seen

@@ -132,19 +132,22 @@ MeshFacets facets_of(const Mesh& mesh) {
     return made;
 }
 
-std::vector<std::string> notes_on(const MeshFacets& facets) {
-    std::vector<std::string> notes;
-    const auto counted = [](std::size_t count, const char* one) {
-        return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
-    };
-    if (facets.without_area > 0) notes.push_back("left out: " + counted(facets.without_area, "triangle") + " without an area");
-    if (facets.twice > 0) notes.push_back("left out: " + counted(facets.twice, "triangle") + " that are there twice");
+std::vector<Phrase> notes_on(const MeshFacets& facets) {
+    std::vector<Phrase> notes;
+    if (facets.without_area > 0)
+        notes.push_back(
+            phrases(facets.without_area, "left out: {0} triangle without an area", "left out: {0} triangles without an area"));
+    if (facets.twice > 0)
+        notes.push_back(
+            phrases(facets.twice, "left out: {0} triangle that is there twice", "left out: {0} triangles that are there twice"));
     if (facets.crowded_edges > 0)
-        notes.push_back("three triangles or more meet at " + counted(facets.crowded_edges, "edge") +
-                        ": it is felt from all sides");
+        notes.push_back(phrases(facets.crowded_edges, "three triangles or more meet at {0} edge: it is felt from all sides",
+                                "three triangles or more meet at {0} edges: it is felt from all sides"));
     if (facets.open_edges > 0)
-        notes.push_back("it is no closed solid (" + counted(facets.open_edges, "open edge") +
-                        "): a finger can get behind its surface, which is felt from both sides");
+        notes.push_back(phrases(
+            facets.open_edges,
+            "it is no closed solid ({0} open edge): a finger can get behind its surface, which is felt from both sides",
+            "it is no closed solid ({0} open edges): a finger can get behind its surface, which is felt from both sides"));
     return notes;
 }
 

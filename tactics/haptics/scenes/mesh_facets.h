@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tactics/mesh.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -27,7 +28,7 @@ struct MeshFacets {
 MeshFacets facets_of(const Mesh& mesh);
 
 /// Notes on omitted parts and on other things a user should know, one sentence each.
-std::vector<std::string> notes_on(const MeshFacets& facets);
+std::vector<Phrase> notes_on(const MeshFacets& facets);
 
 /// Unit vectors, one per corner: the mean of the facets around it, weighted by their angles there (G. Thuermer, C. A. Wuethrich,
 /// "Computing vertex normals from polygonal facets", 1998; from memory). 0 if they cancel out.

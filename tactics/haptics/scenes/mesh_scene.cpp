@@ -51,13 +51,13 @@ Felt MeshScene::feel(const Touch& touch, double) noexcept {
     return felt;
 }
 
-std::unique_ptr<Scene> scene_of(const Mesh& mesh, const MeshFeel& feel, const std::string& name,
-                                std::vector<std::string>& notes) {
+std::unique_ptr<Scene> scene_of(const Mesh& mesh, const MeshFeel& feel, const std::string& name, std::vector<Phrase>& notes) {
     MeshFacets facets = facets_of(mesh);
     if (facets.facets.empty())
-        throw Error(Fault::failed, name, "has no triangle with an area, so nothing of it can be felt; save the model again");
+        throw Error(Fault::failed, name,
+                    phrase("has no triangle with an area, so nothing of it can be felt; save the model again"));
     if (feel.closed)
-        for (std::string& note : notes_on(facets)) notes.push_back(std::move(note));
+        for (Phrase& note : notes_on(facets)) notes.push_back(std::move(note));
     if (feel.resolution > 0) {
         EnoughMesh enough = enough_facets(std::move(facets), feel.resolution);
         facets = std::move(enough.facets);

@@ -39,6 +39,6 @@ private:
 
 /// What `play` asks for. `notes` is told what of the mesh is left out or open. Throws Error(failed) at `name` where nothing of it
 /// can be felt.
-std::unique_ptr<Scene> scene_of(const Mesh& mesh, const MeshFeel& feel, const std::string& name, std::vector<std::string>& notes);
+std::unique_ptr<Scene> scene_of(const Mesh& mesh, const MeshFeel& feel, const std::string& name, std::vector<Phrase>& notes);
 
 }  // namespace tactics

@@ -20,8 +20,7 @@ std::span<const PlotPart* const> plot_parts() {
     return kParts;
 }
 
-std::unique_ptr<Scene> plot_scene(const PlotFeel& feel, const std::vector<const PlotPart*>& parts,
-                                  std::vector<std::string>& told) {
+std::unique_ptr<Scene> plot_scene(const PlotFeel& feel, const std::vector<const PlotPart*>& parts, std::vector<Phrase>& told) {
     constexpr double kOpen = std::numeric_limits<double>::infinity();
     std::vector<std::unique_ptr<Scene>> made;
     for (const PlotPart* part : parts)

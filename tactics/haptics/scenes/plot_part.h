@@ -12,6 +12,7 @@
 #include "tactics/haptics/scenes/parts_scene.h"
 #include "tactics/haptics/scenes/plot_frame.h"
 #include "tactics/plot.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -28,14 +29,13 @@ struct PlotPart {
     std::string_view name = {};  ///< "curves", as it is typed
     std::string_view what = {};
     /// nullptr: the plot has no such part. `told` receives one line for each thing left out.
-    std::unique_ptr<Scene> (*make)(const PlotFeel& feel, std::vector<std::string>& told) = nullptr;
+    std::unique_ptr<Scene> (*make)(const PlotFeel& feel, std::vector<Phrase>& told) = nullptr;
 };
 
 std::span<const PlotPart* const> plot_parts();
 
 /// All parts with those names, in a box that activates them: open towards walls and axes; elsewhere it extends beyond the field
 /// as far as any part can be felt.
-std::unique_ptr<Scene> plot_scene(const PlotFeel& feel, const std::vector<const PlotPart*>& parts,
-                                  std::vector<std::string>& told);
+std::unique_ptr<Scene> plot_scene(const PlotFeel& feel, const std::vector<const PlotPart*>& parts, std::vector<Phrase>& told);
 
 }  // namespace tactics

@@ -38,14 +38,14 @@ std::vector<double> ticks_down(const PlotFrame& frame) {
 }
 
 // A surface stands in for the wall.
-std::unique_ptr<Scene> make_wall(const PlotFeel& feel, std::vector<std::string>&) {
+std::unique_ptr<Scene> make_wall(const PlotFeel& feel, std::vector<Phrase>&) {
     if (!feel.plot.surfaces.empty()) return nullptr;
     return std::make_unique<PlotWall>(feel.law);
 }
-std::unique_ptr<Scene> make_axes(const PlotFeel& feel, std::vector<std::string>&) {
+std::unique_ptr<Scene> make_axes(const PlotFeel& feel, std::vector<Phrase>&) {
     return std::make_unique<PlotAxes>(feel.frame, AxisFeel{feel.law});
 }
-std::unique_ptr<Scene> make_grid(const PlotFeel& feel, std::vector<std::string>&) {
+std::unique_ptr<Scene> make_grid(const PlotFeel& feel, std::vector<Phrase>&) {
     return std::make_unique<PlotGrid>(feel.frame, GridFeel{});
 }
 

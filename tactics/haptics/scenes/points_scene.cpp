@@ -30,15 +30,15 @@ std::vector<Point3> apart(const std::vector<Point3>& points, double merged) {
     return kept;
 }
 
-std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<std::string>& told) {
+std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<Phrase>& told) {
     std::vector<Point3> points;
     for (const PlotMark& mark : feel.plot.marks) points.push_back(feel.frame.place(mark.x, mark.y, mark.z));
     if (points.empty()) return nullptr;
     auto scene =
         std::make_unique<PointsScene>(points, PointsFeel{3, feel.law.stiffness, feel.law.damping_ns_per_m}, feel.resolution);
     if (scene->size() < points.size())
-        told.push_back(std::to_string(points.size()) + " points are felt as " + std::to_string(scene->size()) +
-                       ": others are within half a millimetre of those");
+        told.push_back(phrase("{0} points are felt as {1}: others are within half a millimetre of those",
+                              std::to_string(points.size()), std::to_string(scene->size())));
     return scene;
 }
 

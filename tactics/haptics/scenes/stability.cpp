@@ -199,7 +199,20 @@ StablePoint nearest_borne(const ForceLaw& law, const LeverSettings& lever, std::
     return best;
 }
 
-std::string say(double value) { return to_text(std::round(value * 100) / 100); }
+Phrase say(double value) { return numeral(std::round(value * 100) / 100); }
+
+Phrase loop_words(double rate_hz, double delay) {
+    return delay > 0 ? phrase("{0} Hz and {1} ms of delay", say(rate_hz), say(delay * 1000)) : phrase("{0} Hz", say(rate_hz));
+}
+
+// What is left of a swing, mm; held: by a finger.
+Phrase motion_words(double left, bool held) {
+    if (!(left > 0)) return phrase("comes to rest by chance, and not on a softer surface,");
+    if (left > kLimitCycle)
+        return held ? phrase("swings on by {0} mm", say(left))
+                    : phrase("swings on by {0} mm once the finger is lifted,", say(left));
+    return held ? phrase("trembles from tick to tick") : phrase("trembles from tick to tick once the finger is lifted,");
+}
 
 }  // namespace
 
@@ -279,22 +292,22 @@ StablePoint nearest_borne(const ForceLaw& law, const ArmSettings& arm, std::span
 StableCheck check_arm(const ForceLaw& law, const ArmSettings& arm, std::span<const FingerSettings> fingers) {
     if (!(law.stiffness > 0) || !std::isfinite(law.stiffness) || !(law.damping_ns_per_m >= 0) ||
         !std::isfinite(law.damping_ns_per_m))
-        return {false, "stiffness must be above 0 N/mm and damping not below 0 N s/m", arm.most_stiffness / 2, 1};
-    const std::string at = "at " + say(law.stiffness) + " N/mm and " + say(law.damping_ns_per_m) + " N s/m ";
+        return {false, phrase("stiffness must be above 0 N/mm and damping not below 0 N s/m"), arm.most_stiffness / 2, 1};
     const bool grows = !is_borne(law, as_lever(arm), fingers);
     if (!grows && law.stiffness <= arm.most_stiffness) return {true, "", law.stiffness, law.damping_ns_per_m};
     const StablePoint nearest = nearest_borne(law, arm, fingers);
-    const std::string reason = at + (grows ? "the arm swings up at " + say(arm.rate_hz) + " Hz" +
-                                                 (arm.delay > 0 ? " and " + say(arm.delay * 1000) + " ms of delay" : "")
-                                           : "it is stiffer than the " + say(arm.most_stiffness) + " N/mm that the arm can be");
-    return {false, nearest.stiffness > 0 ? reason : reason + "; no setting comes to rest: a shorter delay would help",
+    const Phrase reason = grows ? phrase("at {0} N/mm and {1} N s/m the arm swings up at {2}", say(law.stiffness),
+                                         say(law.damping_ns_per_m), loop_words(arm.rate_hz, arm.delay))
+                                : phrase("at {0} N/mm and {1} N s/m it is stiffer than the {2} N/mm that the arm can be",
+                                         say(law.stiffness), say(law.damping_ns_per_m), say(arm.most_stiffness));
+    return {false, nearest.stiffness > 0 ? reason : phrase("{0}; no setting comes to rest: a shorter delay would help", reason),
             nearest.stiffness, nearest.damping_ns_per_m};
 }
 
 StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::span<const FingerSettings> fingers) {
     if (!(law.stiffness > 0) || !std::isfinite(law.stiffness) || !(law.damping_ns_per_m >= 0) ||
         !std::isfinite(law.damping_ns_per_m))
-        return {false, "stiffness must be above 0 N/mm and damping not below 0 N s/m", 1, 0.5};
+        return {false, phrase("stiffness must be above 0 N/mm and damping not below 0 N s/m"), 1, 0.5};
     // Above a stiffness that does not come to rest others may: by chance, for these starts.
     const LeverSettings loose = without_friction(lever);
     if (comes_to_rest(law, loose, {}) && comes_to_rest(law, loose, fingers) &&
@@ -308,17 +321,14 @@ StableCheck check_stable(const ForceLaw& law, const LeverSettings& lever, std::s
     for (const FingerSettings& finger : fingers) look(&finger);
     const bool held = left > 0;
     if (!held) look(nullptr);
-    std::string reason = "at " + say(law.stiffness) + " N/mm and " + say(law.damping_ns_per_m) + " N s/m the lever " +
-                         (left > kLimitCycle ? "swings on by " + say(left) + " mm"
-                          : left > 0         ? "trembles from tick to tick"
-                                             : "comes to rest by chance, and not on a softer surface,") +
-                         (!held && left > 0 ? " once the finger is lifted," : "") + " at " + say(lever.rate_hz) + " Hz" +
-                         (lever.delay > 0 ? " and " + say(lever.delay * 1000) + " ms of delay" : "");
-    if (grows > 1.001) reason += ", growing by " + say((grows - 1) * 100) + " % a tick while it is small";
-    if (law.sign == DampingSign::as_printed) reason += "; the sign as printed takes damping away";
+    Phrase reason = phrase("at {0} N/mm and {1} N s/m the lever {2} at {3}", say(law.stiffness), say(law.damping_ns_per_m),
+                           motion_words(left, held), loop_words(lever.rate_hz, lever.delay));
+    if (grows > 1.001)
+        reason = phrase("{0}, growing by {1} % a tick while it is small", std::move(reason), say((grows - 1) * 100));
+    if (law.sign == DampingSign::as_printed) reason = phrase("{0}; the sign as printed takes damping away", std::move(reason));
     const StablePoint nearest = nearest_borne(law, lever, fingers);
     if (nearest.stiffness == 0)
-        return {false, reason + "; no setting comes to rest: a shorter delay or a quicker loop would help", 0, 0};
+        return {false, phrase("{0}; no setting comes to rest: a shorter delay or a quicker loop would help", reason), 0, 0};
     return {false, reason, nearest.stiffness, nearest.damping_ns_per_m};
 }
 

@@ -14,6 +14,7 @@
 #include "tactics/haptics/scenes/force_law.h"
 #include "tactics/haptics/simulated/arm.h"
 #include "tactics/haptics/simulated/lever.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -44,7 +45,7 @@ std::vector<StablePoint> stable_region(double most_damping_ns_per_m, int count, 
 
 struct StableCheck {
     bool stable = false;
-    std::string reason;  ///< empty if stable
+    Phrase reason;  ///< empty if stable
     /// The nearest stable setting with a tenth to spare: equally stiff with more damping, or else softer. The requested setting,
     /// if it is stable; 0 if there is none.
     double stiffness = 0;

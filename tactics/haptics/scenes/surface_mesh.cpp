@@ -118,13 +118,13 @@ EnoughFacets enough_facets(const HeightMap& map, double resolution) {
     enough.facets = facets_of_grid(columns.size(), rows.size());
     enough.of_all = facets_of_grid(static_cast<std::size_t>(map.columns), static_cast<std::size_t>(map.rows));
     const auto whole = [](std::size_t count) { return std::to_string(count); };
-    enough.words =
-        enough.every == 1
-            ? "all " + whole(enough.of_all) + " facets are kept: fewer would be further off than " + to_text(resolution) + " mm"
-            : whole(enough.facets) + " of " + whole(enough.of_all) + " facets are enough for a device that tells " +
-                  to_text(resolution) + " mm: one height in " + std::to_string(enough.every) +
-                  " along each side, and none that was dropped is further off than " +
-                  to_text(std::ceil(enough.error * 1e4) / 1e4) + " mm";
+    enough.words = enough.every == 1 ? phrase("all {0} facets are kept: fewer would be further off than {1} mm",
+                                              whole(enough.of_all), numeral(resolution))
+                                     : phrase(
+                                           "{0} of {1} facets are enough for a device that tells {2} mm: one height in {3} along "
+                                           "each side, and none that was dropped is further off than {4} mm",
+                                           whole(enough.facets), whole(enough.of_all), numeral(resolution),
+                                           std::to_string(enough.every), numeral(std::ceil(enough.error * 1e4) / 1e4));
     return enough;
 }
 

@@ -7,6 +7,7 @@
 #include "tactics/mesh.h"
 #include "tactics/plot.h"
 #include "tactics/relief/heightmap.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -23,7 +24,7 @@ struct EnoughFacets {
     int every = 1;                       ///< for mesh_of
     std::size_t facets = 0, of_all = 0;  ///< facets kept, and facets of the full surface
     double error = 0;                    ///< mm: the greatest height of an omitted sample above or below the facets
-    std::string words;                   ///< a sentence: what was dropped
+    Phrase words;                        ///< a sentence: what was dropped
 };
 /// The coarsest facets whose distance from the map is everywhere below the device's `resolution` (mm). Holes count as 0.
 EnoughFacets enough_facets(const HeightMap& map, double resolution);

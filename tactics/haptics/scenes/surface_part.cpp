@@ -29,11 +29,11 @@ private:
     double height_;
 };
 
-std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<std::string>& told) {
+std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<Phrase>& told) {
     if (feel.plot.surfaces.empty() || !(feel.frame.depth > 0)) return nullptr;
     const PlotSurface& surface = feel.plot.surfaces.front();
     if (feel.plot.surfaces.size() > 1)
-        told.push_back(std::to_string(feel.plot.surfaces.size()) + " surfaces are there, and the first is felt");
+        told.push_back(phrase("{0} surfaces are there, and the first is felt", std::to_string(feel.plot.surfaces.size())));
     const Mesh mesh = mesh_of(surface, {feel.frame.width, feel.frame.height, feel.frame.depth});
     const MeshFeel felt{.law = feel.law, .resolution = feel.resolution, .closed = false};
     return std::make_unique<UpsideDown>(scene_of(mesh, felt, "the surface", told), feel.frame.height);

@@ -50,7 +50,7 @@ std::string to_text(const LearnedPointing& learned) {
 
 LearnedPointing read_learned(std::string_view text, std::string_view origin) {
     const auto fail = [&] {
-        throw Error(Fault::failed, origin, "is not what was learned of a mouse; remove it, and it is learned anew");
+        throw Error(Fault::failed, origin, phrase("is not what was learned of a mouse; remove it, and it is learned anew"));
     };
     if (!text.starts_with(kHead) || text.size() > 64 * 1024) fail();
     text.remove_prefix(kHead.size());

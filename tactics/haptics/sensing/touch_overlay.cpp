@@ -21,13 +21,17 @@ constexpr double kStill = 0.1;  // s
 double mm_per_unit(const TouchAxis& axis, double wished, const std::string& path) {
     const double units = static_cast<double>(axis.most) - static_cast<double>(axis.least);
     if (wished > 0) return wished / units;
-    const std::string mend =
-        "; measure the field that it sees, and give its width and height: " + spelled("overlay-size") + " 600x340mm";
-    if (!(axis.per_mm > 0)) throw Error(Fault::failed, path, "the overlay does not tell how large it is" + mend);
+    if (!(axis.per_mm > 0))
+        throw Error(Fault::failed, path,
+                    phrase("the overlay does not tell how large it is; measure the field that it sees, and give its width and "
+                           "height: {0} 600x340mm",
+                           spelled("overlay-size")));
     const double size = units / axis.per_mm;
     if (size < kSmallest || size > kLargest)
         throw Error(Fault::failed, path,
-                    "the overlay says that one of its sides is " + to_text(size) + " mm, which cannot be" + mend);
+                    phrase("the overlay says that one of its sides is {0} mm, which cannot be; measure the field that it sees, "
+                           "and give its width and height: {1} 600x340mm",
+                           numeral(size), spelled("overlay-size")));
     return 1 / axis.per_mm;
 }
 

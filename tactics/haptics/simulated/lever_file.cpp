@@ -90,7 +90,8 @@ MouseSettings read_mouse(std::string_view text, std::string_view origin) {
                                        value_of(index, mouse) = value;
                                    }});
     if (!(mouse.lever.lowest < mouse.lever.highest))
-        throw Error(Fault::usage, origin, "lever.lowest is not below lever.highest (leave the lever a way between its stops)");
+        throw Error(Fault::usage, origin,
+                    phrase("lever.lowest is not below lever.highest (leave the lever a way between its stops)"));
     return mouse;
 }
 

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 class Recording : public Voice {
 public:
     explicit Recording(const std::string& path) : path_(path), file_(path, std::ios::binary | std::ios::trunc) {
-        if (!file_) throw Error(Fault::failed, path, "cannot be written; see that its folder is there and yours");
+        if (!file_) throw Error(Fault::failed, path, phrase("cannot be written; see that its folder is there and yours"));
     }
     std::string_view name() const override { return "recording"; }
     bool takes_turns() const override { return true; }

@@ -64,7 +64,7 @@ private:
 std::unique_ptr<Voice> open(const VoiceWish&, const std::string& where, std::string& note) {
     const auto colon = where.rfind(':');
     if (colon == std::string::npos || colon == 0 || colon + 1 == where.size())
-        throw Error(Fault::usage, "tcp:" + where, "a text server has a host and a port; write tcp:HOST:PORT");
+        throw Error(Fault::usage, "tcp:" + where, phrase("a text server has a host and a port; write tcp:HOST:PORT"));
     try {
         return std::make_unique<TextServer>(open_tcp(where.substr(0, colon), where.substr(colon + 1)), where);
     } catch (const Error& error) {

@@ -37,7 +37,7 @@ WavFile::WavFile(std::string path) : path_(std::move(path)) {
     if (!fault) path_ = target.string();
     part_ = path_ + ".part";
     file_.open(part_, std::ios::binary | std::ios::trunc);
-    if (!file_) throw Error(Fault::failed, path_, "cannot be written; see that its folder is there and yours");
+    if (!file_) throw Error(Fault::failed, path_, phrase("cannot be written; see that its folder is there and yours"));
 }
 
 WavFile::~WavFile() {
@@ -82,10 +82,10 @@ void WavFile::finish(const std::vector<Tone>& tones) {
         file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     }
     file_.close();
-    if (!file_) throw Error(Fault::failed, path_, "the tones cannot be written; make room on the disk");
+    if (!file_) throw Error(Fault::failed, path_, phrase("the tones cannot be written; make room on the disk"));
     std::error_code fault;
     std::filesystem::rename(part_, path_, fault);
-    if (fault) throw Error(Fault::failed, path_, "cannot take its name (" + fault.message() + "); name another file");
+    if (fault) throw Error(Fault::failed, path_, phrase("cannot take its name ({0}); name another file", fault.message()));
     finished_ = true;
 }
 

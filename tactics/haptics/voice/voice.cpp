@@ -52,11 +52,11 @@ OpenedVoice open_first(const VoiceWish& wish) {
 OpenedVoice open_voice(const VoiceWish& wish) {
     if (!is_language(wish.language))
         throw Error(Fault::usage, "language \"" + beginning_of(to_line(wish.language)) + "\"",
-                    "is no tag of a language; write it as en or de-AT");
+                    phrase("is no tag of a language; write it as en or de-AT"));
     if (wish.rate != 0 && (wish.rate < kLeastRate || wish.rate > kMostRate))
         throw Error(Fault::usage, "speech",
-                    "speaks " + std::to_string(kLeastRate) + " to " + std::to_string(kMostRate) + " words a minute, not " +
-                        std::to_string(wish.rate));
+                    phrase("speaks {0} to {1} words a minute, not {2}", std::to_string(kLeastRate), std::to_string(kMostRate),
+                           std::to_string(wish.rate)));
     if (wish.kind == "auto") return open_first(wish);
     const auto colon = std::min(wish.kind.find(':'), wish.kind.size());
     const std::string name = wish.kind.substr(0, colon), where = wish.kind.substr(std::min(colon + 1, wish.kind.size()));
@@ -66,14 +66,14 @@ OpenedVoice open_voice(const VoiceWish& wish) {
         if (kind->name != name) continue;
         if (where.empty() != kind->address.empty())
             throw Error(Fault::usage, wish.kind,
-                        kind->address.empty() ? "nothing stands behind this voice; write " + name
-                                              : "say where; write " + name + ":" + std::string(kind->address));
+                        kind->address.empty() ? phrase("nothing stands behind this voice; write {0}", name)
+                                              : phrase("say where; write {0}:{1}", name, kind->address));
         OpenedVoice opened;
         opened.voice = kind->open(wish, where, opened.note);
         if (opened.voice == nullptr) opened.voice = silence();
         return opened;
     }
-    throw Error(Fault::usage, beginning_of(to_line(wish.kind)), "no such voice" + did_you_mean(name, names));
+    throw Error(Fault::usage, beginning_of(to_line(wish.kind)), phrase("no such voice{0}", did_you_mean(name, names)));
 }
 
 std::string spoken_line(std::string_view text) {

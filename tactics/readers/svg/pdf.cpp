@@ -55,17 +55,18 @@ std::string said_of(const Source& pdf, std::vector<std::string> words, const std
     const ChildAnswer answer = run_caged(child);
     using End = ChildAnswer::End;
     if (answer.end == End::missing)
-        throw Error(Fault::failed, pdf.name,
-                    "to look at a PDF the program " + program + " is needed and missing; install poppler-utils, or " + instead);
+        throw Error(
+            Fault::failed, pdf.name,
+            phrase("to look at a PDF the program {0} is needed and missing; install poppler-utils, or {1}", program, instead));
     if (!answer.fault.empty())
-        throw Error(Fault::failed, pdf.name, program + " cannot be started: " + answer.fault + "; " + instead + " instead");
+        throw Error(Fault::failed, pdf.name, phrase("{0} cannot be started: {1}; {2} instead", program, answer.fault, instead));
     if (answer.end == End::too_long || answer.end == End::too_much || answer.crashed)
         throw Error(Fault::failed, pdf.name,
-                    "this PDF takes over a minute, 1 GiB of memory or 64 MB to be looked at; simplify its drawing");
+                    phrase("this PDF takes over a minute, 1 GiB of memory or 64 MB to be looked at; simplify its drawing"));
     if (answer.end != End::done || answer.out.empty())
         throw Error(Fault::failed, pdf.name,
-                    is_locked(pdf) ? "this PDF is locked with a password; take that off first, for example with qpdf"
-                                   : program + " cannot read this PDF; open it in a viewer to see what is wrong");
+                    is_locked(pdf) ? phrase("this PDF is locked with a password; take that off first, for example with qpdf")
+                                   : phrase("{0} cannot read this PDF; open it in a viewer to see what is wrong", program));
     return answer.out;
 }
 
@@ -221,7 +222,7 @@ int pages_of_pdf(const Source& pdf) {
     const auto pages = pages_told(said_of(pdf, {"pdfinfo", kFile}, kInstead));
     if (pages) return *pages;
     throw Error(Fault::failed, pdf.name,
-                "pdfinfo tells no pages of it, or over a million; open it in a viewer to see what is wrong");
+                phrase("pdfinfo tells no pages of it, or over a million; open it in a viewer to see what is wrong"));
 }
 
 }  // namespace tactics

@@ -250,7 +250,7 @@ PdfText pdf_text_of(std::string_view bbox_layout, const std::string& file) {
     // What stands before may be the author's, and is no XML.
     const auto from = bbox_layout.find("<doc>"), to = bbox_layout.rfind("</doc>");
     if (from == std::string_view::npos || to == std::string_view::npos || to < from)
-        throw Error(Fault::failed, file, "pdftotext does not tell its words; open it in a viewer to see what is wrong");
+        throw Error(Fault::failed, file, phrase("pdftotext does not tell its words; open it in a viewer to see what is wrong"));
     const Element root = parse_xml(as_xml(bbox_layout.substr(from, to + 6 - from)), file);
     PdfText text;
     if (root.children.empty()) return text;

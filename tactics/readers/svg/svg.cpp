@@ -45,8 +45,7 @@ public:
         : file_(file), found_(found), look_(look), figure_(purpose != SvgPurpose::page), marks_(marks), ground_(look) {}
 
     void run(const Element& root, double margin, const std::optional<Paper>& paper) {
-        if (root.name != "svg")
-            throw Error(Fault::failed, file_ + ":" + std::to_string(root.line), "this is XML but no SVG drawing; save it as SVG");
+        if (root.name != "svg") refuse(root, phrase("this is XML but no SVG drawing; save it as SVG"));
         collect(root);
         sheet_.know(root, missed_);
         Page& page = found_.page;
@@ -77,7 +76,7 @@ public:
     }
 
 private:
-    [[noreturn]] void refuse(const Element& element, const std::string& why) const {
+    [[noreturn]] void refuse(const Element& element, const Phrase& why) const {
         throw Error(Fault::failed, file_ + ":" + std::to_string(element.line), why);
     }
 
@@ -94,10 +93,10 @@ private:
 
     void draw(const Element& element, const Transform& outer, const Style& parent, int uses) {
         if (!is_rendered(element)) return;
-        if (++drawn_ > kMostElements) refuse(element, "this drawing uses its parts over a million times; simplify it");
+        if (++drawn_ > kMostElements) refuse(element, phrase("this drawing uses its parts over a million times; simplify it"));
         Transform own;
         if (const auto text = element.attribute("transform"); !text.empty() && !parse_transform(text, own))
-            refuse(element, "\"" + std::string(text.substr(0, 40)) + "\" is no transform; mend it or save the drawing again");
+            refuse(element, phrase("\"{0}\" is no transform; mend it or save the drawing again", text.substr(0, 40)));
         const Transform transform = outer * own;
         const Style style = sheet_.style_of(element, parent, missed_);
         if (!style.shown) return;
@@ -213,7 +212,7 @@ private:
         }
         if (found == by_id_.end()) return;
         if (uses >= kMostUses)
-            refuse(element, "parts of this drawing use each other without end; mend it or save the drawing again");
+            refuse(element, phrase("parts of this drawing use each other without end; mend it or save the drawing again"));
         const Transform place = transform * Transform{1, 0, 0, 1, across(element, "x"), down(element, "y")};
         const Element& target = *found->second;
         if (target.name == "symbol" || target.name == "svg")
@@ -236,7 +235,8 @@ private:
 
     void count_points(const Element& element, std::size_t more) {
         points_ += more;
-        if (points_ > kMostPoints) refuse(element, "there are more than 3 million points up to here; simplify the drawing");
+        if (points_ > kMostPoints)
+            refuse(element, phrase("there are more than 3 million points up to here; simplify the drawing"));
     }
 
     void add(const Element& element, std::vector<Subpath> subpaths, const Transform& transform, const Style& style,
@@ -244,7 +244,7 @@ private:
         for (const Subpath& subpath : subpaths) {
             count_points(element, subpath.points.size());
             if (!is_within(subpath, kFarthest))
-                refuse(element, "a place over 100 m away from the page is out of range; mend its coordinates");
+                refuse(element, phrase("a place over 100 m away from the page is out of range; mend its coordinates"));
         }
         if (lettering_) return add_all(ink_, subpaths);
         Paint fill = style.fill, stroke = style.stroke;
@@ -266,7 +266,7 @@ private:
         const double whole = lengths_.whole();
         const double width = parse_svg_length(style.stroke_width, whole).value_or(1) * transform.scale();
         if (!stroke.is_ink() || !(width > 0)) return;
-        if (!(width <= kFarthest)) refuse(element, "a line over 100 m wide is out of range; mend its width");
+        if (!(width <= kFarthest)) refuse(element, phrase("a line over 100 m wide is out of range; mend its width"));
         missed_.stretched += transform.stretches() ? 1 : 0;
         if (takes_markers(element)) draw_markers(subpaths, style, width, transform.scale());
         const Dashes dashes = parse_dashes(style.dashes, style.dash_offset, whole, transform.scale());

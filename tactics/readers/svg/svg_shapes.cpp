@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-[[noreturn]] void refuse(const Element& element, const std::string& file, const std::string& why) {
+[[noreturn]] void refuse(const Element& element, const std::string& file, const Phrase& why) {
     throw Error(Fault::failed, file + ":" + std::to_string(element.line), why);
 }
 
@@ -19,9 +19,7 @@ double length(const Element& element, std::string_view name, double whole, doubl
     const auto text = element.attribute(name);
     if (text.empty() || text == "auto") return fallback;
     const auto value = parse_svg_length(text, whole);
-    if (!value)
-        refuse(element, file,
-               "\"" + std::string(text.substr(0, 40)) + "\" is no length; mend the attribute " + std::string(name));
+    if (!value) refuse(element, file, phrase("\"{0}\" is no length; mend the attribute {1}", text.substr(0, 40), name));
     return *value;
 }
 
@@ -47,14 +45,13 @@ bool draw_outline(const Element& element, const SvgLengths& lengths, Pen& pen, s
             ++*broken;
         else if (fault && data != "none")
             refuse(element, lengths.file,
-                   "this path cannot be read at \"" + std::string(data.substr(*fault, 20)) +
-                       "\"; mend it or save the drawing again");
+                   phrase("this path cannot be read at \"{0}\"; mend it or save the drawing again", data.substr(*fault, 20)));
     } else if (element.name == "line") {
         pen.move({across("x1"), down("y1")});
         pen.line({across("x2"), down("y2")});
     } else if (element.name == "polyline" || element.name == "polygon") {
         if (!draw_points(element.attribute("points"), element.name == "polygon", pen))
-            refuse(element, lengths.file, "these points are not pairs of numbers; mend them or save the drawing again");
+            refuse(element, lengths.file, phrase("these points are not pairs of numbers; mend them or save the drawing again"));
     } else if (element.name == "rect") {
         const double width = across("width"), height = down("height");
         if (!(width > 0) || !(height > 0)) return false;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kMmPerPx = kMmPerInch / 96;  // CSS
 constexpr double kLargestPage = 14'400 * kMmPerPoint, kSmallestPage = 1;
 
-[[noreturn]] void refuse_size(const Element& root, const std::string& file, const std::string& why) {
+[[noreturn]] void refuse_size(const Element& root, const std::string& file, const Phrase& why) {
     throw Error(Fault::failed, file + ":" + std::to_string(root.line), why);
 }
 
@@ -51,10 +51,11 @@ SvgSize size_of_svg(const Element& root, const std::string& file, const std::opt
         if (has_view && width && !height) height = *width * view[3] / view[2];
         if (has_view && height && !width) width = *height * view[2] / view[3];
         if (!width || !height)
-            refuse_size(root, file,
-                        "how large this drawing is on paper is not told; give its svg element a width and a height in mm, or "
-                        "name the paper with " +
-                            spelled("paper"));
+            refuse_size(
+                root, file,
+                phrase("how large this drawing is on paper is not told; give its svg element a width and a height in mm, or "
+                       "name the paper with {0}",
+                       spelled("paper")));
         size.width = *width * kMmPerPx;
         size.height = *height * kMmPerPx;
         const auto last = root.attribute("width").empty() ? '0' : root.attribute("width").back();
@@ -65,8 +66,8 @@ SvgSize size_of_svg(const Element& root, const std::string& file, const std::opt
     }
     if (!is_in_range(size.width) || !is_in_range(size.height))
         refuse_size(root, file,
-                    "a page of " + to_text(size.width) + " x " + to_text(size.height) + " mm is out of range; each side is " +
-                        to_text(kSmallestPage) + " to " + to_text(kLargestPage) + " mm");
+                    phrase("a page of {0} x {1} mm is out of range; each side is {2} to {3} mm", numeral(size.width),
+                           numeral(size.height), numeral(kSmallestPage), numeral(kLargestPage)));
     size.view_width = has_view ? view[2] : size.width / kMmPerPx;
     size.view_height = has_view ? view[3] : size.height / kMmPerPx;
     size.to_mm = has_view ? fit_view(view, size.width, size.height, root.attribute("preserveAspectRatio"))

@@ -8,6 +8,7 @@
 #include "tactics/medium.h"
 #include "tactics/readers/svg/transform.h"
 #include "tactics/readers/xml.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 

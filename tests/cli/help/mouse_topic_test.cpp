@@ -184,7 +184,7 @@ TEST(MouseTopic, HasTheRuleThatTheProgramTellsTo) {
     const auto device = folder / "sys/class/hidraw/hidraw0/device";
     std::filesystem::create_directories(device);
     write_bytes(device / "uevent", "HID_ID=0003:00001209:00000005\n");
-    const std::string told = how_to_be_permitted("/dev/hidraw0", folder.path().string());
+    const std::string told = how_to_be_permitted("/dev/hidraw0", folder.path().string()).english();
     EXPECT_TRUE(holds(told, "/etc/udev/rules.d/70-tactics-mouse.rules: " + rule)) << told;
     EXPECT_TRUE(holds(told, part("Until it is unplugged").at(0))) << told;
 }

@@ -51,7 +51,13 @@ TEST(UserLanguage, WhatProgramsReadIsTheSameInEveryLocale) {
         {"describe", "disc.tif", "--json"},
         {"describe", "disc.tif", "--language", "fr"},
         {"chart", "data.csv", "-o", "chart.svg", "--json"},
-        {"check", "page.svg", "--json"},
+        {"check", "page.svg", "none.svg", "--json"},
+        {"check", "page.svg", "--format", "sarif", "--set", "gap.least=40mm"},
+        {"check", "page.svg", "--format", "junit", "--set", "gap.least=40mm"},
+        {"check", "page.svg", "--mark", "marked.svg", "--set", "gap.least=40mm", "--json"},
+        {"measure", "disc.tif", "--media", "all", "--json"},
+        {"preview", "page.brf", "--embosser", "generic", "--json"},
+        {"defaults", "--json"},
         {"decode", "nothing.felt", "--json"},
         {"list", "--json"},
     };
@@ -63,7 +69,7 @@ TEST(UserLanguage, WhatProgramsReadIsTheSameInEveryLocale) {
             const Ending ending = run_tool(folder, words);
             all += command[0] + " " + std::to_string(ending.code) + "\n" + without_times(ending.out);
         }
-        for (const char* file : {"page.svg", "page.pdf", "page.brf", "chart.svg"}) all += bytes_of(folder / file);
+        for (const char* file : {"page.svg", "page.pdf", "page.brf", "chart.svg", "marked.svg"}) all += bytes_of(folder / file);
         return all;
     };
     const std::string plain = outcome_in("C");
@@ -82,6 +88,25 @@ TEST(UserLanguage, WhatAPersonReadsIsInTheLanguageOfTheLocale) {
     EXPECT_TRUE(says("de_DE.UTF-8").starts_with("tactics: none.tif: es gibt keine solche Datei")) << says("de_DE.UTF-8");
     EXPECT_TRUE(holds(says("fr_FR.UTF-8"), "ce fichier n\u2019existe pas")) << says("fr_FR.UTF-8");
     EXPECT_TRUE(says("pl_PL.UTF-8").starts_with("tactics: none.tif: there is no such file")) << says("pl_PL.UTF-8");
+}
+
+TEST(UserLanguage, WhatCheckSaysOfAPageIsInTheLanguageOfTheLocale) {
+    const Folder folder;
+    write_bytes(
+        folder / "page.svg",
+        std::string("<svg xmlns='http://www.w3.org/2000/svg' width='210mm' height='297mm' viewBox='0 0 210 297' fill='none' "
+                    "stroke='#000' stroke-linecap='round'><path d='M20 50h100M20 53.5h100'/></svg>"));
+    const auto says = [&](const std::string& locale) {
+        return run_tool(folder, {"env", "-u", "LANGUAGE", "LC_ALL=" + locale, TACTICS_PROGRAM, "check", "page.svg"}).out;
+    };
+    const std::string german = says("de_DE.UTF-8"), french = says("fr_FR.UTF-8");
+    EXPECT_TRUE(holds(german,
+                      "mm von oben: ein Abstand von 2,5 mm zwischen zwei Linien, mindestens 3,2 mm n\u00f6tig; "
+                      "auseinanderr\u00fccken oder verbinden (gap, zwingend)\n"))
+        << german;
+    EXPECT_TRUE(holds(
+        french, "un espace de 2,5 mm entre deux lignes, minimum 3,2 mm\u00a0; \u00e9carter ou relier (gap, imp\u00e9rative)\n"))
+        << french;
 }
 
 }  // namespace

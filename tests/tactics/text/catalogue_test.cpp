@@ -191,16 +191,29 @@ TEST(Catalogue, AFileThatIsNoneIsRefusedWithItsLine) {
     EXPECT_TRUE(entries_of("#, fuzzy\nmsgid \"a\"\nmsgstr \"b\"\n").at(0).fuzzy);
 }
 
+// A string would stay English in every language.
+TEST(Catalogue, WhatIsSaidOfAFaultIsAPhrase) {
+    for (const SourceFile& file : tree()) {
+        if (!is_source(file) || starts_with_any(file.path, {"tests/", "samples/"})) continue;
+        EXPECT_EQ(plain_words_in(file), std::vector<std::string>{}) << file.path;
+    }
+    const std::string source =
+        "throw Error(Fault::usage, \"--a\", phrase(\"one\", x) ); Error(f, p, (a ? \"two \" : b) + spelled(\"c\")); "
+        "Error(f, g(\"d\", 2), w == \"set\" ? phrase(\"three\") : names({\"e\"}) + \": \"); say(\"four\");";
+    EXPECT_EQ(plain_words_in({"cli/x.cpp", source}), (std::vector<std::string>{"two ", "four"}));
+    EXPECT_EQ(plain_words_in({"tactics/x.cpp", source}), std::vector<std::string>{"two "});
+}
+
 // The test itself finds what it is to find.
 TEST(Catalogue, PhrasesAreFoundInTheSource) {
     const std::string source =
         "phrase(\"one \" // not this\n \"thing\", x); phrases(all(a, b).size(), \"{0} a\", \"{0} \\\"b\\\"\"); // "
         "phrase(\"no\")\n"
         "constexpr std::array<SourceWords, 2> kTwo{\"c\", \"d\"}; SourceWords name; f('\"', 10'000, \"e\"); "
-        "View{SourceWords(\"g\")};";
+        "View{SourceWords(\"g\")}; Rule r{.mend = \"h\"}; std::string mend = \"no\";";
     std::vector<std::string> found;
     for (const SourcePhrase& one : phrases_in({"x.cpp", source})) found.push_back(one.english + "|" + one.plural);
-    EXPECT_EQ(found, (std::vector<std::string>{"one thing|", "{0} a|{0} \"b\"", "c|", "d|", "g|"}));
+    EXPECT_EQ(found, (std::vector<std::string>{"one thing|", "{0} a|{0} \"b\"", "c|", "d|", "g|", "h|"}));
 }
 
 }  // namespace

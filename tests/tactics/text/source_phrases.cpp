@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/tactics/text/source_phrases.h"
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 
@@ -80,7 +81,33 @@ public:
         return std::move(found_);
     }
 
+    // Of each call of that name, the strings in one of its parts.
+    std::vector<std::string> plain_words(std::string_view name, int part) const {
+        std::vector<std::string> plain;
+        for (std::size_t at = 0; at + 1 < tokens_.size(); ++at)
+            if (tokens_[at].kind == Token::Kind::word && tokens_[at].text == name && is(at + 1, "(")) look(at + 2, part, plain);
+        return plain;
+    }
+
 private:
+    void look(std::size_t at, int part, std::vector<std::string>& plain) const {
+        std::vector<bool> calls;  // what is open: brackets of a call, or others
+        for (int now = 0; at < tokens_.size(); ++at) {
+            if (is(at, "(") || is(at, "{") || is(at, "[")) {
+                calls.push_back(tokens_[at - 1].kind == Token::Kind::word);
+            } else if (is(at, ")") || is(at, "}") || is(at, "]")) {
+                if (calls.empty()) return;
+                calls.pop_back();
+            } else if (is(at, ",") && calls.empty()) {
+                ++now;
+            } else if (is_string(at) && now == part && !is(at - 1, "=") &&
+                       std::find(calls.begin(), calls.end(), true) == calls.end() &&
+                       std::any_of(tokens_[at].text.begin(), tokens_[at].text.end(), is_letter)) {
+                plain.push_back(tokens_[at].text);
+            }
+        }
+    }
+
     bool is(std::size_t at, std::string_view mark) const {
         return at < tokens_.size() && tokens_[at].kind == Token::Kind::mark && tokens_[at].text == mark;
     }
@@ -113,6 +140,15 @@ private:
 }  // namespace
 
 std::vector<SourcePhrase> phrases_in(const SourceFile& file) { return Reading(file).run(); }
+
+std::vector<std::string> plain_words_in(const SourceFile& file) {
+    const Reading reading(file);
+    std::vector<std::string> plain = reading.plain_words("Error", 2);
+    // CUPS reads what its filter says.
+    if (file.path.starts_with("cli/") && !file.path.ends_with("/cups_filter.cpp"))
+        for (std::string& words : reading.plain_words("say", 0)) plain.push_back(std::move(words));
+    return plain;
+}
 
 std::vector<SourcePhrase> phrases_of_the_program() {
     std::vector<SourcePhrase> all;

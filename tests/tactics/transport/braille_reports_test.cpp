@@ -238,7 +238,7 @@ TEST_F(HidDisplays, ThatMayNotBeOpenedAreListedWithTheirRule) {
     tests::write_bytes(folder / "dev/hidraw0", "");
     const auto list = [&] {
         std::string text;
-        for (const AttachedDevice& device : attached_devices(root)) text += device.address + ": " + device.note + "\n";
+        for (const AttachedDevice& device : attached_devices(root)) text += device.address + ": " + device.note.english() + "\n";
         return text;
     };
     EXPECT_EQ(list(),
@@ -263,7 +263,7 @@ TEST_F(HidDisplays, ThatMayNotBeOpenedAreListedWithTheirRule) {
 
 TEST_F(HidDisplays, TheirRuleIsMadeOfNumbersOnly) {
     const auto rule = [](const std::string& id) {
-        const std::string text = how_to_be_permitted({"/dev/hidraw3", "", {}, id});
+        const std::string text = how_to_be_permitted({"/dev/hidraw3", "", {}, id}).english();
         const auto at = text.find("KERNEL==");
         return at == std::string::npos ? "" : text.substr(at, text.rfind(", and") - at);
     };
@@ -273,7 +273,7 @@ TEST_F(HidDisplays, TheirRuleIsMadeOfNumbersOnly) {
     for (const char* odd :
          {"", "0003", "0003:00001C71:0000C00", "0003:00001C71:0000C0\"A", "0003:0000 C71:0000C00A", "00\"3:00001C71:0000C00A"})
         EXPECT_EQ(rule(odd), "");
-    EXPECT_TRUE(tests::holds(how_to_be_permitted({"/dev/hidraw3", "", {}, ""}), "setfacl -m u:$USER:rw /dev/hidraw3"));
+    EXPECT_TRUE(tests::holds(how_to_be_permitted({"/dev/hidraw3", "", {}, ""}).english(), "setfacl -m u:$USER:rw /dev/hidraw3"));
 }
 
 TEST_F(HidDisplays, AMouseIsPermittedByItsNumbers) {
@@ -282,7 +282,7 @@ TEST_F(HidDisplays, AMouseIsPermittedByItsNumbers) {
     ++other[4];  // its usage
     put("hidraw1", other);
     EXPECT_EQ(hid_paths(kMouseUsagePage, kMouseUsage, root), std::vector<std::string>{"/dev/hidraw0"});
-    const std::string text = how_to_be_permitted("/dev/hidraw0", root);
+    const std::string text = how_to_be_permitted("/dev/hidraw0", root).english();
     EXPECT_TRUE(tests::holds(text, "setfacl -m u:$USER:rw /dev/hidraw0")) << text;
     EXPECT_TRUE(tests::holds(
         text,

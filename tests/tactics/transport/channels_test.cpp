@@ -295,13 +295,13 @@ TEST(Devices, AreReadFromWhatTheKernelLists) {
     ASSERT_EQ(devices.size(), 3u);
     EXPECT_EQ(devices[0].address, "/dev/usb/lp0");
     EXPECT_EQ(devices[0].id, "MFG:Index Braille;MDL:Everest-D V5;CLS:PRINTER;");
-    EXPECT_EQ(devices[0].note, "");
+    EXPECT_EQ(devices[0].note.english(), "");
     EXPECT_EQ(devices[1].address, "usb:1-3");
     EXPECT_EQ(devices[1].id, "Some Printer");
-    EXPECT_EQ(devices[1].note, "the kernel has no driver for it, it is used directly");
+    EXPECT_EQ(devices[1].note.english(), "the kernel has no driver for it, it is used directly");
     EXPECT_EQ(devices[2].address, "/dev/ttyUSB0");
     EXPECT_EQ(devices[2].id, "Serial Adapter");
-    EXPECT_TRUE(tests::holds(devices[2].note, "there is no /dev/ttyUSB0"));
+    EXPECT_TRUE(tests::holds(devices[2].note.english(), "there is no /dev/ttyUSB0"));
     EXPECT_TRUE(attached_devices((folder / "nothing").string()).empty());
 }
 
