@@ -156,7 +156,7 @@ TEST_F(ChartCommand, SaysWhatIsWrongAndWhere) {
     refused("a,b" + word + "\n1,2\n", {"--y", "z"}, 1, "it has \"a\", \"b" + word.substr(0, 79) + "...\"");
     std::string many;
     for (int i = 0; i < 200; ++i) many += (i > 0 ? ",column " : "column ") + std::to_string(i);
-    refused(many + "\n", {"--y", "z"}, 1, "\", ...\n");
+    refused(many + "\n1" + std::string(199, ',') + "\n", {"--y", "z"}, 1, "\", ...\n");
     refused("a,b\n1,2\n3\n", {}, 2, "standard input:3: there are 1 values for 2 columns");
     refused("a,b\n1,2\n\"3,4\n", {}, 2, "standard input:3: a quote is not closed");
     refused("a,b\n1,\"2\"3\n", {}, 2, "standard input:2: something stands between");
