@@ -255,9 +255,11 @@ void print_accuracy() {
 
 void print_enough() {
     const HeightMap map = stroke_ground(pitch_of(1'000'000));
-    for (const double resolution : {0.055, 0.023}) std::printf("as a grid: %s\n", enough_facets(map, resolution).words.english().c_str());
+    for (const double resolution : {0.055, 0.023})
+        std::printf("as a grid: %s\n", enough_facets(map, resolution).words.english().c_str());
     const MeshFacets all = facets_of(continued(map));
-    for (const double resolution : {0.055, 0.023}) std::printf("as a mesh: %s\n", enough_facets(all, resolution).words.english().c_str());
+    for (const double resolution : {0.055, 0.023})
+        std::printf("as a mesh: %s\n", enough_facets(all, resolution).words.english().c_str());
 }
 
 }  // namespace
