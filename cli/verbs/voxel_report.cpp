@@ -27,7 +27,7 @@ VoxelLevels levels_of(const Voxels& voxels, std::vector<std::string>& notes) {
         levels.low = -levels.high;
         levels.levels = kMostLevels - 1;
     }
-    notes.push_back("its numbers are fixed_count in " + std::to_string(levels.levels) + " levels from " + to_text(levels.low) +
+    notes.push_back("its numbers are counted in " + std::to_string(levels.levels) + " levels from " + to_text(levels.low) +
                     " to " + to_text(levels.high));
     return levels;
 }
