@@ -171,13 +171,14 @@ bool offer_driver(pappl_system_t* system, const char* name, const char* device, 
 JobRequest request_of(pappl_job_t* job, bool is_text) {
     pappl_printer_t* printer = papplJobGetPrinter(job);
     const MachineDriver* driver = find_driver(papplPrinterGetDriverName(printer));
-    if (driver == nullptr) throw Error(Fault::failed, papplPrinterGetDriverName(printer), "there is no such driver any more");
+    if (driver == nullptr)
+        throw Error(Fault::failed, papplPrinterGetDriverName(printer), phrase("there is no such driver any more"));
     JobRequest request;
     request.driver = driver->name;
     request.title = papplJobGetName(job);
     request.job.is_text = is_text;
     pappl_pr_options_t* chosen = papplJobCreatePrintOptions(job, 0, false);
-    if (chosen == nullptr) throw Error(Fault::failed, "", "there is not enough memory");
+    if (chosen == nullptr) throw Error(Fault::failed, "", phrase("there is not enough memory"));
     request.job.copies = chosen->copies;
     request.job.first_page = static_cast<int>(chosen->first_page);
     request.job.last_page = static_cast<int>(std::min(chosen->last_page, static_cast<unsigned>(PrintJob::kAllPages)));

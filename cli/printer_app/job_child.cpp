@@ -48,7 +48,7 @@ std::vector<std::string> words_of(const JobRequest& request) {
 JobRequest request_of(const std::vector<std::string>& words) {
     constexpr std::size_t kFixed = 6;
     if (words.size() <= kFixed)
-        throw Error(Fault::usage, std::string(kJobChild), "is how the printer application calls itself; see --help");
+        throw Error(Fault::usage, std::string(kJobChild), phrase("is how the printer application calls itself; see --help"));
     const auto number = [&](std::size_t at) { return static_cast<int>(parse_number(words[at]).value_or(1)); };
     JobRequest request{words[0], words[1], {copies_of(words[2]), number(3), number(4), words[5] == kText}, {}, {}};
     PrintOptions* taken = &request.defaults;
@@ -68,14 +68,14 @@ void check_choice(const PpdWords& words, const std::string& option, const std::s
     if (any || offered == words.choices.end() || offered->second.contains(value)) return;
     const std::vector<std::string_view> names(offered->second.begin(), offered->second.end());
     throw Error(Fault::usage, attribute_of(option),
-                "this printer has no choice \"" + value.substr(0, 80) + "\"" + did_you_mean(value, names) +
-                    "; tactics-printer-app choices lists them");
+                phrase("this printer has no choice \"{0}\"{1}; tactics-printer-app choices lists them", value.substr(0, 80),
+                       did_you_mean(value, names)));
 }
 
 class Pipe {
 public:
     Pipe() {
-        if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw Error(Fault::failed, "", "there is no room for another pipe");
+        if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw Error(Fault::failed, "", phrase("there is no room for another pipe"));
     }
     ~Pipe() {
         close_one(0);
@@ -121,7 +121,7 @@ public:
         posix_spawnattr_destroy(&how);
         if (fault != 0) {
             child_ = -1;
-            throw Error(Fault::failed, "", "the program that converts print jobs could not be started");
+            throw Error(Fault::failed, "", phrase("the program that converts print jobs could not be started"));
         }
         out_.close_one(1);
         told_.close_one(1);
@@ -179,7 +179,7 @@ private:
 Queue queue_of(const JobRequest& request) {
     const MachineDriver* driver = find_driver(request.driver);
     if (driver == nullptr)
-        throw Error(Fault::usage, request.driver, "there is no such driver; tactics-printer-app drivers lists them");
+        throw Error(Fault::usage, request.driver, phrase("there is no such driver; tactics-printer-app drivers lists them"));
     PpdWords words = words_of(*driver);
     for (const auto& [option, value] : request.options) check_choice(words, option, value);
     for (const auto& chosen : request.defaults) words.defaults.push_back(chosen);
@@ -210,11 +210,14 @@ std::string convert_job(const JobRequest& request, int document, const JobWatch&
             child.end(SIGTERM);
         }
         if (is_cancelled && !first && now - cancelled > kTimeToEnd) return "";
-        if (bytes.size() > kMostBytes) throw Error(Fault::failed, "", "the job has more pages than an embosser could make");
+        if (bytes.size() > kMostBytes)
+            throw Error(Fault::failed, "", phrase("the job has more pages than an embosser could make"));
     }
     const bool good = child.wait();
     if (watch.is_cancelled()) return "";
-    if (!good) throw Error(Fault::failed, "", error.empty() ? "the program that converts print jobs ended early" : error);
+    if (!good)
+        throw Error(Fault::failed, "",
+                    error.empty() ? phrase("the program that converts print jobs ended early") : Phrase(error));
     return bytes;
 }
 

@@ -27,7 +27,7 @@ constexpr std::uint64_t kMostPixels = 400'000'000;  // A3 at 600 dpi has 70 mill
 class OpenFile {
 public:
     explicit OpenFile(int file) : file_(file) {
-        if (file < 0) throw Error(Fault::failed, "", "the document of the job cannot be read");
+        if (file < 0) throw Error(Fault::failed, "", phrase("the document of the job cannot be read"));
     }
     ~OpenFile() { close(file_); }
     OpenFile(const OpenFile&) = delete;
@@ -67,7 +67,8 @@ std::string converted(pappl_job_t* job, const JobRequest& request, int document,
 void send_all(pappl_device_t* device, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t sent = papplDeviceWrite(device, bytes.data(), std::min<std::size_t>(bytes.size(), 65536));
-        if (sent <= 0) throw Error(Fault::failed, "", "the embosser takes no more bytes; see whether it is on, and has paper");
+        if (sent <= 0)
+            throw Error(Fault::failed, "", phrase("the embosser takes no more bytes; see whether it is on, and has paper"));
         bytes.remove_prefix(static_cast<std::size_t>(sent));
     }
 }
@@ -125,7 +126,7 @@ bool begin_page(pappl_job_t* job, pappl_pr_options_t* options, pappl_device_t*, 
     return guarded(job, [&] {
         const auto& header = options->header;
         if (header.cupsBitsPerPixel != 8 || std::uint64_t{header.cupsWidth} * header.cupsHeight > kMostPixels)
-            throw Error(Fault::failed, "", "the page has too many pixels, or other than 256 levels of grey");
+            throw Error(Fault::failed, "", phrase("the page has too many pixels, or other than 256 levels of grey"));
         RasterJob& raster = raster_of(job);
         raster.page = std::make_unique<PngFile>(header.cupsWidth, header.cupsHeight, 8);
         constexpr double kMmPerMetre = 1000;
@@ -152,7 +153,7 @@ bool end_page(pappl_job_t* job, pappl_pr_options_t*, pappl_device_t*, unsigned) 
         const OpenFile file(memfd_create("page", MFD_CLOEXEC));
         if (write(file.number(), picture.data(), picture.size()) != static_cast<ssize_t>(picture.size()) ||
             lseek(file.number(), 0, SEEK_SET) != 0)
-            throw Error(Fault::failed, "", "there is not enough memory for the page");
+            throw Error(Fault::failed, "", phrase("there is not enough memory for the page"));
         raster.bytes += converted(job, raster.request, file.number(), CountsSheets::no);
     });
 }

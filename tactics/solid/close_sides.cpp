@@ -14,7 +14,7 @@ constexpr double kAcross = 0.1;           // cosine up to which a move does not 
 constexpr double kLong = 3;               // times as long as wide: a strip; what is shorter is a shape of its own
 constexpr double kSame = 1 - 1e-9;        // of a cosine
 constexpr double kFarthest = 1.5;         // times the least distance that an end may move in all
-constexpr std::size_t kMostSides = 3000;  // every pair is looked at; a page with more is for no finger
+constexpr std::size_t kMostCloseSides = 3000;  // every pair is looked at; a page with more is for no finger
 
 Point to(Point a, Point b) { return {b.x - a.x, b.y - a.y}; }
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
@@ -145,7 +145,7 @@ private:
 }  // namespace
 
 std::size_t unite_close(std::vector<DrawnSide>& sides, double touching, double apart) {
-    if (sides.size() > kMostSides || !(apart > 2 * touching)) return 0;
+    if (sides.size() > kMostCloseSides || !(apart > 2 * touching)) return 0;
     const std::size_t moved = Uniting(sides, touching, apart).unite();
     if (moved == 0) return 0;
     std::erase_if(sides, [&](const DrawnSide& side) { return !(distance(side.from, side.to) > touching); });
