@@ -71,7 +71,7 @@ void offer_option(pappl_pr_driver_data_t& offered, const std::string& option, co
                   const std::string& fallback, ipp_t* attributes) {
     const std::string name = attribute_of(option);
     offered.vendor[offered.num_vendor++] = kept(name);
-    const bool any = std::find(std::begin(kAnyWords), std::end(kAnyWords), option) != std::end(kAnyWords);
+    const bool any = takes_any_words(option);
     if (!any) {
         std::vector<const char*> values;
         for (const std::string& choice : choices) values.push_back(choice.c_str());
@@ -139,11 +139,27 @@ const char* kind_of_document(const unsigned char* bytes, std::size_t count, void
         return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t' && c != '\f';
     };
     if (begin.empty() || std::any_of(begin.begin(), begin.end(), is_control)) return nullptr;
-    return begin.find("<svg") != begin.npos ? "image/svg+xml" : "text/plain";
+    const auto first = begin.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+    return first != begin.npos && begin[first] == '<' && begin.find("<svg") != begin.npos ? "image/svg+xml" : "text/plain";
+}
+
+bool may_send_to(const std::string& device, const ServerWish& server) {
+    if (device.empty()) return true;
+    std::array<char, 32> scheme{};
+    std::array<char, 256> user{}, host{}, resource{};
+    int port = 0;
+    const http_uri_status_t status =
+        httpSeparateURI(HTTP_URI_CODING_ALL, device.c_str(), scheme.data(), scheme.size(), user.data(), user.size(), host.data(),
+                        host.size(), &port, resource.data(), resource.size());
+    // A path alone is taken for a file, with a warning.
+    if (status < HTTP_URI_STATUS_OK || status == HTTP_URI_STATUS_MISSING_SCHEME) return false;
+    const std::string_view way = scheme.data();
+    if (way == "file") return server.to_files && geteuid() != 0;
+    return way == "socket" || way == "usb" || way == "dnssd" || way == "snmp";
 }
 
 bool offer_driver(pappl_system_t* system, const char* name, const char* device, const char* id, pappl_pr_driver_data_t* offered,
-                  ipp_t** attributes, void*) {
+                  ipp_t** attributes, void* data) {
     const std::string_view asked = name == nullptr ? "" : name, where = device == nullptr ? "" : device;
     const MachineDriver* driver = asked == "auto" ? driver_of_device(id == nullptr ? "" : id) : find_driver(asked);
     if (driver == nullptr) {
@@ -151,8 +167,10 @@ bool offer_driver(pappl_system_t* system, const char* name, const char* device, 
                  std::string(asked).c_str());
         return false;
     }
-    if (where.starts_with("file:") && geteuid() == 0) {
-        papplLog(system, PAPPL_LOGLEVEL_ERROR, "A server of root writes to no file; run it as a user for %s.",
+    if (!may_send_to(std::string(where), *static_cast<const ServerWish*>(data))) {
+        papplLog(system, PAPPL_LOGLEVEL_ERROR,
+                 "Bytes go to socket:, usb:, dnssd: and snmp: addresses, and to file: ones if a user's server runs with "
+                 "-o file-devices=yes; not to '%s'.",
                  std::string(where).c_str());
         return false;
     }

@@ -19,8 +19,15 @@ inline constexpr const char* kDocuments[] = {"application/pdf", "image/jpeg",   
 /// The kind of a document that begins so, of those that PAPPL does not know itself; nullptr: none that is printed.
 const char* kind_of_document(const unsigned char* bytes, std::size_t count, void* data);
 
+struct ServerWish {
+    bool to_files = false;  ///< for tests: anyone who may add a printer could write to any file of the server's user
+};
+
+/// Whether the server sends bytes to such an address: to files only where that is wished, and never as root.
+bool may_send_to(const std::string& device, const ServerWish& server);
+
 /// Fills in sizes, resolution and options; the functions that print are added by add_printing (printing.h). False: there is no
-/// such driver, or the device must not be used by root: a file could be any of the system.
+/// such driver, or the device is none to send to. `data` is a ServerWish.
 bool offer_driver(pappl_system_t* system, const char* name, const char* device, const char* id, pappl_pr_driver_data_t* offered,
                   ipp_t** attributes, void* data);
 

@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,7 +26,6 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 28;  // a book of 10,000 pages has a tenth of it
 constexpr std::chrono::seconds kTimeToEnd{5};
 constexpr std::string_view kError = "ERROR: ", kInfo = "INFO: ", kPage = "PAGE: ";
 constexpr std::string_view kAny = "any", kText = "text", kOptions = "--";
@@ -62,12 +62,11 @@ JobRequest request_of(const std::vector<std::string>& words) {
     return request;
 }
 
-void check_choice(const PpdWords& words, const std::string& option, const std::string& value) {
+void check_choice(const PpdWords& words, const std::string& option, const std::string& value, std::string_view behind = "") {
     const auto offered = words.choices.find(option);
-    const bool any = std::find(std::begin(kAnyWords), std::end(kAnyWords), option) != std::end(kAnyWords);
-    if (any || offered == words.choices.end() || offered->second.contains(value)) return;
+    if (takes_any_words(option) || offered == words.choices.end() || offered->second.contains(value)) return;
     const std::vector<std::string_view> names(offered->second.begin(), offered->second.end());
-    throw Error(Fault::usage, attribute_of(option),
+    throw Error(Fault::usage, attribute_of(option).append(behind),
                 phrase("this printer has no choice \"{0}\"{1}; tactics-printer-app choices lists them", value.substr(0, 80),
                        did_you_mean(value, names)));
 }
@@ -107,7 +106,8 @@ public:
         posix_spawn_file_actions_adddup2(&files, document, STDIN_FILENO);
         posix_spawn_file_actions_adddup2(&files, out_.end(1), STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&files, told_.end(1), STDERR_FILENO);
-        // The server handles these itself; it is the child's own to end by them.
+        posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);  // the device is not the child's
+        // The child ends by these, whatever the server does with them.
         sigset_t none, ours;
         sigemptyset(&none);
         sigemptyset(&ours);
@@ -145,7 +145,7 @@ public:
         if (lines_.size() > 1u << 16) lines_.clear();
         return out_.end(0) >= 0 || told_.end(0) >= 0;
     }
-    // Its group too: it starts programs of its own.
+    // What it starts ends with it (tactics-cage).
     void end(int signal) {
         kill(-child_, signal);
         if (signal == SIGKILL) wait();
@@ -153,10 +153,12 @@ public:
     // Whether it ended well.
     bool wait() {
         int status = 0;
-        while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+        pid_t ended = 0;
+        while ((ended = waitpid(child_, &status, 0)) < 0 && errno == EINTR) {
         }
+        const bool known = ended == child_;
         child_ = -1;
-        return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+        return known && WIFEXITED(status) && WEXITSTATUS(status) == 0;
     }
 
 private:
@@ -182,7 +184,10 @@ Queue queue_of(const JobRequest& request) {
         throw Error(Fault::usage, request.driver, phrase("there is no such driver; tactics-printer-app drivers lists them"));
     PpdWords words = words_of(*driver);
     for (const auto& [option, value] : request.options) check_choice(words, option, value);
-    for (const auto& chosen : request.defaults) words.defaults.push_back(chosen);
+    for (const auto& chosen : request.defaults) {
+        check_choice(words, chosen.first, chosen.second, "-default");
+        words.defaults.push_back(chosen);
+    }
     try {
         return queue_of(words, request.driver, request.options, request.title);
     } catch (const Error& error) {
@@ -210,7 +215,7 @@ std::string convert_job(const JobRequest& request, int document, const JobWatch&
             child.end(SIGTERM);
         }
         if (is_cancelled && !first && now - cancelled > kTimeToEnd) return "";
-        if (bytes.size() > kMostBytes)
+        if (bytes.size() > kMostJobBytes)
             throw Error(Fault::failed, "", phrase("the job has more pages than an embosser could make"));
     }
     const bool good = child.wait();
@@ -225,6 +230,7 @@ int run_job_child(const std::vector<std::string>& words) {
     try {
         fix_print_surroundings();
         take_lesser_rights();
+        prctl(PR_SET_PDEATHSIG, SIGKILL);  // asked for again with other rights
         const JobRequest request = request_of(words);
         spell_wishes_with("tactics-");
         const Interrupt interrupt([] {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A print job is converted by a program of its own, this one once more: what it reads was sent by a stranger, and a server must
+// A document is converted by a program of its own, this one once more: what it reads was sent by a stranger, and a server must
 // go on whatever becomes of it.
 #pragma once
 
@@ -23,6 +23,8 @@ struct JobRequest {
 
 /// The queue that these make. Throws Error as queue_of does, and for a driver that does not exist.
 Queue queue_of(const JobRequest& request);
+
+inline constexpr std::size_t kMostJobBytes = std::size_t{1} << 28;  ///< a book of 10,000 pages has a tenth of it
 
 struct JobWatch {
     std::function<void(std::string_view note)> note;  ///< a line for the log

@@ -10,6 +10,8 @@ namespace tactics {
 
 namespace {
 
+constexpr std::string_view kAnyWords[] = {"TacticsTitle", "TacticsLabels"};
+
 Settings settings_of(const MachineDriver& driver) {
     Settings settings(driver.format->options);
     set_model(settings, driver.name, driver.name);
@@ -80,6 +82,10 @@ std::string in_attributes(std::string message, const PpdWords& words) {
         for (auto at = message.find(option); at != message.npos; at = message.find(option, at))
             message.replace(at, option.size(), attribute_of(option));
     return message;
+}
+
+bool takes_any_words(std::string_view option) {
+    return std::find(std::begin(kAnyWords), std::end(kAnyWords), option) != std::end(kAnyWords);
 }
 
 }  // namespace tactics

@@ -39,7 +39,7 @@ std::string attribute_of(std::string_view option);
 /// A message with the names of IPP in the place of those of a PPD file.
 std::string in_attributes(std::string message, const PpdWords& words);
 
-/// Title and labels of a print job, which take any words and so have no choices.
-inline constexpr std::string_view kAnyWords[] = {"TacticsTitle", "TacticsLabels"};
+/// Title and labels of a print job take any words, whatever choices are listed.
+bool takes_any_words(std::string_view option);
 
 }  // namespace tactics

@@ -42,7 +42,8 @@ void print_usage(void*) {
         "      Why a job was aborted is in the log, log-file=FILE, and goes to other programs as its job-state-message.\n"
         "\n"
         "Settings of the server: -o server-port=NUMBER -o listen-hostname=NAME -o spool-directory=FOLDER -o log-file=FILE\n"
-        "-o log-level=debug|info|warn|error -o admin-group=GROUP -o auth-service=NAME. Its printers are also in the web browser, "
+        "-o log-level=debug|info|warn|error -o admin-group=GROUP -o auth-service=NAME -o file-devices=yes. Its printers are also "
+        "in the web browser, "
         "at\n"
         "http://localhost:PORT. See man tactics-printer-app.\n",
         stdout);
@@ -62,8 +63,10 @@ std::string spool_folder() {
     return std::string(papplGetTempDir()) + "/" + kName;
 }
 
-pappl_system_t* make_system(int count, cups_option_t* options, void*) {
+pappl_system_t* make_system(int count, cups_option_t* options, void* data) {
     const auto option = [&](const char* name) { return cupsGetOption(name, count, options); };
+    const char* files = option("file-devices");
+    static_cast<ServerWish*>(data)->to_files = files != nullptr && std::string_view(files) == "yes";
     const char* port = option("server-port");
     const char* folder = option("spool-directory");
     const std::string spool = folder != nullptr ? folder : spool_folder();
@@ -74,7 +77,10 @@ pappl_system_t* make_system(int count, cups_option_t* options, void*) {
     for (const char* kind : kDocuments) papplSystemAddMIMEFilter(system, kind, kMachineBytes, print_document, nullptr);
     papplSystemSetMIMECallback(system, kind_of_document, nullptr);
     if (const char* group = option("admin-group")) papplSystemSetAdminGroup(system, group);
-    if (const char* host = option("server-hostname")) papplSystemSetHostName(system, host);
+    // A printer that only this computer reaches is not announced to others under another name.
+    const char* called = option("server-hostname");
+    if (called == nullptr && option("listen-hostname") == nullptr) called = "localhost";
+    if (called != nullptr) papplSystemSetHostName(system, called);
     if (option("private-server") == nullptr) {
         const char* host = option("listen-hostname");
         const std::string name = host == nullptr ? "localhost" : host;
@@ -108,7 +114,7 @@ int list_choices(const char*, int count, cups_option_t* options, int, char**, vo
     const PpdWords offered = words_of(*driver);
     for (const auto& [option, fallback] : offered.defaults) {
         if (!option.starts_with("Tactics")) continue;
-        const bool any = std::find(std::begin(kAnyWords), std::end(kAnyWords), option) != std::end(kAnyWords);
+        const bool any = takes_any_words(option);
         std::string choices;
         for (const std::string& choice : offered.choices.at(option)) choices += (choices.empty() ? "" : " ") + choice;
         std::printf("%s=%s; choices: %s%s\n", attribute_of(option).c_str(), fallback.c_str(), choices.c_str(),
@@ -127,12 +133,14 @@ const char* driver_for(const char*, const char*, const char* id, void*) {
 
 int main(int count, char** words) {
     std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGCHLD, SIG_DFL);  // how a job's child ended is asked for
     if (count > 1 && words[1] == kJobChild) return run_job_child({words + 2, words + count});
     if (count == 2 && std::string_view(words[1]) == "drivers") return list_drivers();
+    ServerWish server;
     std::vector<pappl_pr_driver_t> drivers;
     for (const MachineDriver& driver : machine_drivers())
         drivers.push_back({driver.name.c_str(), driver.people.c_str(), nullptr, nullptr});
     return papplMainloop(count, words, TACTICS_VERSION, "<p>TACTICS: pages to be read by touch</p>",
                          static_cast<int>(drivers.size()), drivers.data(), driver_for, offer_driver, "choices", list_choices,
-                         make_system, print_usage, nullptr);
+                         make_system, print_usage, &server);
 }

@@ -6,8 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <csignal>
 #include <cstring>
 #include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include "cli/printer_app/ipp_driver.h"
@@ -52,6 +56,28 @@ bool guarded(pappl_job_t* job, const Work& work) {
     }
 }
 
+// PAPPL waits a minute for jobs when it is told to end, and then takes away what they still use.
+std::atomic<bool> server_ends{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+struct sigaction before_ours {};
+
+void note_the_end(int signal) {
+    server_ends = true;
+    if (before_ours.sa_handler != SIG_DFL && before_ours.sa_handler != SIG_IGN) before_ours.sa_handler(signal);
+}
+
+// PAPPL has set its own handler when the first job comes.
+void watch_for_the_end() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        struct sigaction ours {};
+        ours.sa_handler = note_the_end;
+        sigaction(SIGTERM, &ours, &before_ours);
+    });
+}
+
+bool is_cancelled(pappl_job_t* job) { return server_ends || papplJobIsCanceled(job); }
+
 enum class CountsSheets : bool { no, yes };  // PAPPL itself counts those of a raster
 
 std::string converted(pappl_job_t* job, const JobRequest& request, int document, CountsSheets counts) {
@@ -60,44 +86,57 @@ std::string converted(pappl_job_t* job, const JobRequest& request, int document,
     watch.sheet = [&] {
         if (counts == CountsSheets::yes) papplJobSetImpressionsCompleted(job, 1);
     };
-    watch.is_cancelled = [&] { return papplJobIsCanceled(job); };
+    watch.is_cancelled = [&] { return is_cancelled(job); };
+    watch_for_the_end();
     return convert_job(request, document, watch);
+}
+
+[[noreturn]] void refuse_device() {
+    throw Error(Fault::failed, "", phrase("the embosser takes no more bytes; see whether it is on, and has paper"));
 }
 
 void send_all(pappl_device_t* device, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t sent = papplDeviceWrite(device, bytes.data(), std::min<std::size_t>(bytes.size(), 65536));
-        if (sent <= 0)
-            throw Error(Fault::failed, "", phrase("the embosser takes no more bytes; see whether it is on, and has paper"));
+        if (sent <= 0) refuse_device();
         bytes.remove_prefix(static_cast<std::size_t>(sent));
     }
+}
+
+std::size_t taken_by(pappl_device_t* device) {
+    pappl_devmetrics_t metrics{};
+    papplDeviceGetMetrics(device, &metrics);
+    return metrics.write_bytes;
 }
 
 // A job that is cancelled ends after a sheet, and with the bytes that end a job: a machine must not wait for the rest of one.
 void send(pappl_job_t* job, pappl_device_t* device, const Queue& queue, std::string_view bytes) {
     const Embosser& embosser = *queue.embosser->embosser;
     const Punched punched = embosser.punch(bytes, queue.wishes.settings.front().second);
+    const std::size_t taken = taken_by(device);
     std::size_t sent = 0;
     for (const PunchedSheet& sheet : punched.sheets) {
-        if (papplJobIsCanceled(job)) break;
+        if (is_cancelled(job)) break;
         send_all(device, bytes.substr(sent, sheet.end - sent));
         sent = sheet.end;
     }
     std::string rest(bytes.substr(sent));
-    if (papplJobIsCanceled(job))
+    if (is_cancelled(job))
         rest = sent == 0 ? "" : bytes.substr(punched.job_end_begin, punched.job_end_end - punched.job_end_begin);
     if (sent + rest.size() > 0) rest += packet_end(embosser.packet, sent + rest.size());
     send_all(device, rest);
     papplDeviceFlush(device);
+    // Up to 8 kB are written only then, and PAPPL keeps to itself what becomes of them.
+    if (taken_by(device) - taken != sent + rest.size()) refuse_device();
 }
 
-bool print_bytes(pappl_job_t* job, pappl_pr_options_t*, pappl_device_t* device) {
+bool print_bytes(pappl_job_t* job, pappl_pr_options_t* options, pappl_device_t* device) {
     return guarded(job, [&] {
         const Queue queue = queue_of(request_of(job, false));
         std::string bytes;
         append_file(bytes, papplJobGetFilename(job));
         refuse_wrong_machine(papplJobGetName(job), bytes, *queue.embosser, queue.wishes.settings.front().second);
-        send(job, device, queue, bytes);
+        for (int copy = 0; copy < std::max(1, options->copies) && !is_cancelled(job); ++copy) send(job, device, queue, bytes);
     });
 }
 
@@ -108,6 +147,8 @@ struct RasterJob {
     std::unique_ptr<PngFile> page = nullptr;
     std::vector<std::uint8_t> row = {};
     std::string bytes = {};
+    int pages = 0, copies = 1;
+    bool has_labels = false;
 };
 
 RasterJob& raster_of(pappl_job_t* job) { return *static_cast<RasterJob*>(papplJobGetData(job)); }
@@ -116,7 +157,9 @@ bool begin_raster(pappl_job_t* job, pappl_pr_options_t*, pappl_device_t*) {
     return guarded(job, [&] {
         auto raster = std::make_unique<RasterJob>();
         raster->request = request_of(job, false);
-        raster->request.job.first_page = raster->request.job.last_page = 1;
+        PrintJob& pages = raster->request.job;
+        pages.first_page = pages.last_page = 1;
+        raster->copies = std::max(1, std::exchange(pages.copies, 1));  // of all pages, when they are there
         raster->queue = queue_of(raster->request);
         papplJobSetData(job, raster.release());
     });
@@ -128,6 +171,9 @@ bool begin_page(pappl_job_t* job, pappl_pr_options_t* options, pappl_device_t*, 
         if (header.cupsBitsPerPixel != 8 || std::uint64_t{header.cupsWidth} * header.cupsHeight > kMostPixels)
             throw Error(Fault::failed, "", phrase("the page has too many pixels, or other than 256 levels of grey"));
         RasterJob& raster = raster_of(job);
+        if (++raster.pages > 1 && !raster.queue.labels.empty())
+            throw Error(Fault::usage, "tactics-label",
+                        phrase("labels are for a job of one page; print the page alone, or leave them out"));
         raster.page = std::make_unique<PngFile>(header.cupsWidth, header.cupsHeight, 8);
         constexpr double kMmPerMetre = 1000;
         raster.page->scale(header.HWResolution[0] / kMmPerInch * kMmPerMetre, header.HWResolution[1] / kMmPerInch * kMmPerMetre);
@@ -155,13 +201,17 @@ bool end_page(pappl_job_t* job, pappl_pr_options_t*, pappl_device_t*, unsigned) 
             lseek(file.number(), 0, SEEK_SET) != 0)
             throw Error(Fault::failed, "", phrase("there is not enough memory for the page"));
         raster.bytes += converted(job, raster.request, file.number(), CountsSheets::no);
+        if (raster.bytes.size() > kMostJobBytes)
+            throw Error(Fault::failed, "", phrase("the job has more pages than an embosser could make"));
     });
 }
 
 bool end_raster(pappl_job_t* job, pappl_pr_options_t*, pappl_device_t* device) {
     const std::unique_ptr<RasterJob> raster(&raster_of(job));
     papplJobSetData(job, nullptr);
-    return guarded(job, [&] { send(job, device, raster->queue, raster->bytes); });
+    return guarded(job, [&] {
+        for (int copy = 0; copy < raster->copies && !is_cancelled(job); ++copy) send(job, device, raster->queue, raster->bytes);
+    });
 }
 
 bool ask_status(pappl_printer_t*) { return true; }

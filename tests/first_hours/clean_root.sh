@@ -44,11 +44,9 @@ end_root() {
     rm -rf --one-file-system "$root" ${layers:+"$layers"}
 }
 
-# make_packages BUILD: the Debian packages of that build folder, unless they are newer than its programs.
+# make_packages BUILD: the Debian packages of that build folder.
 make_packages() {
     [[ -x $1/tactics && -x $1/draw_samples ]] || { echo "Build first: samples/run"; exit 2; }
-    local made=("$1"/tactics_*.deb)
-    [[ ! -e ${made[0]} || -n $(find "$1" -maxdepth 1 -name 'tactics*' -perm /111 ! -name 'tactics_tests' -type f -newer "${made[0]}") ]] || return 0
     rm -f "$1"/*.deb
     (cd "$1" && cpack -G DEB >cpack.log 2>&1) || { cat "$1/cpack.log"; exit 2; }
 }
@@ -77,6 +75,7 @@ program_root() {
         { tail -n 20 "$root.log"; exit 2; }
     rm -f "$root.log"
     if [[ -n $kept && ! -d $kept ]]; then
+        rm -rf "$kept.new"
         cp -a "$root" "$kept.new" && mv "$kept.new" "$kept"
     fi
     pictures_for "$build"

@@ -50,7 +50,7 @@ protected:
         port_ = free_port();
         server_ = start(folder,
                         as_user({"server", "-o", "server-port=" + std::to_string(port_), "-o", "log-level=info", "-o",
-                                 "log-file=" + (folder / "log").string()}),
+                                 "file-devices=yes", "-o", "log-file=" + (folder / "log").string()}),
                         streams_.path(), "");
         ASSERT_TRUE(becomes([&] { return app({"status"}).out.starts_with("Running"); })) << bytes_of(folder / "log");
         ASSERT_EQ(add("Everest", "everest-d-v5").code, 0) << bytes_of(folder / "log");
@@ -178,6 +178,31 @@ TEST_F(PrinterApp, SaysWhatIsWrongInTheWordsOfItsOptions) {
     EXPECT_TRUE(holds(log(), "] cut: ")) << log();
     EXPECT_EQ(add("Nothing", "nothing").code, 1);
     EXPECT_EQ(printed("good", {"disc.tif"}), made({"disc.tif"})) << "the server goes on";
+}
+
+// Whoever may add a printer must not choose a file by it, however the file is written.
+TEST_F(PrinterApp, SendsToMachinesOnly) {
+    for (const std::string& device :
+         {(folder / "machine").string(), (folder / "machine?ext=sh").string(), std::string("ipp://localhost/"),
+          std::string("serial:/dev/null"), std::string("http://localhost/")})
+        EXPECT_NE(app({"add", "-d", "Other", "-m", "everest-d-v5", "-v", device}).code, 0) << device;
+    EXPECT_FALSE(holds(app({"printers"}).out, "Other"));
+}
+
+// A page is so short that it is written at the end only.
+TEST_F(PrinterApp, SaysThatAMachineTakesNothing) {
+    ASSERT_EQ(app({"add", "-d", "Full", "-m", "everest-d-v5", "-v", "file:///dev/full"}).code, 0);
+    ASSERT_EQ(app({"submit", "-d", "Full", "disc.tif"}).code, 0);
+    EXPECT_TRUE(becomes([&] {
+        return holds(app({"jobs", "-d", "Full"}).out, "1 aborted");
+    })) << app({"jobs", "-d", "Full"}).out
+        << log();
+}
+
+TEST_F(PrinterApp, RefusesADefaultThatIsNoChoice) {
+    app({"modify", "-d", "Everest", "-o", "tactics-recipe-default=phto"});
+    app({"submit", "-d", "Everest", "disc.tif"});
+    EXPECT_TRUE(becomes([&] { return holds(log(), "tactics-recipe-default: this printer has no choice"); })) << log();
 }
 
 TEST_F(PrinterApp, EndsAJobThatIsCancelled) {
