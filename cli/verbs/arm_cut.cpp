@@ -71,7 +71,7 @@ Plot cut_of(const Plot& plot, const CutWish& wish, Point field, const std::strin
                                 : phrase("nothing is known of the surface there; take another place"));
     std::string names;
     for (const PlotCurve& curve : cut.curves) names += (names.empty() ? "" : ", ") + curve.name;
-    told.push_back((wish.levels ? "felt as lines of equal height: " : "felt cut open: ") + names);
+    told.push_back(wish.levels ? phrase("felt as lines of equal height: {0}", names) : phrase("felt cut open: {0}", names));
     return cut;
 }
 

@@ -18,6 +18,7 @@ namespace tactics {
 namespace {
 
 constexpr double kPitch = 1.27;  // mm
+constexpr double kLowest = 10;   // percent: a lower dot is none
 
 constexpr Option lower_dots(std::string_view name, std::string_view summary) {
     return {
@@ -47,7 +48,8 @@ DotSetting dots(const Settings&) {
 // A grey of a pixel, the darker the higher.
 std::uint8_t grey_of(LineKind kind, const KindHeights& chosen, const Settings& settings) {
     const double wished = kind == LineKind::drawn ? 100 : settings.number(kKindSettings[static_cast<std::size_t>(kind)]);
-    return static_cast<std::uint8_t>(255 - std::lround(2.55 * (wished > 0 ? wished : 100 * chosen.share(kind))));
+    return static_cast<std::uint8_t>(255 -
+                                     std::lround(2.55 * (wished > 0 ? std::max(kLowest, wished) : 100 * chosen.share(kind))));
 }
 
 std::string encode(const Page& page, const Settings& settings) {

@@ -32,13 +32,15 @@ Point to(Point a, Point b) { return {b.x - a.x, b.y - a.y}; }
 
 bool goes_on(std::span<const Point> dash, std::span<const Point> next) {
     const Point over = to(dash.back(), next.front());
-    return cosine(to(on_from(dash.rbegin(), dash.rend()), dash.back()), over) > kLeast &&
-           cosine(over, to(next.front(), on_from(next.begin(), next.end()))) > kLeast;
+    const auto agrees = [&](Point from, Point end) { return cosine(to(from, end), over) > kLeast; };
+    // A corner may be just behind an end, or a step of pixels.
+    return (agrees(on_from(dash.rbegin(), dash.rend()), dash.back()) || agrees(dash[dash.size() - 2], dash.back())) &&
+           (agrees(next.front(), on_from(next.begin(), next.end())) || agrees(next.front(), next[1]));
 }
 
 std::size_t last_of_line(const Page& page, std::size_t first) {
     const auto is_dash = [](const PageStroke& stroke) {
-        return stroke.role == Role::dash && !stroke.closed && !stroke.points.empty();
+        return stroke.role == Role::dash && !stroke.closed && stroke.points.size() > 1;
     };
     std::size_t last = first;
     while (last + 1 < page.strokes.size() && is_dash(page.strokes[last]) && is_dash(page.strokes[last + 1])) {

@@ -202,7 +202,9 @@ Drawable drawable_of_table(Source& source, const Job& job, const Sheet& sheet, N
 // No perspective, and every face in its shape.
 Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view format, const Job& job, const Sheet& sheet,
                             Notes& notes) {
-    const auto drawing = std::make_shared<ModelDrawing>(std::move(model), job.model);
+    ModelDrawingWish wish = job.model;
+    wish.fold.unite = !job.chain.as_drawn;
+    const auto drawing = std::make_shared<ModelDrawing>(std::move(model), std::move(wish));
     Drawable drawable{.info = {std::string(format), 0, 0}};
     drawable.title = drawing->model().title;
     drawable.title_origin = "the title of the model";

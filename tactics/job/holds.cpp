@@ -71,14 +71,16 @@ bool is_blank_table(std::string_view text) {
     return rows >= 2 && columns >= 2;
 }
 
-// A line of names and nothing below it: the file's own name says that it is one, or what parts the names, with no blank after it.
+// A line of names and nothing below it: the file's own name says that it is one, or a mark between names, without a blank or
+// what stands in an address.
 bool is_line_of_names(std::string_view text, std::string_view file) {
     const auto begin = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");
     const std::string_view line = text.substr(begin, last + 1 - begin);
     if (line.find('\n') != std::string_view::npos) return false;
     if (file.ends_with(".csv") || file.ends_with(".tsv")) return true;
-    const auto mark = line.find_first_of(",;\t");
-    return mark != std::string_view::npos && mark + 1 < line.size() && line.find(' ') == std::string_view::npos;
+    const auto is_mark = [](char c) { return c == ',' || c == ';' || c == '\t'; };
+    return std::any_of(line.begin(), line.end(), is_mark) && !is_mark(line.back()) &&
+           line.find_first_of(" :/") == std::string_view::npos;
 }
 
 // A line of names with something between them, and numbers below it; or the line alone, of which the reader of tables says so.

@@ -9,14 +9,15 @@
 
 #include "tactics/error.h"
 #include "tactics/layout/scale_bar.h"
+#include "tactics/text/number.h"
 #include "tactics/units.h"
 
 namespace tactics {
 
 namespace {
 
-// Rounded down, so that what a message offers is accepted when it is given back.
-Phrase mm(double value) { return phrase("{0} mm", numeral(std::max(0.0, std::floor(value * 10 + 1e-6) / 10))); }
+// Rounded down, and with a point in every language, so that what a message offers is accepted when it is given back.
+Phrase mm(double value) { return phrase("{0} mm", to_text(std::max(0.0, std::floor(value * 10 + 1e-6) / 10))); }
 
 // From the first dot of a machine's cells that lies in the live area to the last, so that braille in its corner has dots and no
 // line lies beside them. What the machine keeps free at the left and the top it does on the other sides, too.

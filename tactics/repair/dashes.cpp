@@ -124,7 +124,7 @@ private:
     }
 
     // Where a dash goes round a corner: ends on both sides of it would be too close to each other, and the corner would not be
-    // felt. Of corners so close that there would be no gap between their dashes, the second has none.
+    // felt. Of corners so close that there would be no gap between their dashes, two have one, and a third has none.
     static std::vector<DashSpan> corners(const Stroke& line, const Lengths& lengths) {
         const std::vector<Point>& points = line.points;
         const std::size_t n = points.size();
@@ -133,8 +133,9 @@ private:
         for (std::size_t i = line.closed ? 0 : 1; i + (line.closed ? 0 : 1) < n; ++i) {
             if (i > 0) along += distance(points[i - 1], points[i]);
             if (!is_corner(line, i)) continue;
-            if (!spans.empty() && along - spans.back().to < 2 * kTurn)
-                spans.back().to = along;  // a round one
+            if (!spans.empty() && along - spans.back().to < lengths.shortest + lengths.least_gap &&
+                along - spans.back().from < kDash)
+                spans.back().to = along;  // a round one, or one dash round both
             else if (spans.empty() || along - spans.back().to >= lengths.shortest + lengths.least_gap)
                 spans.push_back({along, along});
         }

@@ -9,11 +9,11 @@ namespace tactics {
 
 namespace {
 
-constexpr double kSideBySide = 0.05;           // sine: 3 degrees
-constexpr double kAcross = 0.1;                // cosine up to which a move does not leave the line that an end must stay on
-constexpr double kLong = 3;                    // times as long as wide: a strip; what is shorter is a shape of its own
-constexpr double kSame = 1 - 1e-9;             // of a cosine
-constexpr double kFarthest = 1.5;              // times the least distance that an end may move in all
+constexpr double kSideBySide = 0.05;  // sine: 3 degrees
+constexpr double kAcross = 0.1;       // cosine up to which a move does not leave the line that an end must stay on
+constexpr double kLong = 3;           // times the least distance: a strip is as long; what is shorter is a shape of its own
+constexpr double kSame = 1 - 1e-9;    // of a cosine
+constexpr double kFarthest = 1.5;     // times the least distance that an end may move in all
 constexpr std::size_t kMostCloseSides = 3000;  // every pair is looked at; a page with more is for no finger
 
 Point to(Point a, Point b) { return {b.x - a.x, b.y - a.y}; }

@@ -84,8 +84,8 @@ void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const Ov
 
 }  // namespace
 
-std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels,
-                             const std::vector<std::uint32_t>& thing, double as_one, double apart) {
+DrawnLines lines_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels,
+                    const std::vector<std::uint32_t>& thing, double as_one, double apart) {
     const double touching = touching_in(parts);
     const std::vector<int> level = levels_of(layout, panels, thing, touching);
     // Panels that are hinged elsewhere than they lie together show that side twice.
@@ -131,8 +131,8 @@ std::vector<Stroke> lines_of(const FlatLayout& layout, const std::vector<ModelPa
         take_visible(sides, {bar.from, bar.to, LineClass::normal, false}, over, touching, as_one);
     }
     sides = merged(sides, touching);
-    unite_close(sides, touching, apart);
-    return joined(sides, touching);
+    const std::size_t united = unite_close(sides, touching, apart);
+    return {joined(sides, touching), united};
 }
 
 }  // namespace tactics

@@ -148,6 +148,13 @@ Fitted fit(const Model& model, const std::vector<ModelPart>& parts, double width
     return fitted;
 }
 
+void tell_united(std::size_t count, std::vector<Phrase>& notes) {
+    if (count == 0) return;
+    notes.push_back(
+        phrases(count, "{0} side is so close beside another that both are drawn as one line; draw a part alone to feel both",
+                "{0} sides are so close beside others that they are drawn as one line with them; draw a part alone to feel all"));
+}
+
 std::vector<Name> names_of(const std::vector<FoldedObject>& objects, std::vector<Phrase>& notes) {
     std::vector<const FoldedObject*> named;
     for (const FoldedObject& one : objects)
@@ -205,8 +212,10 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
     Drawing& drawing = made.drawing;
     drawing.width = box.width() * fitted.scale + 2 * edge;
     drawing.height = box.height() * fitted.scale + 2 * edge;
-    const double apart = least_apart(medium, medium.line, medium.line) / fitted.scale;
-    for (Stroke& stroke : lines_of(laid.layout, fitted.felt, laid.panels, laid.thing, medium.line / fitted.scale, apart)) {
+    const double apart = wish.unite ? least_apart(medium, medium.line, medium.line) / fitted.scale : 0;
+    DrawnLines lines = lines_of(laid.layout, fitted.felt, laid.panels, laid.thing, medium.line / fitted.scale, apart);
+    tell_united(lines.united, notes);
+    for (Stroke& stroke : lines.strokes) {
         for (Point& at : stroke.points) at = into.of(at);
         drawing.strokes.push_back(std::move(stroke));
     }

@@ -34,6 +34,7 @@ struct FoldWish {
     /// to the middle as possible.
     double section = 0;
     bool move = true;             ///< things may be moved off each other
+    bool unite = true;            ///< sides that are too close to be felt as two become one
     std::string language = "en";  ///< of words that stand in the drawing (BCP 47)
 };
 

@@ -102,6 +102,16 @@ TEST(Dashes, GoRoundCorners) {
         }
 }
 
+TEST(Dashes, HaveNoGapBetweenTwoCloseCorners) {
+    const Medium& swell = find_medium("swell", "test");
+    for (double w = 4.5; w < 30; w += 0.5) {  // with less the lines themselves are too close
+        Drawing drawing = blank();
+        drawing.strokes.push_back(dashed({{20, 20}, {100, 20}, {100, 20 + w}, {20, 20 + w}, {20, 140}}));
+        ASSERT_TRUE(cut_dashes(drawing, swell));
+        EXPECT_EQ(places(drawing, swell, {"gap"}), 0u) << w;
+    }
+}
+
 // So many corners that a dash round each would leave no gap.
 TEST(Dashes, HaveGapsBetweenCloseCorners) {
     const Medium& swell = find_medium("swell", "test");

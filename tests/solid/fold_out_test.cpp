@@ -40,7 +40,7 @@ TEST(FoldOut, ASideThatIsShownTwiceIsDashed) {
     add_box(cube, "Cube", -1, {0, 0, 50}, {100, 100, 100});
     const Folded made = folded(cube);
     double dashed = 0, whole = 0;
-    for (const Stroke& stroke : lines_of(made.layout, made.parts, made.panels, made.thing))
+    for (const Stroke& stroke : lines_of(made.layout, made.parts, made.panels, made.thing).strokes)
         (stroke.role == Role::dash ? dashed : whole) += length_of(stroke);
     // Four upright edges twice; those of the top and of the bottom once.
     EXPECT_NEAR(dashed, 800, 1e-6);
@@ -205,7 +205,7 @@ TEST(FoldOut, AVesselHasAnOpeningAndNoLid) {
     EXPECT_TRUE(opening);
     // From the side it is a U: two walls and a bottom, and no line where it is open.
     double length = 0;
-    for (const Stroke& stroke : lines_of(made.layout, made.parts, made.panels, made.thing)) length += length_of(stroke);
+    for (const Stroke& stroke : lines_of(made.layout, made.parts, made.panels, made.thing).strokes) length += length_of(stroke);
     EXPECT_NEAR(length, 2 * std::numbers::pi * 80 + 2 * 120 + 160, 2);
 }
 
@@ -228,7 +228,7 @@ TEST(FoldOut, ALineIsOneWithABorderOnlyWhereThatIsNear) {
     for (const double x : {-90.0, 0.0, 90.0}) add_box(model, "Tine", all, {x, -24.7, 20}, {20, 50, 20});
     const Folded made = folded(model);
     double front = 0;
-    for (const Stroke& stroke : lines_of(made.layout, made.parts, made.panels, made.thing, 1))
+    for (const Stroke& stroke : lines_of(made.layout, made.parts, made.panels, made.thing, 1).strokes)
         for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i)
             if (std::abs(stroke.points[i].y - 50) < 1e-6 && std::abs(stroke.points[i + 1].y - 50) < 1e-6)
                 front += distance(stroke.points[i], stroke.points[i + 1]);

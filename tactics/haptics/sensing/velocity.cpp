@@ -10,16 +10,16 @@ namespace tactics {
 
 namespace {
 
-constexpr double kOfLate = 0.02;     // s, over which second differences are averaged
-constexpr double kShare = 3;         // of that a place may lie off its course
-constexpr double kLeastTime = 1e-4;  // mm: finer than any sensor counts
+constexpr double kOfLate = 0.02;    // s, over which second differences are averaged
+constexpr double kShare = 3;        // of that a place may lie off its course
+constexpr double kLeastOff = 1e-4;  // mm: finer than any sensor counts
 
 }  // namespace
 
 // Every place between the ends is near the line from end to end, each at its time.
 bool AdaptiveVelocity::is_straight(std::size_t ticks) const noexcept {
     const Moment &end = past(0), &begin = past(ticks);
-    const double most = std::max(kLeastTime, kShare * uneven_), whole = end.time - begin.time;
+    const double most = std::max(kLeastOff, kShare * uneven_), whole = end.time - begin.time;
     for (std::size_t ago = 1; ago < ticks; ++ago) {
         const Moment& middle = past(ago);
         const double share = (middle.time - begin.time) / whole;

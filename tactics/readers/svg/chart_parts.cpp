@@ -17,7 +17,7 @@ namespace {
 constexpr double kGridLightness = 0.3;
 constexpr std::size_t kLeastOfGrid = 3;  // lines side by side
 constexpr double kLongOfGrid = 0.3;      // of the figure's width or height
-constexpr double kSameColour = 0.3;      // mm
+constexpr double kSamePlace = 0.3;       // mm
 
 bool is_grid_like(const FoundLook& look) {
     return look.fill < 0 && look.line >= 0 && (look.line > kGridLightness || look.dashes > 0);
@@ -28,8 +28,8 @@ char way_of(const PageStroke& stroke) {
     if (stroke.closed || stroke.points.size() < 2) return 0;
     Extent extent;
     for (const Point& p : stroke.points) extent.add(p);
-    if (extent.box.height < kSameColour && extent.box.width > kSameColour) return 'h';
-    return extent.box.width < kSameColour && extent.box.height > kSameColour ? 'v' : 0;
+    if (extent.box.height < kSamePlace && extent.box.width > kSamePlace) return 'h';
+    return extent.box.width < kSamePlace && extent.box.height > kSamePlace ? 'v' : 0;
 }
 
 // Lines that run the same way and look alike, if some of them begin and end together. Others of them are interrupted, by a
@@ -52,7 +52,7 @@ void leave_out_grid(FoundPage& figure) {
             const double one = along(stroke.points.front()), other = along(stroke.points.back()), from = std::min(one, other),
                          to = std::max(one, other);
             if (to - from < kLongOfGrid * (way == 'h' ? figure.page.width : figure.page.height)) continue;
-            ++row.together[{std::lround(from / kSameColour), std::lround(to / kSameColour)}];
+            ++row.together[{std::lround(from / kSamePlace), std::lround(to / kSamePlace)}];
         }
     }
     std::size_t gone = 0;

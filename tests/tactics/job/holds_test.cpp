@@ -45,7 +45,8 @@ TEST(Holds, ATableHasNamesThenNumbersWithTheSameBetween) {
 TEST(Holds, ALineOfNamesAloneIsATable) {
     for (const std::string_view table : {"a,b\n", "a;b", "\xef\xbb\xbf\"x\"\t\"y\"\r\n\n"})
         EXPECT_EQ(holds(table), Holds::table) << table;
-    for (const std::string_view text : {"Dear all, hello\n", "word\n", "word,\n", "a,b\nand more\n"})
+    for (const std::string_view text :
+         {"Dear all, hello\n", "word\n", "word,\n", "a,b\nand more\n", "https://example.org/a,b\n", "data:image/png;base64,AA"})
         EXPECT_NE(holds(text), Holds::table) << text;
     EXPECT_EQ(holds("time in s, force\n", "measured.csv"), Holds::table);
     EXPECT_EQ(holds("force", "measured.tsv"), Holds::table);
