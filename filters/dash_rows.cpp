@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "tactics/geometry/vectors.h"
+
 namespace tactics {
 
 namespace {
@@ -103,11 +105,6 @@ public:
 
 private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-
-    static double cosine(Point a, Point b) {
-        const double size = std::hypot(a.x, a.y) * std::hypot(b.x, b.y);
-        return size > 0 ? (a.x * b.x + a.y * b.y) / size : 1;
-    }
 
     // A dash has a direction if it is clearly longer than wide; a dot has that of the pixels' corners.
     Point direction(std::size_t dash, std::size_t end) const {

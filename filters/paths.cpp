@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "tactics/geometry/places.h"
+#include "tactics/geometry/vectors.h"
 
 namespace tactics {
 
@@ -19,8 +20,6 @@ constexpr double kAhead = 0.819;  // cos 35 degrees
 // Length over which the direction of an end is measured, in pixels.
 constexpr double kTangentLength = 8;
 
-Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 double length(Point a) { return std::sqrt(dot(a, a)); }
 Point unit(Point a) {
     const double l = length(a);

@@ -85,8 +85,8 @@ void offer_option(pappl_pr_driver_data_t& offered, const std::string& option, co
 ipp_t* options_of(const MachineDriver& driver, pappl_pr_driver_data_t& offered) {
     const PpdWords words = words_of(driver);
     ipp_t* attributes = ippNew();
-    for (const auto& [option, fallback] : words.defaults)
-        if (option.starts_with("Tactics") && offered.num_vendor < PAPPL_MAX_VENDOR - 1)
+    for (const auto& [option, fallback] : own_options(words))
+        if (offered.num_vendor < PAPPL_MAX_VENDOR - 1)
             offer_option(offered, option, words.choices.at(option), fallback, attributes);
     offer_option(offered, "TacticsLabels", {}, "", attributes);
     return attributes;
@@ -205,8 +205,7 @@ JobRequest request_of(pappl_job_t* job, bool is_text) {
     // PAPPL 1.3 looks for the printer's own defaults among the attributes of the job, and finds none.
     ipp_t* set = papplPrinterGetDriverAttributes(printer);
     std::vector<std::string> names{"TacticsLabels"};
-    for (const auto& option : words_of(*driver).defaults)
-        if (option.first.starts_with("Tactics")) names.push_back(option.first);
+    for (const auto& option : own_options(words_of(*driver))) names.push_back(option.first);
     for (const std::string& name : names) {
         const std::string attribute = attribute_of(name);
         if (ipp_attribute_t* known = ippFindAttribute(set, (attribute + "-default").c_str(), IPP_TAG_ZERO))

@@ -74,10 +74,16 @@ std::string attribute_of(std::string_view option) {
     return name;
 }
 
+PrintOptions own_options(const PpdWords& words) {
+    PrintOptions own;
+    std::copy_if(words.defaults.begin(), words.defaults.end(), std::back_inserter(own),
+                 [](const auto& option) { return option.first.starts_with("Tactics"); });
+    return own;
+}
+
 std::string in_attributes(std::string message, const PpdWords& words) {
     std::vector<std::string> options(std::begin(kAnyWords), std::end(kAnyWords));
-    for (const auto& option : words.defaults)
-        if (option.first.starts_with("Tactics")) options.push_back(option.first);
+    for (const auto& option : own_options(words)) options.push_back(option.first);
     for (const std::string& option : options)
         for (auto at = message.find(option); at != message.npos; at = message.find(option, at))
             message.replace(at, option.size(), attribute_of(option));

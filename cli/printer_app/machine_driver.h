@@ -36,6 +36,9 @@ std::vector<Paper> papers_of(const MachineDriver& driver);
 /// tactics-label, as messages about labels spell it.
 std::string attribute_of(std::string_view option);
 
+/// Those options of a PPD file that are ours ("TacticsRecipe"), with their defaults, in its order; labels are not among them.
+PrintOptions own_options(const PpdWords& words);
+
 /// A message with the names of IPP in the place of those of a PPD file.
 std::string in_attributes(std::string message, const PpdWords& words);
 

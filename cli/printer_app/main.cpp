@@ -112,8 +112,7 @@ int list_choices(const char*, int count, cups_option_t* options, int, char**, vo
         return 1;
     }
     const PpdWords offered = words_of(*driver);
-    for (const auto& [option, fallback] : offered.defaults) {
-        if (!option.starts_with("Tactics")) continue;
+    for (const auto& [option, fallback] : own_options(offered)) {
         const bool any = takes_any_words(option);
         std::string choices;
         for (const std::string& choice : offered.choices.at(option)) choices += (choices.empty() ? "" : " ") + choice;

@@ -20,6 +20,7 @@
 #include "print/png_file.h"
 #include "tactics/error.h"
 #include "tactics/readers/append_file.h"
+#include "tactics/transport/descriptor.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -28,19 +29,10 @@ namespace {
 
 constexpr std::uint64_t kMostPixels = 400'000'000;  // A3 at 600 dpi has 70 million
 
-class OpenFile {
-public:
-    explicit OpenFile(int file) : file_(file) {
-        if (file < 0) throw Error(Fault::failed, "", phrase("the document of the job cannot be read"));
-    }
-    ~OpenFile() { close(file_); }
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
-    int number() const { return file_; }
-
-private:
-    int file_;
-};
+Descriptor readable(int file) {
+    if (file < 0) throw Error(Fault::failed, "", phrase("the document of the job cannot be read"));
+    return Descriptor(file);
+}
 
 // Nothing is thrown into PAPPL, which is C; the message is shown with the job.
 template <class Work>
@@ -196,7 +188,7 @@ bool end_page(pappl_job_t* job, pappl_pr_options_t*, pappl_device_t*, unsigned) 
         RasterJob& raster = raster_of(job);
         const std::string picture = raster.page->finish();
         raster.page = nullptr;
-        const OpenFile file(memfd_create("page", MFD_CLOEXEC));
+        const Descriptor file = readable(memfd_create("page", MFD_CLOEXEC));
         if (write(file.number(), picture.data(), picture.size()) != static_cast<ssize_t>(picture.size()) ||
             lseek(file.number(), 0, SEEK_SET) != 0)
             throw Error(Fault::failed, "", phrase("there is not enough memory for the page"));
@@ -235,7 +227,7 @@ bool print_document(pappl_job_t* job, pappl_device_t* device, void*) {
     return guarded(job, [&] {
         const JobRequest request = request_of(job, std::strcmp(papplJobGetFormat(job), "text/plain") == 0);
         const Queue queue = queue_of(request);  // what is wrong with the options is said before anything is read
-        const OpenFile document(open(papplJobGetFilename(job), O_RDONLY | O_CLOEXEC));
+        const Descriptor document = readable(open(papplJobGetFilename(job), O_RDONLY | O_CLOEXEC));
         const std::string bytes = converted(job, request, document.number(), CountsSheets::yes);
         send(job, device, queue, bytes);
     });

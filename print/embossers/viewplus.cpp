@@ -29,8 +29,8 @@ constexpr Option kOptions[] = {
     lower_dots("pattern",
                "height of the dots of patterns; drawn lines and braille have the full height. 0: full or half, by which kinds of "
                "lines there are"),
-    lower_dots("axes", "height of the dots of axes, ticks, lead lines, scale bars and marks; 0: likewise"),
-    lower_dots("grid", "height of the dots of grid lines; 0: likewise"),
+    lower_dots("axes", "height of the dots of axes, ticks, lead lines, scale bars and marks; 0: likewise; at least 10"),
+    lower_dots("grid", "height of the dots of grid lines; 0: likewise; at least 10"),
 };
 
 constexpr ProtocolFact kFacts[] = {

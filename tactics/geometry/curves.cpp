@@ -8,6 +8,7 @@
 #include <span>
 
 #include "tactics/geometry/course.h"
+#include "tactics/geometry/vectors.h"
 
 namespace tactics {
 
@@ -21,9 +22,7 @@ constexpr int kRounds = 4;       // of placing the points along the curve anew (
 constexpr int kMostSplits = 40;  // of a stretch within a stretch; what is not done then stays straight
 
 Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
-Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 Point operator*(double s, Point p) { return {s * p.x, s * p.y}; }
-double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 Point unit(Point p) {
     const double length = std::hypot(p.x, p.y);
     return length > 0 ? Point{p.x / length, p.y / length} : Point{1, 0};

@@ -5,15 +5,11 @@
 #include <iterator>
 
 #include "tactics/geometry/shape.h"
+#include "tactics/geometry/vectors.h"
 
 namespace tactics {
 
 namespace {
-
-double cosine(Point a, Point b) {
-    const double lengths = std::hypot(a.x, a.y) * std::hypot(b.x, b.y);
-    return lengths > 0 ? (a.x * b.x + a.y * b.y) / lengths : 1;
-}
 
 constexpr double kHeading = 2;  // mm at an end of a dash that tell its direction: a dash may have a corner
 constexpr double kLeast = 0.5;  // cosine of 60 degrees: a curve turns within a gap
@@ -26,13 +22,11 @@ Point on_from(Points begin, Points end) {
     return *std::prev(end);
 }
 
-Point to(Point a, Point b) { return {b.x - a.x, b.y - a.y}; }
-
 }  // namespace
 
 bool goes_on(std::span<const Point> dash, std::span<const Point> next) {
-    const Point over = to(dash.back(), next.front());
-    const auto agrees = [&](Point from, Point end) { return cosine(to(from, end), over) > kLeast; };
+    const Point over = next.front() - dash.back();
+    const auto agrees = [&](Point from, Point end) { return cosine(end - from, over) > kLeast; };
     // A corner may be just behind an end, or a step of pixels.
     return (agrees(on_from(dash.rbegin(), dash.rend()), dash.back()) || agrees(dash[dash.size() - 2], dash.back())) &&
            (agrees(next.front(), on_from(next.begin(), next.end())) || agrees(next.front(), next[1]));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tactics/geometry/grid.h"
+#include "tactics/geometry/vectors.h"
 #include "tactics/geometry/walk.h"
 #include "tactics/repair/means.h"
 
@@ -149,8 +150,7 @@ private:
         while (on < most && distance(points[i], points[(i + on) % n]) < kTurn) ++on;
         while (back < most_back && distance(points[i], points[(i + n - back) % n]) < kTurn) ++back;
         const Point a = points[(i + n - back) % n], b = points[i], c = points[(i + on) % n];
-        const double lengths = distance(a, b) * distance(b, c);
-        return lengths > 0 && (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) < kCorner * lengths;
+        return cosine(b - a, c - b) < kCorner;
     }
 
     // What must not have a gap, in its order, as long as a dash at least, and one where two meet.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "tactics/geometry/vectors.h"
+
 namespace tactics {
 
 namespace {
@@ -15,10 +17,6 @@ constexpr double kLong = 3;           // times the least distance: a strip is as
 constexpr double kSame = 1 - 1e-9;    // of a cosine
 constexpr double kFarthest = 1.5;     // times the least distance that an end may move in all
 constexpr std::size_t kMostCloseSides = 3000;  // every pair is looked at; a page with more is for no finger
-
-Point to(Point a, Point b) { return {b.x - a.x, b.y - a.y}; }
-double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
-double cross_of(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 
 Point direction_of(const DrawnSide& side) {
     const double length = std::max(1e-300, distance(side.from, side.to));
@@ -33,10 +31,10 @@ struct Pair {
 // How far apart they are where they are beside each other; nothing if they are not, or cross.
 std::optional<double> beside(const DrawnSide& line, const DrawnSide& other, double apart) {
     const Point along = direction_of(line);
-    if (std::abs(cross_of(along, direction_of(other))) > kSideBySide) return std::nullopt;
+    if (std::abs(cross(along, direction_of(other))) > kSideBySide) return std::nullopt;
     const double length = distance(line.from, line.to);
-    double from = dot(along, to(line.from, other.from)), end = dot(along, to(line.from, other.to));
-    double off_from = cross_of(along, to(line.from, other.from)), off_end = cross_of(along, to(line.from, other.to));
+    double from = dot(along, other.from - line.from), end = dot(along, other.to - line.from);
+    double off_from = cross(along, other.from - line.from), off_end = cross(along, other.to - line.from);
     if (from > end) {
         std::swap(from, end);
         std::swap(off_from, off_end);
@@ -89,16 +87,16 @@ private:
         const Point along = direction_of(line);
         double first = 0, last = distance(line.from, line.to);
         const auto is_on = [&](std::size_t number) {
-            const Point from = to(line.from, end(number));
+            const Point from = end(number) - line.from;
             const double at = dot(along, from);
-            return at > first - 2 * touching_ && at < last + 2 * touching_ && std::abs(cross_of(along, from)) <= 2 * touching_;
+            return at > first - 2 * touching_ && at < last + 2 * touching_ && std::abs(cross(along, from)) <= 2 * touching_;
         };
         for (bool more = true; more;) {
             more = false;
             for (std::size_t i = 0; i < sides_.size(); ++i) {
                 if (!is_on(2 * i) && !is_on(2 * i + 1)) continue;
-                const Point a = to(line.from, sides_[i].from), b = to(line.from, sides_[i].to);
-                if (std::max(std::abs(cross_of(along, a)), std::abs(cross_of(along, b))) > 2 * touching_) continue;
+                const Point a = sides_[i].from - line.from, b = sides_[i].to - line.from;
+                if (std::max(std::abs(cross(along, a)), std::abs(cross(along, b))) > 2 * touching_) continue;
                 const double least = std::min(dot(along, a), dot(along, b)), most = std::max(dot(along, a), dot(along, b));
                 more = more || least < first - touching_ || most > last + touching_;
                 first = std::min(first, least);
@@ -118,7 +116,7 @@ private:
         const Point along = direction_of(line), across{-along.y, along.x};
         const std::vector<std::size_t> ends = ends_on(moved);
         for (const std::size_t number : ends) {
-            const double by = -cross_of(along, to(line.from, end(number)));
+            const double by = -cross(along, end(number) - line.from);
             if (std::abs(by) <= 2 * touching_) continue;
             const Point then{end(number).x + by * across.x, end(number).y + by * across.y};
             if (distance(then, before_[number]) > kFarthest * apart_) return false;
@@ -128,7 +126,7 @@ private:
         }
         for (const std::size_t number : ends) {
             Point& at = end(number);
-            const double by = -cross_of(along, to(line.from, at));
+            const double by = -cross(along, at - line.from);
             at = {at.x + by * across.x, at.y + by * across.y};
             tied_[number].push_back(across);
         }

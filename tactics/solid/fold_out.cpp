@@ -56,6 +56,8 @@ Box box_of(const FlatLayout& layout) {
 
 double edge_of(const Medium& medium) { return medium.thick_line / 2; }
 
+double between_lines(const Medium& medium) { return least_apart(medium, medium.line, medium.line); }
+
 // `least`: of what has no extent in the plane, as a rod along the line of sight, how long it is in space.
 double scale_for(const Box& box, double least, double width, double height, double edge) {
     const double room_across = width - 2 * edge, room_down = height - 2 * edge;
@@ -130,7 +132,7 @@ bool hide_small(Fitted& fitted, const std::vector<ModelPart>& parts, double leas
 
 Fitted fit(const Model& model, const std::vector<ModelPart>& parts, double width, double height, const Medium& medium,
            const FoldWish& wish) {
-    const double between = least_apart(medium, medium.line, medium.line);
+    const double between = between_lines(medium);
     Fitted fitted;
     fitted.is_small.assign(parts.size(), 0);
     for (int round = 0; round < kMostScales; ++round) {
@@ -212,7 +214,7 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
     Drawing& drawing = made.drawing;
     drawing.width = box.width() * fitted.scale + 2 * edge;
     drawing.height = box.height() * fitted.scale + 2 * edge;
-    const double apart = wish.unite ? least_apart(medium, medium.line, medium.line) / fitted.scale : 0;
+    const double apart = wish.unite ? between_lines(medium) / fitted.scale : 0;
     DrawnLines lines = lines_of(laid.layout, fitted.felt, laid.panels, laid.thing, medium.line / fitted.scale, apart);
     tell_united(lines.united, notes);
     for (Stroke& stroke : lines.strokes) {
