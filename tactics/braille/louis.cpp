@@ -214,4 +214,18 @@ std::vector<std::uint8_t> cells_by_louis(std::string_view utf8, const LouisTable
     return dots;
 }
 
+std::vector<bool> divisions_by_louis(std::string_view word, const std::string& table) {
+    constexpr std::size_t kLongestWord = 99;  // liblouis 3.24 takes fewer than HYPHSTRING (100) letters
+    const auto text = decode(word);
+    if (!text || text->empty() || text->size() > kLongestWord) return {};
+    const Session session;
+    std::vector<char> marks(text->size() + 1, '0');
+    if (lou_getTable(table.c_str()) == nullptr ||
+        lou_hyphenate(table.c_str(), text->data(), static_cast<int>(text->size()), marks.data(), 0) == 0)
+        return {};
+    std::vector<bool> divided;
+    for (std::size_t i = 0; i < text->size(); ++i) divided.push_back(marks[i] == '1');
+    return divided;
+}
+
 }  // namespace tactics

@@ -7,6 +7,7 @@
 #include "tactics/error.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/layout/title.h"
+#include "tactics/layout/wrapped.h"
 
 namespace tactics {
 
@@ -39,11 +40,12 @@ std::string key_title(const Page& drawn) {
 }
 
 // The lines of an entry, none longer than `most` cells.
-std::vector<Cells> lines_of(const KeyEntry& entry, std::size_t most, const Cells& hyphen) {
+std::vector<Cells> lines_of(const KeyEntry& entry, std::size_t most, const Sheet& sheet) {
     if (entry.cells.size() <= most) return {entry.cells};
+    const WordDivision division = division_in(sheet, entry.text);
     const auto words = entry.cells.begin() + static_cast<std::ptrdiff_t>(kWordsFrom);
     std::vector<Cells> lines;
-    for (Cells& part : wrapped({words, entry.cells.end()}, most - kRunoverFrom, hyphen)) {
+    for (Cells& part : wrapped({words, entry.cells.end()}, most - kRunoverFrom, division)) {
         Cells line(entry.cells.begin(), words);
         if (!lines.empty()) line.assign(kRunoverFrom, 0);
         line.insert(line.end(), part.begin(), part.end());
@@ -55,7 +57,7 @@ std::vector<Cells> lines_of(const KeyEntry& entry, std::size_t most, const Cells
 // A page with its title, to be filled with columns of lines from the top left.
 class Filling {
 public:
-    Filling(const Page& page, const Sheet& sheet, std::size_t longest) : drawn_(empty_like(page)) {
+    Filling(const Page& page, const Sheet& sheet, std::size_t longest) : sheet_(sheet), drawn_(empty_like(page)) {
         drawn_.title = page.title;
         if (sheet.window) {
             drawn_.width = sheet.window->x;
@@ -69,7 +71,6 @@ public:
         titled.caption.clear();
         const Title title = title_of(titled);
         title_ = title.text;
-        hyphen_ = hyphen_of(sheet.braille_table);
         band_ = set_title(title, titled, drawn.live);
         const double dot = drawn.braille_dot, height = 2 * drawn.cell.dot_pitch + dot;
         const double across = drawn.live.width - dot - drawn.cell.dot_pitch, down = drawn.live.height - band_.height - height;
@@ -88,7 +89,7 @@ public:
     }
 
     void add(const KeyEntry& entry) {
-        std::vector<Cells> lines = lines_of(entry, most_, hyphen_);
+        std::vector<Cells> lines = lines_of(entry, most_, sheet_);
         // In one piece, if a column can hold it.
         if (pages_.empty() || (row_ > 0 && row_ + lines.size() > rows_)) begin_column();
         for (Cells& line : lines) {
@@ -126,9 +127,9 @@ private:
         page.is_key = true;
     }
 
+    const Sheet& sheet_;
     Page drawn_;  // of their size, with nothing on it
     std::string title_;
-    std::vector<std::uint8_t> hyphen_;  // after a part of a word that is longer than a line
     TitleBand band_;
     std::size_t most_ = 0;                // cells of a line
     std::size_t width_ = 0;               // cells of a column

@@ -10,6 +10,7 @@
 #include "tactics/layout/place.h"
 #include "tactics/layout/text_cells.h"
 #include "tactics/layout/title.h"
+#include "tactics/layout/wrapped.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -29,41 +30,53 @@ Cells behind(std::size_t empty, const Cells& cells) {
     return line;
 }
 
-// Words in lines, the first moved in. A word that is longer than a line is cut, with a hyphen at the end of each line but its
+// Words in lines, the first moved in. A word that is longer than a line is divided, with a hyphen at the end of each line but its
 // last.
-std::vector<Cells> in_lines(const Cells& cells, std::size_t indent, std::size_t most, const Cells& hyphen) {
+std::vector<Cells> in_lines(const Cells& cells, std::size_t indent, std::size_t most, const WordDivision& division) {
     std::vector<Cells> lines;
     Cells line(indent, 0);
-    std::size_t words = 0;  // in the line
+    std::size_t words = 0, number = 0;  // in the line; before this word
+    const Cells& hyphen = division.hyphen();
     const auto end_line = [&] {
         lines.push_back(std::move(line));
         line.clear();
         words = 0;
     };
+    const std::size_t all = words_in(cells);
     for (auto at = cells.begin(); at != cells.end();) {
         const auto from = std::find_if(at, cells.end(), [](std::uint8_t cell) { return cell != 0; });
         auto begin = from;
         const auto end = std::find(begin, cells.end(), 0), gap = words > 0 ? at : from;
         if (words > 0 && line.size() + static_cast<std::size_t>(end - gap) > most) end_line();
         if (words > 0) line.insert(line.end(), gap, from);
-        while (line.size() + static_cast<std::size_t>(end - begin) > most) {
-            const auto part = static_cast<std::ptrdiff_t>(most - hyphen.size() - line.size());
-            line.insert(line.end(), begin, begin + part);
-            line.insert(line.end(), hyphen.begin(), hyphen.end());
-            begin += part;
+        Cells rest(begin, end);
+        std::string word = line.size() + rest.size() > most ? division.word(number, all) : "";
+        while (line.size() + rest.size() > most) {
+            if (auto parts = division.divide(word, most - line.size())) {
+                line.insert(line.end(), parts->first.begin(), parts->first.end());
+                rest = std::move(parts->rest);
+                word = std::move(parts->rest_word);
+            } else {
+                word.clear();  // what is left of it is no word
+                const auto part = rest.begin() + static_cast<std::ptrdiff_t>(most - hyphen.size() - line.size());
+                line.insert(line.end(), rest.begin(), part);
+                line.insert(line.end(), hyphen.begin(), hyphen.end());
+                rest.erase(rest.begin(), part);
+            }
             end_line();
         }
-        line.insert(line.end(), begin, end);
-        words += begin != end;
+        line.insert(line.end(), rest.begin(), rest.end());
+        words += rest.empty() ? 0 : 1;
+        ++number;
         at = end;
     }
     if (words > 0) lines.push_back(std::move(line));
     return lines;
 }
 
-std::vector<Cells> heading_lines(const Cells& cells, std::size_t most, const Cells& hyphen) {
+std::vector<Cells> heading_lines(const Cells& cells, std::size_t most, const WordDivision& division) {
     std::vector<Cells> lines;
-    for (const Cells& line : in_lines(cells, 0, most > 4 * kCentred ? most - 2 * kCentred : most, hyphen))
+    for (const Cells& line : in_lines(cells, 0, most > 4 * kCentred ? most - 2 * kCentred : most, division))
         lines.push_back(behind((most - std::min(most, line.size())) / 2, line));
     return lines;
 }
@@ -180,13 +193,16 @@ TextPages text_pages(const std::vector<TextBlock>& blocks, const Sheet& sheet, s
     Cells hyphen = setting.known("-").value_or(Cells());
     if (hyphen.size() > kLongestHyphen) hyphen.clear();
     for (const TextBlock& block : blocks) {
-        const Cells cells = setting.of(to_line(block.text));
+        const std::string text = to_line(block.text);
+        const Cells cells = setting.of(text);
         if (cells.empty()) continue;
+        const WordDivision division(hyphen, text, sheet.braille_table, sheet.language,
+                                    [&](const std::string& part) { return setting.known(part); });
         if (block.kind == TextBlock::Kind::paragraph) {
-            for (Cells& line : in_lines(cells, kIndent, lines.cells(), hyphen)) lines.add(std::move(line));
+            for (Cells& line : in_lines(cells, kIndent, lines.cells(), division)) lines.add(std::move(line));
             continue;
         }
-        std::vector<Cells> heading = heading_lines(cells, lines.cells(), hyphen);
+        std::vector<Cells> heading = heading_lines(cells, lines.cells(), division);
         lines.leave_empty();
         if (!lines.at_top() && lines.left() < heading.size() + 2) lines.begin_page();  // an empty line and one of what follows
         for (Cells& line : heading) lines.add(std::move(line));

@@ -74,46 +74,6 @@ double print_width(std::string_view text) {
     return width;
 }
 
-std::vector<std::uint8_t> hyphen_of(const std::string& braille_table) {
-    constexpr std::size_t kLongest = 3;  // cells; a table that writes more for it means something else
-    if (braille_table.empty()) return {};
-    try {
-        std::vector<std::uint8_t> cells = to_braille("-", braille_table, "-");
-        return cells.size() <= kLongest ? cells : std::vector<std::uint8_t>();
-    } catch (const Error&) {
-        return {};  // it has no cells for it
-    }
-}
-
-std::vector<std::vector<std::uint8_t>> wrapped(const std::vector<std::uint8_t>& cells, std::size_t most,
-                                               const std::vector<std::uint8_t>& hyphen) {
-    std::vector<std::vector<std::uint8_t>> lines;
-    std::size_t at = 0;
-    while (true) {
-        while (at < cells.size() && cells[at] == 0) ++at;
-        if (at == cells.size()) return lines;
-        std::size_t end = std::min(cells.size(), at + most);
-        bool cut = false;
-        if (end < cells.size() && cells[end] != 0) {
-            std::size_t blank = end;
-            while (blank > at && cells[blank - 1] != 0) --blank;
-            cut = blank == at;
-            // A line with room for little more than the hyphen gets none: the word's own cells are worth more.
-            if (!cut)
-                end = blank;
-            else if (most > 2 * hyphen.size())
-                end -= hyphen.size();
-            else
-                cut = false;
-        }
-        const std::size_t next = end;
-        while (end > at && cells[end - 1] == 0) --end;
-        lines.emplace_back(cells.begin() + static_cast<std::ptrdiff_t>(at), cells.begin() + static_cast<std::ptrdiff_t>(end));
-        if (cut) lines.back().insert(lines.back().end(), hyphen.begin(), hyphen.end());
-        at = next;
-    }
-}
-
 Title title_of(const Sheet& sheet) {
     if (sheet.title.size() > kLongestTitle)
         throw Error(Fault::usage, sheet.title_origin, phrase("the title is over 10000 bytes long; give a short one"));
@@ -125,7 +85,8 @@ Title title_of(const Sheet& sheet) {
     title.caption = to_line(sheet.caption);
     if (!title.caption.empty() && !sheet.bare && !sheet.braille_table.empty())
         title.caption_cells = to_braille(title.caption, sheet.braille_table, spelled("caption"));
-    if (!title.cells.empty() || !title.caption_cells.empty()) title.hyphen = hyphen_of(sheet.braille_table);
+    if (!title.cells.empty()) title.division = division_in(sheet, title.text);
+    if (!title.caption_cells.empty()) title.caption_division = division_in(sheet, title.caption);
     return title;
 }
 
@@ -134,17 +95,13 @@ namespace {
 using Cells = std::vector<std::uint8_t>;
 
 // Lines of braille, the first with `first` blank cells before it, the others with `runover`.
-std::vector<Cells> indented(const Cells& cells, std::size_t most, std::size_t first, std::size_t runover, const Cells& hyphen) {
-    if (most <= first) return wrapped(cells, most, hyphen);  // no room to set it in
-    // The missing length of the first line is put before the first word, so that the line breaks in the right place.
-    const std::size_t more = first - runover;
-    Cells text(more + cells.size(), 1);
-    std::copy(cells.begin(), cells.end(), text.begin() + static_cast<std::ptrdiff_t>(more));
+std::vector<Cells> indented(const Cells& cells, std::size_t most, std::size_t first, std::size_t runover,
+                            const WordDivision& division) {
+    if (most <= first) return wrapped(cells, most, division);  // no room to set it in
     std::vector<Cells> lines;
-    for (const Cells& part : wrapped(text, most - runover, hyphen)) {
-        Cells line(runover + part.size(), 0);
-        const std::size_t skip = lines.empty() ? more : 0;
-        for (std::size_t i = skip; i < part.size(); ++i) line[runover + i] = part[i];
+    for (const Cells& part : wrapped(cells, most - runover, division, first - runover)) {
+        Cells line(lines.empty() ? first : runover, 0);
+        line.insert(line.end(), part.begin(), part.end());
         lines.push_back(std::move(line));
     }
     return lines;
@@ -184,10 +141,10 @@ TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live) {
                  dot + clear;
     };
     // At the left edge, runover too: the reading hand looks for the title in the corner, however wide the sheet.
-    add(title.text, wrapped(title.cells, most, title.hyphen));
+    add(title.text, wrapped(title.cells, most, title.division));
     add(title.caption, title.caption_cells.empty()
                            ? std::vector<Cells>()
-                           : indented(title.caption_cells, most, kCaptionFrom, kCaptionRunover, title.hyphen));
+                           : indented(title.caption_cells, most, kCaptionFrom, kCaptionRunover, title.caption_division));
     // Half of the widest line stands above the drawing's own edge.
     if (y > live.top) band.height = y - live.top + sheet.medium->thick_line / 2;
     return band;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tactics/layout/sheet.h"
+#include "tactics/layout/wrapped.h"
 #include "tactics/page.h"
 
 namespace tactics {
@@ -18,7 +19,7 @@ struct Title {
     std::vector<std::uint8_t> cells;  ///< empty = no braille
     std::string caption = {};         ///< as the title
     std::vector<std::uint8_t> caption_cells = {};
-    std::vector<std::uint8_t> hyphen = {};  ///< hyphen_of its table
+    WordDivision division = {}, caption_division = {};
 };
 /// Throws Error(usage) as to_braille does, and for a title or a caption that is too long.
 Title title_of(const Sheet& sheet);
@@ -39,13 +40,6 @@ struct TitleBand {
     std::vector<BrailleLine> braille;
     double height = 0;  ///< mm from the top of the live area to the possible top of the drawing; 0 without a title and a caption
 };
-/// Lines of at most `most` cells, broken at blank cells; a longer word is divided, with `hyphen` after each part except the last.
-std::vector<std::vector<std::uint8_t>> wrapped(const std::vector<std::uint8_t>& cells, std::size_t most,
-                                               const std::vector<std::uint8_t>& hyphen);
-
-/// The cells of a hyphen in that table; empty: it has no short one, or there is no table.
-std::vector<std::uint8_t> hyphen_of(const std::string& braille_table);
-
 /// Its lines are of the words 0, the title, and behind it, if there is one, those of the caption.
 TitleBand set_title(const Title& title, const Sheet& sheet, const Rect& live);
 

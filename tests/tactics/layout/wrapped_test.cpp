@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines of braille: broken between words, and within a word only where it is longer than a line.
+#include "tactics/layout/wrapped.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
 #include <string>
 #include <vector>
-
-#include "tactics/layout/title.h"
 
 namespace tactics {
 namespace {
@@ -31,13 +31,15 @@ std::string told(const std::vector<Cells>& lines) {
 }
 
 TEST(Wrapped, ALongWordIsCutWithAHyphen) {
-    const auto lines = [](const std::string& text, std::size_t most) { return told(wrapped(cells_of(text), most, {kHyphen})); };
+    const auto lines = [](const std::string& text, std::size_t most) {
+        return told(wrapped(cells_of(text), most, WordDivision({kHyphen})));
+    };
     EXPECT_EQ(lines("abc defg", 8), "abc defg|");
     EXPECT_EQ(lines("abc defg", 7), "abc|defg|");
     EXPECT_EQ(lines("abcdefgh", 5), "abcd-|efgh|");
     EXPECT_EQ(lines("ab cdefghij kl", 5), "ab|cdef-|ghij|kl|");
     EXPECT_EQ(lines("abcdef", 2), "ab|cd|ef|") << "there is no room for a hyphen";
-    EXPECT_EQ(told(wrapped(cells_of("abcdefgh"), 5, {})), "abcde|fgh|") << "a table without one";
+    EXPECT_EQ(told(wrapped(cells_of("abcdefgh"), 5, WordDivision())), "abcde|fgh|") << "a table without one";
 }
 
 // Whatever the words: no line is too long, a hyphen stands only behind a part of a word that is longer than a line, and without
@@ -52,7 +54,7 @@ TEST(Wrapped, LosesNoCell) {
         }
         const std::size_t most = 3 + random() % 10;
         std::string again;
-        for (const Cells& line : wrapped(cells_of(text), most, {kHyphen})) {
+        for (const Cells& line : wrapped(cells_of(text), most, WordDivision({kHyphen}))) {
             ASSERT_LE(line.size(), most);
             std::string one = told({line});
             one.pop_back();
