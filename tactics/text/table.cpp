@@ -5,12 +5,15 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "tactics/text/utf8.h"
+
 namespace tactics {
 
 namespace {
 
 std::string padded(const std::string& text, std::size_t width, bool left) {
-    const std::string blanks(width > text.size() ? width - text.size() : 0, ' ');
+    const std::size_t letters = letters_in(text);
+    const std::string blanks(width > letters ? width - letters : 0, ' ');
     return left ? text + blanks : blanks + text;
 }
 
@@ -49,7 +52,7 @@ std::string aligned(std::vector<Row> rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {
             if (row[i].empty() && i + 1 < row.size()) row[i] = "-";
             std::size_t width = 0;
-            for (const Row& other : rows) width = std::max(width, std::max<std::size_t>(other[i].size(), 1));
+            for (const Row& other : rows) width = std::max(width, std::max<std::size_t>(letters_in(other[i]), 1));
             const bool left = i == 0 || i + 1 == row.size();
             line += (i > 0 ? "  " : "") + padded(row[i], width, left);
         }
