@@ -131,6 +131,8 @@ void check_named(const std::vector<std::string>& inputs, const std::vector<std::
         const std::string name = inputs.size() == 1 ? stem_of(inputs[0]) + ".pdf" : std::string("pages/");
         throw Error(Fault::usage, "convert", phrase("where to write is missing; add for example -o {0}", name));
     }
+    if (std::find(inputs.begin(), inputs.end(), "") != inputs.end())
+        throw Error(Fault::usage, "\"\"", phrase("the name of a picture is empty; name a file, or - for standard input"));
     if (std::count(inputs.begin(), inputs.end(), "-") > 1)
         throw Error(Fault::usage, "convert", phrase("standard input (-) is named twice; it can be read once"));
 }

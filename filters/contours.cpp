@@ -119,14 +119,15 @@ EdgeMap learned_contours(const Image& picture, const ContourNet& net) {
     return thin;
 }
 
-std::string settle(const Artwork& artwork, Settings& settings) {
-    if (std::string said = settle_map(settings, "contours"); !said.empty() || settings.choice("map") == "learned") return said;
+ChosenSetting settle(const Artwork& artwork, Settings& settings) {
+    if (ChosenSetting said = settle_map(settings, "contours"); !said.empty() || settings.choice("map") == "learned") return said;
     const Image& picture = std::get<Image>(artwork);
     const double pixels = blur_of(picture, settings), blur = pixels * picture.mm_per_pixel;
     const double scene = settings.number("scene") / 100 * std::sqrt(static_cast<double>(picture.width) * picture.height);
-    if (pixels > scene || blur <= settings.number("blur")) return "";  // pixels themselves may be wider than either
-    return "scene=" + to_text(settings.number("scene")) + ": what is finer than " + to_text(std::round(blur * 10) / 10) +
-           " mm, that many percent of the side of this drawing, is left out";
+    if (pixels > scene || blur <= settings.number("blur")) return {};  // pixels themselves may be wider than either
+    return {"scene=" + to_text(settings.number("scene")),
+            phrase("what is finer than {0} mm, that many percent of the side of this drawing, is left out",
+                   numeral(std::round(blur * 10) / 10))};
 }
 
 Artwork apply(Artwork artwork, const Settings& settings) {

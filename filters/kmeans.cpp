@@ -121,11 +121,11 @@ LevelChoice choose_k(const Artwork& artwork, const Settings& settings) {
     return choose_levels([&](int k) { return unexplained(levels, k); }, variance, 1);
 }
 
-std::string settle(const Artwork& artwork, Settings& settings) {
-    if (settings.whole("k") > 0) return "";
+ChosenSetting settle(const Artwork& artwork, Settings& settings) {
+    if (settings.whole("k") > 0) return {};
     const LevelChoice choice = choose_k(artwork, settings);
     settings.set("k", std::to_string(choice.k), "kmeans", "kmeans");
-    return reason_of(choice, settings.choice("colour") == "yes" ? "colours" : "greys");
+    return {"k=" + std::to_string(choice.k), reason_of(choice, settings.choice("colour") == "yes")};
 }
 
 Classes solve(std::span<const Level> levels, const Settings& settings, auto samples) {

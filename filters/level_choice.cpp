@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "tactics/layout/texture.h"
-#include "tactics/units.h"
 
 namespace tactics {
 
@@ -23,14 +22,15 @@ LevelChoice choose_levels(const std::function<double(int)>& unexplained, double 
     }
 }
 
-std::string reason_of(const LevelChoice& choice, const std::string& what) {
-    const std::string k = std::to_string(choice.k);
-    const std::string share = to_text(std::floor(100 * choice.explained)) + " %";
-    std::string reason = "k=" + k + ": ";
-    if (choice.k == 1) return reason + "nothing in it stands out of its noise";
-    reason += k + " " + what + " explain " + share + " of its variance";
-    if (choice.noise) reason += ", the rest is noise";
-    if (choice.ended) reason += ", and more textures no finger tells apart";
+Phrase reason_of(const LevelChoice& choice, bool of_colours) {
+    if (choice.k == 1) return phrase("nothing in it stands out of its noise");
+    const auto k = static_cast<std::size_t>(choice.k);
+    const Phrase share = numeral(std::floor(100 * choice.explained));
+    Phrase reason =
+        of_colours ? phrases(k, "{0} colour explains {1} % of its variance", "{0} colours explain {1} % of its variance", share)
+                   : phrases(k, "{0} grey explains {1} % of its variance", "{0} greys explain {1} % of its variance", share);
+    if (choice.noise) reason = phrase("{0}, the rest is noise", std::move(reason));
+    if (choice.ended) reason = phrase("{0}, and more textures no finger tells apart", std::move(reason));
     return reason;
 }
 

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <functional>
-#include <string>
+
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -22,7 +23,7 @@ struct LevelChoice {
 /// has four plain greys is not given three.
 LevelChoice choose_levels(const std::function<double(int)>& unexplained, double noise_variance, int least);
 
-/// "k=3: 3 greys explain 94 % of what differs in it"
-std::string reason_of(const LevelChoice& choice, const std::string& what);
+/// "3 greys explain 94 % of its variance"
+Phrase reason_of(const LevelChoice& choice, bool of_colours);
 
 }  // namespace tactics

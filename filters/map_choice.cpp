@@ -5,11 +5,12 @@
 
 namespace tactics {
 
-std::string settle_map(Settings& settings, std::string_view filter) {
-    if (settings.choice("map") != "auto") return "";
+ChosenSetting settle_map(Settings& settings, std::string_view filter) {
+    if (settings.choice("map") != "auto") return {};
     const bool learned = find_net() != nullptr;
     settings.set("map", learned ? "learned" : "plain", filter, filter);
-    return learned ? "" : "map=plain: the weights of the contour net are not installed; contours are less sure without them";
+    if (learned) return {};
+    return {"map=plain", phrase("the weights of the contour net are not installed; contours are less sure without them")};
 }
 
 std::shared_ptr<const ContourNet> net_for(const Settings& settings) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <string_view>
 
 #include "filters/net/nets.h"
@@ -12,7 +11,7 @@
 namespace tactics {
 
 /// auto becomes learned or plain, depending on the installation; reports missing weights.
-std::string settle_map(Settings& settings, std::string_view filter);
+ChosenSetting settle_map(Settings& settings, std::string_view filter);
 
 /// nullptr: without training. Throws Error(failed) if the weights are requested but not installed.
 std::shared_ptr<const ContourNet> net_for(const Settings& settings);

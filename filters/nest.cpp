@@ -34,7 +34,7 @@ constexpr Option kOptions[] = {
      .summary = "side of the smallest square that forms its own region"},
 };
 
-std::string settle(const Artwork&, Settings& settings) { return settle_map(settings, "nest"); }
+ChosenSetting settle(const Artwork&, Settings& settings) { return settle_map(settings, "nest"); }
 
 // Regions, and what they are judged by, depend on how many pixels they have. In a copy of fewer pixels they shall be the same.
 Image as_large_as_scene(Image picture) {

@@ -279,11 +279,11 @@ void cut_at_bars(Drawing& drawing, const RegionTree& tree) {
     drawing.strokes = std::move(strokes);
 }
 
-std::string settle(const Artwork& artwork, Settings& settings) {
+ChosenSetting settle(const Artwork& artwork, Settings& settings) {
     const std::vector<Spot>& spots = settings.spots("subject");
-    if (spots.empty()) return "";
+    if (spots.empty()) return {};
     const auto& tree = std::get<RegionTree>(artwork);
-    return "subject: " + words_of(find_things(tree, arc_chances_of(tree).drawn, spots), spots);
+    return {"subject", words_of(find_things(tree, arc_chances_of(tree).drawn, spots), spots)};
 }
 
 Artwork apply(Artwork artwork, const Settings& settings) {

@@ -160,17 +160,17 @@ Choice choose_smallest(Merging merging, const Settings& settings, double pixel) 
     return choice;
 }
 
-std::string settle(const Artwork& artwork, Settings& settings) {
-    if (settings.number("smallest") > 0) return "";
+ChosenSetting settle(const Artwork& artwork, Settings& settings) {
+    if (settings.number("smallest") > 0) return {};
     const Classes classes = classes_of(std::get<Image>(artwork), settings);
     const Choice choice = choose_smallest(begin(classes, settings), settings, classes.pixel);
     settings.set("smallest", to_text(choice.smallest) + "mm", "regions", "regions");
-    const std::string chosen = "smallest=" + to_text(choice.smallest) + "mm: ";
+    const std::string chosen = "smallest=" + to_text(choice.smallest) + "mm";
     const std::size_t most = static_cast<std::size_t>(settings.whole("most"));
     if (choice.found > most)
-        return chosen + std::to_string(choice.found) + " regions have room for a texture, " + std::to_string(most) +
-               " are enough";
-    return chosen + "less wide regions have no room for a texture";
+        return {chosen, phrases(choice.found, "{0} region has room for a texture, {1} are enough",
+                                "{0} regions have room for a texture, {1} are enough", std::to_string(most))};
+    return {chosen, phrase("less wide regions have no room for a texture")};
 }
 
 void fit(Settings& settings, const Medium& medium) {

@@ -167,18 +167,19 @@ void fill_up(std::vector<bool>& kept, const Ridges& ridges, const std::vector<bo
     }
 }
 
-// Lengths as people say them: "0.98 m".
-std::string metres(double pixels, double mm) { return to_text(std::round(pixels * mm * kLengthOfPixel / 10) / 100) + " m"; }
+// Lengths as people say them: 0.98 m.
+Phrase metres(double pixels, double mm) { return numeral(std::round(pixels * mm * kLengthOfPixel / 10) / 100); }
 
-std::string settle(const Artwork& artwork, Settings& settings) {
+ChosenSetting settle(const Artwork& artwork, Settings& settings) {
     const auto& edges = std::get<EdgeMap>(artwork);
-    if (!edges.thinned) return "";
+    if (!edges.thinned) return {};
     const auto found = static_cast<double>(
         std::count_if(edges.strength.begin(), edges.strength.end(), [](float strength) { return strength > 0; }));
     const double most = budget_in_pixels(edges, settings.number("line"));
-    if (found <= most) return "";
-    return "line=" + to_text(settings.number("line")) + "mm: the strongest " + metres(most, edges.mm_per_pixel) + " of " +
-           metres(found, edges.mm_per_pixel) + " of contours stay, as much as a hand follows on a drawing of this size";
+    if (found <= most) return {};
+    return {"line=" + to_text(settings.number("line")) + "mm",
+            phrase("the strongest {0} m of {1} m of contours stay, as much as a hand follows on a drawing of this size",
+                   metres(most, edges.mm_per_pixel), metres(found, edges.mm_per_pixel))};
 }
 
 Artwork apply(Artwork artwork, const Settings& settings) {

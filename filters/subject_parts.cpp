@@ -50,20 +50,22 @@ NamedThings find_things(const RegionTree& tree, std::span<const float> chances, 
     return things;
 }
 
-std::string words_of(const NamedThings& things, std::span<const Spot> spots) {
-    std::string text;
+Phrase words_of(const NamedThings& things, std::span<const Spot> spots) {
+    Phrase text;
     for (std::size_t i = 0; i < spots.size(); ++i) {
-        if (i > 0) text += "; ";
+        const std::string spot = to_text(spots[i]);
+        Phrase one;
         if (things.share[i] > 0)
-            text += "found, " + to_text(std::max(1.0, std::round(100 * things.share[i]))) + " % of the picture";
+            one = phrase("found, {0} % of the picture", numeral(std::max(1.0, std::round(100 * things.share[i]))));
         else if (things.found[i])
-            text += "what was found at " + to_text(spots[i]) + " is part of what a later place names";
+            one = phrase("what was found at {0} is part of what a later place names", spot);
         else if (is_everything(spots[i]))
-            text += to_text(spots[i]) + " is all of the picture and names nothing in it: draw the box closely around the thing";
+            one = phrase("{0} is all of the picture and names nothing in it: draw the box closely around the thing", spot);
         else if (spots[i].is_box())
-            text += "no closed thing was found in " + to_text(spots[i]) + ": draw the box closely around all of it";
+            one = phrase("no closed thing was found in {0}: draw the box closely around all of it", spot);
         else
-            text += "no closed thing was found at " + to_text(spots[i]) + ": draw a box around it";
+            one = phrase("no closed thing was found at {0}: draw a box around it", spot);
+        text = i == 0 ? std::move(one) : phrase("{0}; {1}", std::move(text), std::move(one));
     }
     return text;
 }

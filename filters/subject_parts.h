@@ -4,12 +4,12 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "filters/outline_choice.h"
 #include "tactics/region_tree.h"
 #include "tactics/spot.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -25,7 +25,7 @@ struct NamedThings {
 NamedThings find_things(const RegionTree& tree, std::span<const float> chances, std::span<const Spot> spots);
 
 /// "found, 23 % of the picture"; "no closed thing was found at 40%,50%: draw a box around it".
-std::string words_of(const NamedThings& things, std::span<const Spot> spots);
+Phrase words_of(const NamedThings& things, std::span<const Spot> spots);
 
 /// The things whole, of the lines inside of them what is worth it up to 60 % of their outlines, then, if not `only` they are
 /// wanted, others as parts_of_page has them. No part is in two things. `chances`: of each arc; no other is worth more for being

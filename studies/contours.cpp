@@ -28,7 +28,7 @@ struct Rows {
     std::size_t annotators = 0;
     Counts people, simplest;
     std::vector<std::vector<Trial>> trials;  // by candidate and setting
-    std::vector<std::string> problems;
+    std::vector<Phrase> problems;
 };
 
 class Examination {
@@ -44,17 +44,18 @@ public:
                 rows.people = score_people(truths_);
                 rows.simplest = score_person(truths_, simplest_of(truths_));
             });
-            if (!failure.text.empty()) rows.problems.push_back(failure.text.english());
+            if (!failure.text.empty()) rows.problems.push_back(failure.text);
         }
-        const std::string unscored = rows.problems.empty() ? "" : rows.problems.front();
+        const Phrase unscored = rows.problems.empty() ? Phrase() : rows.problems.front();
         for (const Candidate& candidate : request_.candidates) {
             auto& trials = rows.trials.emplace_back();
             for (std::size_t setting = 0; setting < candidate.settings.size(); ++setting) {
                 Trial trial;
-                trial.error = unscored;
+                trial.error = unscored.english();
                 if (unscored.empty()) {
-                    trial.error = failure_of(subject_.picture, [&] { run(candidate, setting, trial); }).text.english();
-                    if (!trial.scored()) rows.problems.push_back("recipe " + label(candidate, setting) + ": " + trial.error);
+                    const Failure failure = failure_of(subject_.picture, [&] { run(candidate, setting, trial); });
+                    trial.error = failure.text.english();
+                    if (!trial.scored()) rows.problems.push_back(of_recipe(label(candidate, setting), failure.text));
                 }
                 trials.push_back(std::move(trial));
             }
@@ -68,18 +69,19 @@ private:
     }
 
     void read_truths(Rows& rows) {
-        const auto add = [&](std::string problem) {
+        const auto add = [&](Phrase problem) {
             if (!problem.empty()) rows.problems.push_back(std::move(problem));
         };
         add(failure_of(subject_.picture, [&] {
                 info_ = size_of(request_, subject_);
                 read_through(request_, subject_);
-            }).text.english());
+            }).text);
         if (!rows.problems.empty()) return;
         if (subject_.truths.empty())
-            add(subject_.picture + ": it has no contour map; add " + subject_.name + "_gt1.png, or take the picture away");
+            add(phrase("{0}: {1}", subject_.picture,
+                       phrase("it has no contour map; add {0}_gt1.png, or take the picture away", subject_.name)));
         for (const auto& path : subject_.truths)
-            add(failure_of(path, [&] { truths_.push_back(read_truth(path, info_.width, info_.height)); }).text.english());
+            add(failure_of(path, [&] { truths_.push_back(read_truth(path, info_.width, info_.height)); }).text);
     }
 
     void run(const Candidate& candidate, std::size_t setting, Trial& trial) const {
@@ -118,14 +120,14 @@ Evaluation collect(const StudyRequest& request, std::vector<Rows> all) {
     return evaluation;
 }
 
-std::vector<std::string> remarks_on(const Evaluation& evaluation, const Sheet& sheet) {
-    std::vector<std::string> remarks = nothing_lines(evaluation);
+std::vector<Phrase> remarks_on(const Evaluation& evaluation, const Sheet& sheet) {
+    std::vector<Phrase> remarks = nothing_lines(evaluation);
     std::size_t maps = 0;
     for (const std::size_t annotators : evaluation.annotators) maps += annotators;
-    remarks.push_back(std::to_string(evaluation.pictures.size()) + (evaluation.pictures.size() == 1 ? " picture" : " pictures") +
-                      " with " + std::to_string(maps) + " contour maps, as drawn for " + std::string(sheet.medium->name) +
-                      " on " + std::string(sheet.paper.name) + "; peak memory " +
-                      std::to_string(std::lround(evaluation.peak_memory_mib)) + " MiB");
+    remarks.push_back(phrase("{0} with {1}, as drawn for {2} on {3}; peak memory {4} MiB",
+                             phrases(evaluation.pictures.size(), "{0} picture", "{0} pictures"),
+                             phrases(maps, "{0} contour map", "{0} contour maps"), sheet.medium->name, sheet.paper.name,
+                             std::to_string(std::lround(evaluation.peak_memory_mib))));
     return remarks;
 }
 
@@ -137,7 +139,7 @@ StudyFindings study_contours(const StudyRequest& request, const StudyWatch& watc
     });
     const Evaluation evaluation = collect(request, std::move(all));
     StudyFindings findings;
-    findings.text = evaluation_table(evaluation);
+    findings.text = evaluation_table(evaluation, request.language);
     findings.csv = evaluation_csv(evaluation);
     findings.json = evaluation_json(evaluation);
     findings.remarks = remarks_on(evaluation, request.sheet);

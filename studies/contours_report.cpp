@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "studies/told_table.h"
 #include "tactics/text/json.h"
 #include "tactics/text/table.h"
 #include "tactics/units.h"
@@ -13,26 +14,26 @@ namespace tactics {
 
 namespace {
 
-std::string dial_text(const RecipeResult& result, const Figures& figures) {
-    std::string text = result.settings[figures.dial.setting];
+Phrase dial_text(const RecipeResult& result, const Figures& figures) {
+    const std::string& setting = result.settings[figures.dial.setting];
+    if (!figures.swept) return setting;
     const float level = levels()[figures.dial.level];
-    if (figures.swept)
-        text += (text.empty() ? "" : ", ") + (level > 0 ? "strength " + fixed(level, 1) : std::string("all lines"));
-    return text;
+    const Phrase dial = level > 0 ? phrase("strength {0}", fixed_numeral(level, 1)) : phrase("all lines");
+    return setting.empty() ? dial : phrase("{0}, {1}", setting, dial);
 }
 
 struct Column {
-    std::string_view heading;
+    SourceWords heading;
     std::string_view field;  // of the CSV
 };
 constexpr Column kColumns[] = {
-    {"recipe", "recipe"},    {"F", "f"},
-    {"P", "precision"},      {"R", "recall"},
-    {"OIS F", "ois_f"},      {"line mm", "stroke_length_mm"},
-    {"strokes", "strokes"},  {"crowded", "crowded"},
-    {"CPU ms", "recipe_ms"}, {"with reading", "whole_ms"},
-    {"pictures", "scored"},  {"failed", "failed"},
-    {"nothing", "nothing"},  {"best at", "best_at"},
+    {SourceWords("recipe"), "recipe"},    {SourceWords("F"), "f"},
+    {SourceWords("P"), "precision"},      {SourceWords("R"), "recall"},
+    {SourceWords("OIS F"), "ois_f"},      {SourceWords("line mm"), "stroke_length_mm"},
+    {SourceWords("strokes"), "strokes"},  {SourceWords("crowded"), "crowded"},
+    {SourceWords("CPU ms"), "recipe_ms"}, {SourceWords("with reading"), "whole_ms"},
+    {SourceWords("pictures"), "scored"},  {SourceWords("failed"), "failed"},
+    {SourceWords("nothing"), "nothing"},  {SourceWords("best at"), "best_at"},
 };
 
 std::size_t people_scored(const std::vector<Counts>& people) {
@@ -41,18 +42,18 @@ std::size_t people_scored(const std::vector<Counts>& people) {
 
 // What people reach is beside what recipes do.
 struct PeopleRow {
-    std::string_view name;
+    SourceWords name;
     const std::vector<Counts>& counts;  // by picture
 };
 std::array<PeopleRow, 2> people_rows(const Evaluation& evaluation) {
-    return {PeopleRow{"people", evaluation.people}, PeopleRow{"simplest person", evaluation.simplest}};
+    return {PeopleRow{SourceWords("people"), evaluation.people}, PeopleRow{SourceWords("simplest person"), evaluation.simplest}};
 }
 
-std::vector<Row> rows_of(const Evaluation& evaluation) {
-    std::vector<Row> rows;
+std::vector<ToldRow> rows_of(const Evaluation& evaluation) {
+    std::vector<ToldRow> rows;
     for (const RecipeResult& result : evaluation.recipes) {
         const Figures figures = figures_of(result);
-        Row row{result.recipe};
+        ToldRow row{result.recipe};
         if (figures.scored > 0) {
             row.insert(row.end(), {fixed(figures.best.f(), 3), fixed(figures.best.precision(), 3),
                                    fixed(figures.best.recall(), 3), fixed(figures.best_each.f(), 3)});
@@ -63,13 +64,13 @@ std::vector<Row> rows_of(const Evaluation& evaluation) {
         if (figures.scored > 0) row.insert(row.end(), {fixed(figures.recipe_ms, 1), fixed(figures.whole_ms, 1)});
         row.resize(10);
         row.insert(row.end(), {std::to_string(figures.scored), std::to_string(figures.failed), std::to_string(figures.nothing),
-                               figures.scored > 0 ? dial_text(result, figures) : ""});
+                               figures.scored > 0 ? dial_text(result, figures) : Phrase()});
         rows.push_back(std::move(row));
     }
     for (const auto& [name, counts] : people_rows(evaluation)) {
         const Counts sum = sum_of(counts);
         if (sum.truth == 0) continue;
-        Row row{std::string(name), fixed(sum.f(), 3), fixed(sum.precision(), 3), fixed(sum.recall(), 3)};
+        ToldRow row{phrase(name), fixed(sum.f(), 3), fixed(sum.precision(), 3), fixed(sum.recall(), 3)};
         row.resize(10);
         row.push_back(std::to_string(people_scored(counts)));
         row.resize(std::size(kColumns));
@@ -117,7 +118,7 @@ std::string recipe_json(const Evaluation& evaluation, const RecipeResult& result
         json.add("nothing", static_cast<double>(figures.nothing));
         add_counts(json, figures.best);
         json.add("ois_f", figures.best_each.f());
-        json.add("best_at", dial_text(result, figures));
+        json.add("best_at", dial_text(result, figures).english());
         if (figures.has_touch) {
             json.add("stroke_length_mm", figures.length);
             json.add("strokes", figures.strokes);
@@ -135,7 +136,7 @@ std::string recipe_json(const Evaluation& evaluation, const RecipeResult& result
 
 std::string people_json(const Evaluation& evaluation, const PeopleRow& people) {
     JsonObject json;
-    json.add("recipe", people.name);
+    json.add("recipe", people.name.text);
     json.add("scored", static_cast<double>(people_scored(people.counts)));
     if (people_scored(people.counts) > 0) add_counts(json, sum_of(people.counts));
     std::vector<std::string> pictures;
@@ -152,21 +153,21 @@ std::string people_json(const Evaluation& evaluation, const PeopleRow& people) {
 
 }  // namespace
 
-std::string evaluation_table(const Evaluation& evaluation) {
-    std::vector<Row> rows{{}};
-    for (const Column& column : kColumns) rows[0].emplace_back(column.heading);
-    for (Row& row : rows_of(evaluation)) {
-        if (!row[7].empty()) row[7] = percent(parse_number(row[7]).value_or(0));
+std::string evaluation_table(const Evaluation& evaluation, std::string_view language) {
+    std::vector<ToldRow> rows{{}};
+    for (const Column& column : kColumns) rows[0].push_back(phrase(column.heading));
+    for (ToldRow& row : rows_of(evaluation)) {
+        if (!row[7].empty()) row[7] = percent(parse_number(row[7].english()).value_or(0));
         rows.push_back(std::move(row));
     }
-    return aligned(std::move(rows));
+    return told_table(rows, language);
 }
 
 std::string evaluation_csv(const Evaluation& evaluation) {
-    std::vector<Row> rows{{}};
+    std::vector<ToldRow> rows{{}};
     for (const Column& column : kColumns) rows[0].emplace_back(column.field);
-    for (Row& row : rows_of(evaluation)) rows.push_back(std::move(row));
-    return comma_separated(rows);
+    for (ToldRow& row : rows_of(evaluation)) rows.push_back(std::move(row));
+    return told_csv(rows);
 }
 
 std::string evaluation_json(const Evaluation& evaluation) {
@@ -180,17 +181,16 @@ std::string evaluation_json(const Evaluation& evaluation) {
     return text + whole.text() + "\n";
 }
 
-std::vector<std::string> nothing_lines(const Evaluation& evaluation) {
-    std::vector<std::string> lines;
+std::vector<Phrase> nothing_lines(const Evaluation& evaluation) {
+    std::vector<Phrase> lines;
     for (const RecipeResult& result : evaluation.recipes) {
         const Figures figures = figures_of(result);
-        std::string names;
+        std::vector<Phrase> names;
         for (std::size_t i = 0; i < result.trials.size(); ++i)
-            if (figures.scored > 0 && result.trials[i][figures.dial.setting].nothing())
-                names += (names.empty() ? "" : ", ") + evaluation.pictures[i];
+            if (figures.scored > 0 && result.trials[i][figures.dial.setting].nothing()) names.push_back(evaluation.pictures[i]);
         if (!names.empty())
-            lines.push_back("recipe " + result.recipe + " draws nothing on " + std::to_string(figures.nothing) +
-                            (figures.nothing == 1 ? " picture: " : " pictures: ") + names);
+            lines.push_back(phrases(names.size(), "recipe {1} draws nothing on {0} picture: {2}",
+                                    "recipe {1} draws nothing on {0} pictures: {2}", result.recipe, row_of(names)));
     }
     return lines;
 }

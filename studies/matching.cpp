@@ -33,7 +33,7 @@ constexpr int kPixelsPerCell = 4;  // 0.125 mm, a quarter of the thinnest edge t
 struct Sheets {                   // of one picture
     std::vector<Relief> reliefs;  // by candidate
     std::vector<SheetFacts> facts;
-    std::vector<std::string> problems;
+    std::vector<Phrase> problems;
 };
 
 // The middle of the picture, as long as wide: the study's sheets were squares, and the shape must not tell them apart.
@@ -112,15 +112,15 @@ private:
 // A picture that one recipe cannot make a sheet of is left out for all: the sets must be the same.
 Sheets make_sheets(const StudyRequest& request, const Subject& subject) {
     Sheets sheets;
-    std::string at;
+    const Candidate* at = nullptr;
     const Failure failure = failure_of(subject.picture, [&] {
         SheetMaker maker(request, subject);
         for (const Candidate& candidate : request.candidates) {
-            at = "recipe " + candidate.name + ": ";
+            at = &candidate;
             maker.make(candidate, sheets);
         }
     });
-    if (!failure.text.empty()) sheets.problems.push_back(at + failure.text.english());
+    if (!failure.text.empty()) sheets.problems.push_back(at == nullptr ? failure.text : of_recipe(at->name, failure.text));
     return sheets;
 }
 
@@ -196,10 +196,10 @@ std::vector<ChangedReader> changed_readers() {
     const FingertipReader usual;
     for (const ReaderRange& range : reader_ranges()) {
         std::vector<double> values{range.least, range.most};
-        if (range.name == "places") values = {range.least, 8, 20, range.most};
+        if (range.name.text == "places") values = {range.least, 8, 20, range.most};
         for (const double value : values) {
             if (range.get(usual) == value) continue;
-            readers.push_back({std::string(range.name) + " " + to_text(value), usual});
+            readers.push_back({phrase("{0} {1}", phrase(range.name), numeral(value)), usual});
             range.set(readers.back().reader, value);
         }
     }
@@ -252,7 +252,7 @@ MatchingStudy study_matching(const StudyRequest& request, const StudyWatch& watc
 StudyFindings run_matching_study(const StudyRequest& request, const StudyWatch& watch) {
     const MatchingStudy study = study_matching(request, watch);
     StudyFindings findings;
-    findings.text = matching_text(study);
+    findings.text = matching_text(study, request.language);
     findings.csv = matching_csv(study);
     findings.json = matching_json(study);
     findings.problems = study.problems;
@@ -266,7 +266,7 @@ constexpr Option kOptions[] = {{.name = "seed",
                                 .min = 0,
                                 .max = 1e9,
                                 .summary = "another number, other simulated readers"}};
-constexpr std::string_view kSquares = "the sheets of --study matching are squares of 2.5 in, each made once";
+constexpr SourceWords kSquares = "the sheets of --study matching are squares of 2.5 in, each made once";
 constexpr Refusal kRefuses[] = {{"paper", kSquares}, {"margin", kSquares}, {"sweep", kSquares}};
 constexpr std::string_view kRecipes[] = {"none",         "kmeans", "sobel", "kmeans-sobel",
                                          "sobel-kmeans", "photo",  "auto"};  // the paper's five first
@@ -297,7 +297,7 @@ constinit const Study matching_study{
         "follow. It is a simulation: the reader has not been validated on people.",
     .needs_maps = false,
     .options = kOptions,
-    .no_options = "nothing is left to chance here",
+    .no_options = SourceWords("nothing is left to chance here"),
     .refuses = kRefuses,
     .paper = "2.5x2.5in",
     .recipes = kRecipes,

@@ -38,7 +38,7 @@ struct MatchedRecipe {
 
 /// The usual reader but for one thing.
 struct ChangedReader {
-    std::string change;  ///< "places 8"
+    Phrase change;  ///< "places 8"
     FingertipReader reader;
 };
 
@@ -50,7 +50,7 @@ struct MatchingStudy {
     std::vector<MatchedRecipe> recipes;
     std::vector<ChangedReader> changed_readers;
     std::vector<FingertipReader> random_readers;
-    std::vector<std::string> problems;
+    std::vector<Phrase> problems;
 
     std::size_t trials() const { return pictures.size() * static_cast<std::size_t>(readers); }  ///< of each recipe
     double chance() const;  ///< the rate of a reader who guesses

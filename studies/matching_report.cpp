@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "studies/told_table.h"
 #include "tactics/text/json.h"
 #include "tactics/text/table.h"
 #include "tactics/units.h"
@@ -22,7 +23,6 @@ constexpr Found kPaper[] = {
     {"none", "0.12"}, {"kmeans", "0.60-0.80"}, {"sobel", "0.60-0.80"}, {"kmeans-sobel", "over 0.70"}, {"sobel-kmeans", "0.97"},
 };
 constexpr std::array<std::array<std::size_t, 2>, 5> kOrder{{{0, 1}, {0, 2}, {1, 3}, {2, 3}, {3, 4}}};  // worse, better
-constexpr std::string_view kOrderText = "none, then kmeans and sobel, then kmeans-sobel, then sobel-kmeans";
 
 double rate_of(const MatchingStudy& study, const MatchedRecipe& recipe) {
     return static_cast<double>(recipe.hits()) / static_cast<double>(study.trials());
@@ -80,93 +80,107 @@ std::vector<std::size_t> readers_of_the_order(const MatchingStudy& study) {
     return held;
 }
 
-std::string exceptions_to_the_order(const MatchingStudy& study) {
+// Empty: it holds.
+Phrase exceptions_to_the_order(const MatchingStudy& study) {
     const auto five = papers_five(study);
-    std::string text;
+    Phrase text;
     for (const auto& [worse, better] : kOrder) {
         const double low = rate_of(study, *five[worse]), high = rate_of(study, *five[better]);
         if (low < high) continue;
-        text += (text.empty() ? "" : "; ") + five[better]->name + " " + fixed(high, 2) + " is not above " + five[worse]->name +
-                " " + fixed(low, 2);
+        Phrase one = phrase("{0} {1} is not above {2} {3}", five[better]->name, fixed_numeral(high, 2), five[worse]->name,
+                            fixed_numeral(low, 2));
+        text = text.empty() ? std::move(one) : phrase("{0}; {1}", std::move(text), std::move(one));
     }
     return text;
 }
 
-std::string range_text(const ReaderRange& range, double least, double most) {
-    const std::string unit = range.unit.empty() ? "" : " " + std::string(range.unit);
-    return std::string(range.name) + " " + fixed(least, 2) + (least == most ? "" : " to " + fixed(most, 2)) + unit;
+Phrase with_unit(Phrase value, const ReaderRange& range) {
+    return range.unit.text.empty() ? value : phrase("{0} {1}", std::move(value), phrase(range.unit));
 }
 
-std::string reader_text(const FingertipReader& reader) {
-    std::string text;
+Phrase range_text(const ReaderRange& range, double least, double most) {
+    Phrase value =
+        least == most ? fixed_numeral(least, 2) : phrase("{0} to {1}", fixed_numeral(least, 2), fixed_numeral(most, 2));
+    return phrase("{0} {1}", phrase(range.name), with_unit(std::move(value), range));
+}
+
+Phrase reader_text(const FingertipReader& reader) {
+    std::vector<Phrase> parts;
     for (const ReaderRange& range : reader_ranges())
-        text += (text.empty() ? "" : ", ") + std::string(range.name) + " " + to_text(range.get(reader)) +
-                (range.unit.empty() ? "" : " " + std::string(range.unit));
-    return text;
+        parts.push_back(phrase("{0} {1}", phrase(range.name), with_unit(numeral(range.get(reader)), range)));
+    return row_of(parts);
 }
 
-std::string order_lines(const MatchingStudy& study) {
-    if (papers_five(study).empty()) return "";
-    const std::string exceptions = exceptions_to_the_order(study);
-    std::string text = "The paper's order (" + std::string(kOrderText) + ") ";
-    text += exceptions.empty() ? "comes out with the usual reader.\n"
-                               : "does not come out with the usual reader: " + exceptions + ".\n";
+std::vector<Phrase> order_lines(const MatchingStudy& study) {
+    if (papers_five(study).empty()) return {};
+    const Phrase exceptions = exceptions_to_the_order(study);
+    const Phrase order = phrase("none, then kmeans and sobel, then kmeans-sobel, then sobel-kmeans");
+    std::vector<Phrase> lines;
+    lines.push_back(exceptions.empty()
+                        ? phrase("The paper's order ({0}) comes out with the usual reader.", order)
+                        : phrase("The paper's order ({0}) does not come out with the usual reader: {1}.", order, exceptions));
     const auto held = readers_of_the_order(study);
-    text += "Under " + std::to_string(study.random_readers.size()) + " readers with parameters at random it comes out in " +
-            std::to_string(held.size()) + " (" +
-            percent(static_cast<double>(held.size()) / static_cast<double>(study.random_readers.size())) + ")";
-    std::string drawn, there;
+    std::vector<Phrase> drawn, there;
     for (const ReaderRange& range : reader_ranges()) {
-        drawn += (drawn.empty() ? "" : ", ") + range_text(range, range.least, range.most);
+        drawn.push_back(range_text(range, range.least, range.most));
         double least = range.most, most = range.least;
         for (const std::size_t i : held) {
             least = std::min(least, range.get(study.random_readers[i]));
             most = std::max(most, range.get(study.random_readers[i]));
         }
-        there += (there.empty() ? "" : ", ") + range_text(range, least, most);
+        there.push_back(range_text(range, least, most));
     }
-    text += held.empty() ? ".\n" : ": with " + there + ".\n";
-    return text + "They were drawn from " + drawn + ".\n";
+    const std::string all = std::to_string(study.random_readers.size()), some = std::to_string(held.size());
+    const Phrase share = numeral_of(percent(static_cast<double>(held.size()) / static_cast<double>(study.random_readers.size())));
+    lines.push_back(held.empty()
+                        ? phrase("Under {0} readers with parameters at random it comes out in {1} ({2}).", all, some, share)
+                        : phrase("Under {0} readers with parameters at random it comes out in {1} ({2}): with {3}.", all, some,
+                                 share, row_of(there)));
+    lines.push_back(phrase("They were drawn from {0}.", row_of(drawn)));
+    return lines;
 }
 
 // A line for each change, a column for each recipe.
-std::string changes_text(const MatchingStudy& study) {
-    std::vector<Row> rows{{"one parameter changed"}};
+std::string changes_text(const MatchingStudy& study, std::string_view language) {
+    std::vector<ToldRow> rows{{phrase("one parameter changed")}};
     for (const MatchedRecipe& recipe : study.recipes) rows[0].push_back(recipe.name);
     for (std::size_t i = 0; i < study.changed_readers.size(); ++i) {
         rows.push_back({study.changed_readers[i].change});
         for (const MatchedRecipe& recipe : study.recipes) rows.back().push_back(fixed(recipe.changed[i], 2));
     }
-    for (Row& row : rows) row.emplace_back();  // the last column of a table starts at the left
-    return aligned(std::move(rows));
+    for (ToldRow& row : rows) row.emplace_back();  // the last column of a table starts at the left
+    return told_table(rows, language);
 }
 
-std::string hardest(const MatchingStudy& study, const MatchedRecipe& recipe) {
+Phrase hardest(const MatchingStudy& study, const MatchedRecipe& recipe) {
     std::vector<std::size_t> order(study.pictures.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return recipe.sheets[a].hits < recipe.sheets[b].hits; });
-    std::string text;
+    std::vector<Phrase> sheets;
     for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 3); ++i)
-        text += (i > 0 ? ", " : "") + study.pictures[order[i]] + " " +
-                fixed(static_cast<double>(recipe.sheets[order[i]].hits) / study.readers, 2);
-    return text;
+        sheets.push_back(phrase("{0} {1}", study.pictures[order[i]],
+                                fixed_numeral(static_cast<double>(recipe.sheets[order[i]].hits) / study.readers, 2)));
+    return row_of(sheets);
 }
 
-std::string mistakes_text(const MatchingStudy& study, const MatchedRecipe& recipe) {
-    std::string text;
+Phrase hardest_line(const MatchingStudy& study, const MatchedRecipe& recipe) {
+    std::vector<Phrase> mistakes;
     for (std::size_t i = 0; i < std::min<std::size_t>(recipe.mistakes.size(), 3); ++i) {
         const Mistake& mistake = recipe.mistakes[i];
-        text += (i > 0 ? ", " : "; most often taken for another: ") + study.pictures[mistake.picture] + " for " +
-                study.pictures[mistake.taken_for] + " " + std::to_string(mistake.times) + " of " + std::to_string(study.readers);
+        mistakes.push_back(phrase("{0} for {1} {2} of {3}", study.pictures[mistake.picture], study.pictures[mistake.taken_for],
+                                  std::to_string(mistake.times), std::to_string(study.readers)));
     }
-    return text;
+    const Phrase sheets = hardest(study, recipe);
+    if (mistakes.empty()) return phrase("Hardest of {0}: {1}.", recipe.name, sheets);
+    return phrase("Hardest of {0}: {1}; most often taken for another: {2}.", recipe.name, sheets, row_of(mistakes));
 }
 
-std::string sets_text(const MatchingStudy& study) {
+Phrase sets_text(const MatchingStudy& study) {
     const auto [least, most] = std::minmax_element(study.sets.begin(), study.sets.end());
-    const std::string sizes = std::to_string(*least) + (*least == *most ? "" : " to " + std::to_string(*most));
-    return study.sets.size() == 1 ? "one set of " + sizes : std::to_string(study.sets.size()) + " sets of " + sizes;
+    const Phrase sizes =
+        *least == *most ? Phrase(std::to_string(*least)) : phrase("{0} to {1}", std::to_string(*least), std::to_string(*most));
+    return phrases(study.sets.size(), "{0} set of {1}", "{0} sets of {1}", sizes);
 }
 
 void add_facts(JsonObject& json, std::size_t hits, std::size_t trials) {
@@ -217,14 +231,15 @@ std::string recipe_json(const MatchingStudy& study, const MatchedRecipe& recipe)
 
 std::string reader_json(const FingertipReader& reader) {
     JsonObject json;
-    for (const ReaderRange& range : reader_ranges()) json.add(range.name, range.get(reader));
+    for (const ReaderRange& range : reader_ranges()) json.add(range.name.text, range.get(reader));
     return json.text();
 }
 
 }  // namespace
 
-std::string matching_text(const MatchingStudy& study) {
-    std::vector<Row> rows{{"recipe", "matched", "95 %", "random readers", "ink", "line mm", "recall", "empty", "pilot study"}};
+std::string matching_text(const MatchingStudy& study, std::string_view language) {
+    std::vector<ToldRow> rows{{phrase("recipe"), phrase("matched"), "95 %", phrase("random readers"), phrase("ink"),
+                               phrase("line mm"), phrase("recall"), phrase("empty"), phrase("pilot study")}};
     for (const MatchedRecipe& recipe : study.recipes) {
         const Means means = means_of(recipe);
         const Interval interval = wilson(recipe.hits(), study.trials());
@@ -234,16 +249,18 @@ std::string matching_text(const MatchingStudy& study) {
                         means.contours.truth > 0 ? fixed(means.contours.recall(), 2) : "", std::to_string(recipe.empty()),
                         paper_rate(recipe.name)});
     }
-    std::string text = aligned(std::move(rows));
-    text +=
-        "A simulation, not a study with people: " + std::to_string(study.readers) + " simulated readers felt each of " +
-        std::to_string(study.pictures.size()) + " sheets and looked for it among all of its kind by touch (" + sets_text(study) +
-        "; by chance " + fixed(study.chance(), 3) +
-        "). The reader has not been checked on people. A rate alone rewards sheets with little on them: read it beside recall.\n";
-    text += "The usual reader: " + reader_text(study.reader) + ".\n";
-    text += order_lines(study) + changes_text(study);
-    for (const MatchedRecipe& recipe : study.recipes)
-        text += "Hardest of " + recipe.name + ": " + hardest(study, recipe) + mistakes_text(study, recipe) + ".\n";
+    std::string text = told_table(rows, language);
+    const auto add = [&](const Phrase& line) { text += line.in(language) + "\n"; };
+    add(phrase(
+        "A simulation, not a study with people: {0} simulated readers felt each of {1} sheets and looked for it among all of "
+        "its kind by touch ({2}; by chance {3}). The reader has not been checked on people. A rate alone rewards sheets with "
+        "little on them: read it beside recall.",
+        std::to_string(study.readers), std::to_string(study.pictures.size()), sets_text(study),
+        fixed_numeral(study.chance(), 3)));
+    add(phrase("The usual reader: {0}.", reader_text(study.reader)));
+    for (const Phrase& line : order_lines(study)) add(line);
+    text += changes_text(study, language);
+    for (const MatchedRecipe& recipe : study.recipes) add(hardest_line(study, recipe));
     return text;
 }
 
@@ -284,7 +301,7 @@ std::string matching_json(const MatchingStudy& study) {
     for (const FingertipReader& reader : study.random_readers) list.push_back(reader_json(reader));
     whole.add_raw("random_readers", json_array(list));
     list.clear();
-    for (const ChangedReader& changed : study.changed_readers) list.push_back(json_text(changed.change));
+    for (const ChangedReader& changed : study.changed_readers) list.push_back(json_text(changed.change.english()));
     whole.add_raw("changed_readers", json_array(list));
     if (!papers_five(study).empty()) {
         whole.add_raw("papers_order", exceptions_to_the_order(study).empty() ? "true" : "false");

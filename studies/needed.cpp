@@ -27,9 +27,9 @@ constexpr std::string_view kAsMade = " as it is";  // the name of a mark
 enum DialIndex : std::size_t { kLevels, kDpi, kStrokes, kDials };
 
 std::vector<NeededDial> dials_for(const Medium& medium) {
-    std::vector<NeededDial> dials{{"grey levels", "levels", {2, 3, 4, 6, 8, 16, kAllLevels}},
-                                  {"dots per inch", "dpi", {10, 15, 20, 30, 45, 60, 90}},
-                                  {"strokes", "strokes", {1, 2, 5, 10, 20, 50, 100, kAll}}};
+    std::vector<NeededDial> dials{{"grey levels", phrase("grey levels"), "levels", {2, 3, 4, 6, 8, 16, kAllLevels}},
+                                  {"dots per inch", phrase("dots per inch"), "dpi", {10, 15, 20, 30, 45, 60, 90}},
+                                  {"strokes", phrase("strokes"), "strokes", {1, 2, 5, 10, 20, 50, 100, kAll}}};
     std::erase_if(dials[kDpi].values, [&](double dpi) { return dpi > medium.dpi; });  // it shows no more
     return dials;
 }
@@ -152,7 +152,7 @@ private:
 struct PictureRows {
     std::vector<std::vector<NeededCurve>> curves;  // by candidate; empty: it failed
     std::vector<std::string> chosen;
-    std::vector<std::string> problems;
+    std::vector<Phrase> problems;
 };
 
 PictureRows try_picture(const StudyRequest& request, const Subject& subject, const std::vector<NeededDial>& dials) {
@@ -165,10 +165,10 @@ PictureRows try_picture(const StudyRequest& request, const Subject& subject, con
             const Candidate& candidate = request.candidates[c];
             const Failure problem =
                 failure_of(subject.picture, [&] { rows.curves[c] = trials.curves(candidate, dials, rows.chosen[c]); });
-            if (!problem.text.empty()) rows.problems.push_back("recipe " + candidate.name + ": " + problem.text.english());
+            if (!problem.text.empty()) rows.problems.push_back(of_recipe(candidate.name, problem.text));
         }
     });
-    if (!failure.text.empty()) rows.problems.push_back(failure.text.english());
+    if (!failure.text.empty()) rows.problems.push_back(failure.text);
     return rows;
 }
 
@@ -227,19 +227,19 @@ std::vector<std::string> curves_and_marks(std::span<const Candidate> candidates)
 StudyFindings run_needed_study(const StudyRequest& request, const StudyWatch& watch) {
     const NeededStudy study = try_pictures(request, watch);
     StudyFindings findings;
-    findings.text = needed_text(study);
+    findings.text = needed_text(study, request.language);
     findings.json = needed_json(study);
     findings.problems = study.problems;
     for (std::size_t dial = 0; dial < study.dials.size(); ++dial) {
         StudyChart chart{study.dials[dial].word, needed_plot(study, dial)};
         if (chart.plot.curves.empty())
-            chart.missing = "there is no chart of " + study.dials[dial].name + ": no recipe here draws any";
+            chart.missing = phrase("there is no chart of {0}: no recipe here draws any", study.dials[dial].told);
         findings.charts.push_back(std::move(chart));
     }
     return findings;
 }
 
-constexpr std::string_view kOwnDials = "the study needed turns dials of its own and gives text or --json";
+constexpr SourceWords kOwnDials = "the study needed turns dials of its own and gives text or --json";
 constexpr Refusal kRefuses[] = {{"sweep", kOwnDials}, {"csv", kOwnDials}};
 constexpr std::string_view kRecipes[] = {"auto"};
 

@@ -12,6 +12,7 @@ namespace tactics {
 
 struct NeededDial {
     std::string name;            ///< "grey levels"
+    Phrase told;                 ///< the same, in any language
     std::string word;            ///< for the name of a file: "levels"
     std::vector<double> values;  ///< ascending; the last may be infinite: all
 };
@@ -27,10 +28,10 @@ struct NeededStudy {
     std::vector<NeededDial> dials;
     std::vector<NeededRecipe> recipes;
     std::size_t tried = 0;  ///< pictures
-    std::vector<std::string> problems;
+    std::vector<Phrase> problems;
 };
 
-std::string needed_text(const NeededStudy& study);
+std::string needed_text(const NeededStudy& study, std::string_view language);
 /// One object a line: each recipe with its dials and their pictures, and last what the whole was.
 std::string needed_json(const NeededStudy& study);
 

@@ -5,6 +5,7 @@
 
 #include "studies/needed.h"
 #include "studies/picture.h"
+#include "studies/told_table.h"
 #include "tactics/text/json.h"
 #include "tactics/text/rounded.h"
 #include "tactics/text/table.h"
@@ -14,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-std::string value_text(double value) { return std::isfinite(value) ? to_text(value) : "all"; }
+Phrase value_text(double value) { return std::isfinite(value) ? numeral(value) : phrase("all"); }
 
 std::string chosen_text(const NeededRecipe& recipe) {
     std::map<std::string, std::size_t> counts;
@@ -68,29 +69,30 @@ std::string dial_json(const NeededDial& dial, const NeededRecipe& recipe, std::s
 
 }  // namespace
 
-std::string needed_text(const NeededStudy& study) {
-    std::vector<Row> rows{{"recipe", "dial", "a quarter needs", "half need", "three quarters", "it has", "has more", "F as it is",
-                           "best F", "pictures", "nothing", "mean F at"}};
+std::string needed_text(const NeededStudy& study, std::string_view language) {
+    std::vector<ToldRow> rows{{phrase("recipe"), phrase("dial"), phrase("a quarter needs"), phrase("half need"),
+                               phrase("three quarters"), phrase("it has"), phrase("has more"), phrase("F as it is"),
+                               phrase("best F"), phrase("pictures"), phrase("nothing"), phrase("mean F at")}};
     for (const NeededRecipe& recipe : study.recipes)
         for (std::size_t dial = 0; dial < study.dials.size(); ++dial) {
             const auto& values = study.dials[dial].values;
             const NeededSummary summary = summary_of(recipe.curves[dial], values);
             if (summary.pictures == 0) continue;
             const bool some = summary.pictures > summary.nothing;
-            std::string curve;
+            std::vector<Phrase> curve;
             for (std::size_t i = 0; i < values.size(); ++i)
-                curve += (i > 0 ? ", " : "") + value_text(values[i]) + ": " + fixed(summary.mean_f[i], 3);
+                curve.push_back(phrase("{0}: {1}", value_text(values[i]), fixed_numeral(summary.mean_f[i], 3)));
             rows.push_back(
-                {recipe.name, study.dials[dial].name, some ? rounded(summary.needed.low, 0.1) : "",
+                {recipe.name, study.dials[dial].told, some ? rounded(summary.needed.low, 0.1) : "",
                  some ? rounded(summary.needed.middle, 0.1) : "", some ? rounded(summary.needed.high, 0.1) : "",
                  rounded(summary.own.middle, 0.1),
                  some ? percent(static_cast<double>(summary.more) / static_cast<double>(summary.pictures - summary.nothing)) : "",
                  fixed(summary.own_f, 3), fixed(summary.best_f, 3), std::to_string(summary.pictures),
-                 std::to_string(summary.nothing), curve});
+                 std::to_string(summary.nothing), row_of(curve)});
         }
-    std::string text = aligned(std::move(rows));
+    std::string text = told_table(rows, language);
     for (const NeededRecipe& recipe : study.recipes)
-        if (!recipe.chosen.empty()) text += recipe.name + " chose: " + chosen_text(recipe) + ".\n";
+        if (!recipe.chosen.empty()) text += phrase("{0} chose: {1}.", recipe.name, chosen_text(recipe)).in(language) + "\n";
     return text;
 }
 

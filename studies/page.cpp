@@ -17,6 +17,7 @@
 #include "tactics/measure/evaluation.h"
 #include "tactics/measure/lines.h"
 #include "tactics/text/json.h"
+#include "tactics/text/table.h"
 
 namespace tactics {
 
@@ -170,14 +171,15 @@ PageFigures page_figures(const PageMaker& maker) {
     return figures;
 }
 
-std::vector<Row> page_rows(const PageStudy& study) {
-    std::vector<Row> rows{{"recipe", "P3", "P1", "R3", "main object", "diagonals", "lines", "line mm", "loose ends", "whole",
-                           "CPU ms", "pages", "failed"}};
+std::vector<ToldRow> page_rows(const PageStudy& study) {
+    std::vector<ToldRow> rows{{phrase("recipe"), phrase("P3"), phrase("P1"), phrase("R3"), phrase("main object"),
+                               phrase("diagonals"), phrase("lines"), phrase("line mm"), phrase("loose ends"), phrase("whole"),
+                               phrase("CPU ms"), phrase("pages"), phrase("failed")}};
     for (const PageMaker& maker : study.makers) {
         const PageFigures figures = page_figures(maker);
         const auto failed = std::count_if(maker.trials.begin(), maker.trials.end(),
                                           [](const PageTrial& trial) { return !trial.tried && !trial.nobody; });
-        Row row{maker.name};
+        ToldRow row{maker.timed ? Phrase(maker.name) : phrase("simplest person")};
         if (figures.pages > 0)
             row.insert(row.end(),
                        {fixed(figures.p3, 3), fixed(figures.p1, 3), cell(figures.r3), cell(figures.main_object),
@@ -190,10 +192,11 @@ std::vector<Row> page_rows(const PageStudy& study) {
     return rows;
 }
 
-std::vector<Row> trust_rows(const PageStudy& study) {
+std::vector<ToldRow> trust_rows(const PageStudy& study) {
     constexpr std::array kBelow{0.65, 0.75, 1.01};  // of pages that are not told; so that each line has some
-    std::vector<Row> rows{{"recipe", "agreement expected", "pages", "poor", "P3 expected", "P3", "R3 expected", "R3"}};
-    const auto add = [&](const PageMaker& maker, const std::string& expected, const auto& is_in) {
+    std::vector<ToldRow> rows{{phrase("recipe"), phrase("agreement expected"), phrase("pages"), phrase("poor"),
+                               phrase("P3 expected"), phrase("P3"), phrase("R3 expected"), phrase("R3")}};
+    const auto add = [&](const PageMaker& maker, const Phrase& expected, const auto& is_in) {
         Mean expected_line, line, expected_found, found;
         std::size_t pages = 0, poor = 0;
         for (const PageTrial& trial : maker.trials) {
@@ -211,11 +214,12 @@ std::vector<Row> trust_rows(const PageStudy& study) {
                             cell(line.value()), cell(expected_found.value()), cell(found.value())});
     };
     for (const PageMaker& maker : study.makers) {
-        add(maker, "too little, told", [](const Trust& trust) { return is_doubtful(trust); });
+        add(maker, phrase("too little, told"), [](const Trust& trust) { return is_doubtful(trust); });
         for (std::size_t i = 0; i < kBelow.size(); ++i)
-            add(maker, i + 1 < kBelow.size() ? "under " + fixed(kBelow[i], 2) : "more", [&](const Trust& trust) {
-                return !is_doubtful(trust) && trust.agreement() < kBelow[i] && (i == 0 || trust.agreement() >= kBelow[i - 1]);
-            });
+            add(maker, i + 1 < kBelow.size() ? phrase("under {0}", fixed_numeral(kBelow[i], 2)) : phrase("more"),
+                [&](const Trust& trust) {
+                    return !is_doubtful(trust) && trust.agreement() < kBelow[i] && (i == 0 || trust.agreement() >= kBelow[i - 1]);
+                });
     }
     return rows;
 }
@@ -256,7 +260,8 @@ std::vector<StudyChart> page_charts(const PageStudy& study, const StudyRequest& 
     for (const bool recall : {false, true}) {
         StudyChart chart{recall ? "r3" : "p3", page_plot(study, recall)};
         if (chart.plot.marks.empty())
-            chart.missing = with_word(request.charts.front(), chart.word) + ": not drawn, as no picture has what it would show";
+            chart.missing =
+                phrase("{0}: not drawn, as no picture has what it would show", with_word(request.charts.front(), chart.word));
         if (chart.missing.empty() || !request.quiet) charts.push_back(std::move(chart));
     }
     return charts;
@@ -276,10 +281,10 @@ StudyFindings run_page_study(const StudyRequest& request, const StudyWatch& watc
         };
     });
     find_poor(study);
-    const std::vector<Row> rows = page_rows(study), trust = trust_rows(study);
+    const std::vector<ToldRow> rows = page_rows(study), trust = trust_rows(study);
     StudyFindings findings;
-    findings.text = aligned(rows) + (trust.size() > 1 ? "\n" + aligned(trust) : "");
-    findings.csv = comma_separated(rows);
+    findings.text = told_table(rows, request.language) + (trust.size() > 1 ? "\n" + told_table(trust, request.language) : "");
+    findings.csv = told_csv(rows);
     findings.json = page_json(study);
     findings.problems = study.problems;
     findings.undone = SourceWords("{0} could not be drawn:");

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "studies/study.h"
+#include "studies/told_table.h"
 #include "tactics/measure/consensus.h"
 #include "tactics/measure/whole.h"
 #include "tactics/plot.h"
-#include "tactics/text/table.h"
 
 namespace tactics {
 
@@ -33,7 +33,7 @@ struct PageMaker {
 struct PageStudy {
     std::vector<std::string> pictures;
     std::vector<PageMaker> makers;  ///< the recipes, and the simplest person
-    std::vector<std::string> problems;
+    std::vector<Phrase> problems;
 };
 
 /// A maker over its pictures: means, of what is told in parentheses medians.
@@ -46,10 +46,10 @@ struct PageFigures {
 };
 PageFigures page_figures(const PageMaker& maker);
 
-std::vector<Row> page_rows(const PageStudy& study);
+std::vector<ToldRow> page_rows(const PageStudy& study);
 /// The predicted and actual scores of pages, grouped by the predicted agreement; the first line of each recipe has the pages
 /// reported as needing a look. Headings only if no recipe predicts anything.
-std::vector<Row> trust_rows(const PageStudy& study);
+std::vector<ToldRow> trust_rows(const PageStudy& study);
 /// One object a line: each maker with its pages, and last what the whole was.
 std::string page_json(const PageStudy& study);
 

@@ -92,25 +92,28 @@ Recipe without_dots(Recipe recipe) {
     return recipe;
 }
 
-std::vector<std::string> try_all(const StudyRequest& request, const StudyWatch& watch, bool needs_maps, const OpenPicture& open) {
-    std::vector<std::vector<std::string>> problems(request.subjects.size());
+Phrase of_recipe(const std::string& recipe, const Phrase& problem) { return phrase("recipe {0}: {1}", recipe, problem); }
+
+std::vector<Phrase> try_all(const StudyRequest& request, const StudyWatch& watch, bool needs_maps, const OpenPicture& open) {
+    std::vector<std::vector<Phrase>> problems(request.subjects.size());
     work_through(request, watch, request.subjects.size(), [&](std::size_t i) {
         const Subject& subject = request.subjects[i];
-        const auto note = [&](const std::string& who, const Failure& failure) {
-            if (!failure.text.empty()) problems[i].push_back(who + failure.text.english());
-        };
         TryRecipe attempt;
-        note("", failure_of(subject.picture, [&] { attempt = open(i, read_mapped(request, subject, needs_maps)); }));
+        if (const Failure failure =
+                failure_of(subject.picture, [&] { attempt = open(i, read_mapped(request, subject, needs_maps)); });
+            !failure.text.empty())
+            problems[i].push_back(failure.text);
         for (std::size_t c = 0; attempt && c < request.candidates.size(); ++c)
-            note("recipe " + request.candidates[c].name + ": ", failure_of(subject.picture, [&] { attempt(c); }));
+            if (const Failure failure = failure_of(subject.picture, [&] { attempt(c); }); !failure.text.empty())
+                problems[i].push_back(of_recipe(request.candidates[c].name, failure.text));
         return problems[i];
     });
-    std::vector<std::string> all = request.problems;
+    std::vector<Phrase> all = request.problems;
     for (const auto& own : problems) all.insert(all.end(), own.begin(), own.end());
     return all;
 }
 
-std::string study_json(std::string_view study, std::size_t pictures, const std::vector<std::string>& problems) {
+std::string study_json(std::string_view study, std::size_t pictures, const std::vector<Phrase>& problems) {
     JsonObject whole;
     whole.add("study", study);
     whole.add("pictures", static_cast<double>(pictures));

@@ -47,6 +47,9 @@ ReadyRecipe make_ready(const StudyRequest& request, const Subject& subject, cons
 /// Dots stand for greys; what they fill has regions and borders. Throws Error if the recipe does nothing but that.
 Recipe without_dots(Recipe recipe);
 
+/// A problem that one recipe has: "recipe sobel: photos/a.jpg: ...".
+Phrase of_recipe(const std::string& recipe, const Phrase& problem);
+
 /// Tries a recipe, by its number in the request.
 using TryRecipe = std::function<void(std::size_t candidate)>;
 /// Takes a picture, by its number in the request, and gives what tries recipes on it.
@@ -54,9 +57,9 @@ using OpenPicture = std::function<TryRecipe(std::size_t picture, const MappedPic
 
 /// Runs every recipe on every picture, on all cores. Reports errors at once, and returns them as lines, those of the folders
 /// first.
-std::vector<std::string> try_all(const StudyRequest& request, const StudyWatch& watch, bool needs_maps, const OpenPicture& open);
+std::vector<Phrase> try_all(const StudyRequest& request, const StudyWatch& watch, bool needs_maps, const OpenPicture& open);
 
 /// The last object of a study's JSON, with its line's end.
-std::string study_json(std::string_view study, std::size_t pictures, const std::vector<std::string>& problems);
+std::string study_json(std::string_view study, std::size_t pictures, const std::vector<Phrase>& problems);
 
 }  // namespace tactics

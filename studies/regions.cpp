@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "studies/picture.h"
+#include "studies/told_table.h"
 #include "studies/work.h"
 #include "tactics/measure/consensus.h"
 #include "tactics/measure/lines.h"
@@ -17,7 +18,7 @@ namespace tactics {
 namespace {
 
 struct RegionRow {
-    std::string name;
+    Phrase name;
     bool has_levels = false;          // else it is a person, whose regions are what they are
     std::vector<RegionTrial> trials;  // by picture; those without a curve could not be scored
 };
@@ -25,7 +26,7 @@ struct RegionRow {
 struct RegionStudy {
     std::vector<std::string> pictures;
     std::vector<RegionRow> rows;  // the recipes, people, and the simplest person
-    std::vector<std::string> problems;
+    std::vector<Phrase> problems;
 };
 
 // The map of a picture's annotators, each as a row's trial.
@@ -61,7 +62,7 @@ std::string picture_json(const std::string& name, const RegionTrial& trial) {
 std::string row_json(const RegionStudy& study, const RegionRow& row) {
     const RegionFigures figures = region_figures(row.trials);
     JsonObject json;
-    json.add("recipe", row.name);
+    json.add("recipe", row.name.english());
     json.add("scored", static_cast<double>(figures.pictures));
     if (figures.pictures > 0) {
         json.add("covering_ods", figures.covering_ods);
@@ -134,9 +135,10 @@ std::vector<LabelMap> regions_of_people(const std::vector<PixelSet>& truths) {
 
 namespace {
 
-std::vector<Row> region_rows(const RegionStudy& study) {
-    std::vector<Row> rows{{"recipe", "covering", "covering OIS", "covering best", "PRI", "PRI OIS", "VI", "VI OIS", "pictures",
-                           "failed", "best at"}};
+std::vector<ToldRow> region_rows(const RegionStudy& study) {
+    std::vector<ToldRow> rows{{phrase("recipe"), phrase("covering"), phrase("covering OIS"), phrase("covering best"),
+                               phrase("PRI"), phrase("PRI OIS"), phrase("VI"), phrase("VI OIS"), phrase("pictures"),
+                               phrase("failed"), phrase("best at")}};
     for (const RegionRow& row : study.rows) {
         const RegionFigures figures = region_figures(row.trials);
         const auto shown = [&](double value, bool levels) {
@@ -146,9 +148,9 @@ std::vector<Row> region_rows(const RegionStudy& study) {
                         shown(figures.covering_best, true), shown(figures.rand_ods, false), shown(figures.rand_ois, true),
                         shown(figures.information_ods, false), shown(figures.information_ois, true),
                         std::to_string(figures.pictures), std::to_string(row.trials.size() - figures.pictures),
-                        !row.has_levels || figures.pictures == 0 ? ""
-                        : figures.level > 0                      ? "strength " + fixed(figures.level, 1)
-                                                                 : "all lines"});
+                        !row.has_levels || figures.pictures == 0 ? Phrase()
+                        : figures.level > 0                      ? phrase("strength {0}", fixed_numeral(figures.level, 1))
+                                                                 : phrase("all lines")});
     }
     return rows;
 }
@@ -165,8 +167,8 @@ StudyFindings run_regions_study(const StudyRequest& request, const StudyWatch& w
     for (const Subject& subject : request.subjects) study.pictures.push_back(subject.name);
     for (const Candidate& candidate : request.candidates)
         study.rows.push_back({candidate.name, true, std::vector<RegionTrial>(pictures)});
-    for (const std::string name : {"people", "simplest person"})
-        study.rows.push_back({name, false, std::vector<RegionTrial>(pictures)});
+    study.rows.push_back({phrase("people"), false, std::vector<RegionTrial>(pictures)});
+    study.rows.push_back({phrase("simplest person"), false, std::vector<RegionTrial>(pictures)});
     study.problems = try_all(request, watch, true, [&](std::size_t i, const MappedPicture& mapped) {
         const PeopleRegions people{regions_of_people(mapped.truths), simplest_of(mapped.truths)};
         study.rows[recipes].trials[i] = score_people(people.maps);
@@ -178,10 +180,10 @@ StudyFindings run_regions_study(const StudyRequest& request, const StudyWatch& w
                 regions_of_recipe(std::move(ready.recipe), std::move(ready.from), first.width, first.height), people.maps);
         };
     });
-    const std::vector<Row> rows = region_rows(study);
+    const std::vector<ToldRow> rows = region_rows(study);
     StudyFindings findings;
-    findings.text = aligned(rows);
-    findings.csv = comma_separated(rows);
+    findings.text = told_table(rows, request.language);
+    findings.csv = told_csv(rows);
     findings.json = region_json(study);
     findings.problems = study.problems;
     return findings;

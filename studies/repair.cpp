@@ -55,17 +55,17 @@ StudyFindings run_repair_study(const StudyRequest& request, const StudyWatch& wa
         };
     });
     StudyFindings findings;
-    findings.text = repair_text(study);
+    findings.text = repair_text(study, request.language);
     findings.json = repair_json(study);
     findings.problems = study.problems;
     findings.undone = SourceWords("{0} could not be drawn:");
     findings.charts.push_back({"", repair_plot(study)});
     if (findings.charts.front().plot.marks.empty())
-        findings.charts.front().missing = "there is no chart: no picture here has a contour map";
+        findings.charts.front().missing = phrase("there is no chart: no picture here has a contour map");
     return findings;
 }
 
-constexpr std::string_view kTextOrJson = "the study repair gives text or --json";
+constexpr SourceWords kTextOrJson = "the study repair gives text or --json";
 constexpr Refusal kRefuses[] = {{"sweep", kTextOrJson}, {"csv", kTextOrJson}};
 
 }  // namespace

@@ -31,10 +31,10 @@ struct RepairRecipe {
 struct RepairStudy {
     std::vector<std::string> pictures;
     std::vector<RepairRecipe> recipes;
-    std::vector<std::string> problems;
+    std::vector<Phrase> problems;
 };
 
-std::string repair_text(const RepairStudy& study);
+std::string repair_text(const RepairStudy& study, std::string_view language);
 /// One object a line: each recipe with its pictures, and last what the whole was.
 std::string repair_json(const RepairStudy& study);
 /// Places that break a hard rule against the share of people's contours that is drawn: a mark for each recipe after repair, and

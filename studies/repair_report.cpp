@@ -4,6 +4,7 @@
 
 #include "studies/picture.h"
 #include "studies/repair.h"
+#include "studies/told_table.h"
 #include "tactics/text/json.h"
 #include "tactics/text/table.h"
 
@@ -43,9 +44,11 @@ double middle_of(const std::vector<double>& sorted) { return sorted.empty() ? 0 
 
 }  // namespace
 
-std::string repair_text(const RepairStudy& study) {
-    std::vector<Row> rows{{"recipe", "pages", "broken", "places before", "places after", "not legible", "R before", "R after",
-                           "F before", "F after", "line kept", "page s", "repair s", "longest repair s"}};
+std::string repair_text(const RepairStudy& study, std::string_view language) {
+    std::vector<ToldRow> rows{{phrase("recipe"), phrase("pages"), phrase("broken"), phrase("places before"),
+                               phrase("places after"), phrase("not legible"), phrase("R before"), phrase("R after"),
+                               phrase("F before"), phrase("F after"), phrase("line kept"), phrase("page s"), phrase("repair s"),
+                               phrase("longest repair s")}};
     for (const RepairRecipe& recipe : study.recipes) {
         const Sums sums = sums_of(recipe);
         if (sums.pictures == 0) continue;
@@ -57,7 +60,7 @@ std::string repair_text(const RepairStudy& study) {
                         percent(sums.kept), fixed(middle_of(sums.page_ms) / 1000, 3), fixed(middle_of(sums.repair_ms) / 1000, 3),
                         fixed(sums.repair_ms.back() / 1000, 3)});
     }
-    return aligned(std::move(rows));
+    return told_table(rows, language);
 }
 
 std::string repair_json(const RepairStudy& study) {

@@ -10,6 +10,7 @@
 #include "filters/choose.h"
 #include "filters/list.h"
 #include "studies/picture.h"
+#include "studies/told_table.h"
 #include "studies/work.h"
 #include "tactics/error.h"
 #include "tactics/job/reading.h"
@@ -33,7 +34,7 @@ constexpr int kLongest = 500;
 constexpr double kWorse = 0.05;
 
 constexpr int kOtherStarts = 4;
-constexpr std::string_view kStart = "start";
+constexpr SourceWords kStart = "start";
 
 // Of one recipe under one change of one picture.
 struct Held {
@@ -46,19 +47,21 @@ struct Held {
 struct Result {
     std::vector<std::vector<Held>> held;  // by recipe and column; a column less where nothing is left to chance
     std::vector<double> known;            // by recipe
-    std::vector<std::string> problems;    // "recipe sobel: photos/a.jpg: ..."
+    std::vector<Phrase> problems;         // "recipe sobel: photos/a.jpg: ..."
 };
 
 struct StabilityStudy {
     const StudyRequest& request;
     std::vector<KnownPicture> known = known_pictures();
     std::vector<std::string> columns;
+    std::vector<Phrase> told;  // the same
     std::vector<Result> pictures, knowns;
-    std::vector<std::string> problems;
+    std::vector<Phrase> problems;
 
     explicit StabilityStudy(const StudyRequest& asked) : request(asked), pictures(asked.subjects.size()), knowns(known.size()) {
-        for (const Disturbance& disturbance : disturbances()) columns.emplace_back(disturbance.name);
-        columns.emplace_back(kStart);
+        for (const Disturbance& disturbance : disturbances()) told.push_back(phrase(disturbance.name));
+        told.push_back(phrase(kStart));
+        columns = in_language(told, "en");
         problems = asked.problems;
     }
 };
@@ -151,13 +154,13 @@ Result look_at(const StudyRequest& request, const Subject& subject) {
         const MappedPicture mapped = read_mapped(request, subject, false);
         if (!mapped.truths.empty() && mapped.info.width == image.width) people.emplace(mapped.truths);
     });
-    if (!failure.text.empty()) result.problems.push_back(failure.text.english());
+    if (!failure.text.empty()) result.problems.push_back(failure.text);
     for (std::size_t c = 0; c < request.candidates.size() && failure.text.empty(); ++c) {
         const Candidate& candidate = request.candidates[c];
         const Failure wrong = failure_of(subject.picture, [&] {
             result.held[c] = hold({request, candidate}, image, changes, people);
         });
-        if (!wrong.text.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong.text.english());
+        if (!wrong.text.empty()) result.problems.push_back(of_recipe(candidate.name, wrong.text));
     }
     return result;
 }
@@ -167,13 +170,13 @@ Result look_at(const StudyRequest& request, const KnownPicture& known) {
     for (const Candidate& candidate : request.candidates) {
         const int width = known.contour.width, height = known.contour.height;
         double figure = 0;
-        const Failure wrong = failure_of(std::string(known.name), [&] {
+        const Failure wrong = failure_of(std::string(known.name.text), [&] {
             const Draughtsman draughtsman(request, candidate);
             const PixelSet lines = draughtsman.draw(draughtsman.recipe_for(known.image), known.image,
                                                     draughtsman.pixel_of(known.image), width, height);
             figure = known.contour.pixels.empty() ? ink_of(lines) : agreement(known.contour, lines);
         });
-        if (!wrong.text.empty()) result.problems.push_back("recipe " + candidate.name + ": " + wrong.text.english());
+        if (!wrong.text.empty()) result.problems.push_back(of_recipe(candidate.name, wrong.text));
         result.known.push_back(figure);
     }
     return result;
@@ -218,12 +221,12 @@ std::string known_text(const StabilityStudy& study, std::size_t k, std::size_t r
     return study.known[k].contour.pixels.empty() ? fixed(100 * figure, 2) + " %" : fixed(figure, 2);
 }
 
-std::vector<Row> held_rows(const StabilityStudy& study) {
-    std::vector<Row> rows{{"recipe"}};
-    rows[0].insert(rows[0].end(), study.columns.begin(), study.columns.end());
-    rows[0].emplace_back("worst start");
+std::vector<ToldRow> held_rows(const StabilityStudy& study) {
+    std::vector<ToldRow> rows{{phrase("recipe")}};
+    rows[0].insert(rows[0].end(), study.told.begin(), study.told.end());
+    rows[0].push_back(phrase("worst start"));
     for (std::size_t c = 0; c < study.request.candidates.size(); ++c) {
-        Row row{study.request.candidates[c].name};
+        ToldRow row{study.request.candidates[c].name};
         Summary summary;
         for (std::size_t column = 0; column < study.columns.size(); ++column) {
             summary = sum_up(study, c, column);
@@ -236,12 +239,13 @@ std::vector<Row> held_rows(const StabilityStudy& study) {
 }
 
 // Nothing where people drew none of the pictures.
-std::vector<Row> people_rows(const StabilityStudy& study) {
-    std::vector<Row> rows{{"P3 against people"}};
-    rows[0].insert(rows[0].end(), study.columns.begin(), study.columns.end());
+std::vector<ToldRow> people_rows(const StabilityStudy& study) {
+    std::vector<ToldRow> rows{{phrase("P3 against people")}};
+    rows[0].insert(rows[0].end(), study.told.begin(), study.told.end());
     for (std::size_t c = 0; c < study.request.candidates.size(); ++c) {
         const std::string& name = study.request.candidates[c].name;
-        Row mean{name + ", mean change"}, least{name + ", worst page"}, worse{name + ", worse by 0.05"};
+        ToldRow mean{phrase("{0}, mean change", name)}, least{phrase("{0}, worst page", name)};
+        ToldRow worse{phrase("{0}, worse by {1}", name, numeral(kWorse))};
         bool judged = false;
         for (std::size_t column = 0; column < study.columns.size(); ++column) {
             const Summary summary = sum_up(study, c, column);
@@ -249,7 +253,7 @@ std::vector<Row> people_rows(const StabilityStudy& study) {
             judged = judged || has;
             mean.push_back(has ? fixed(summary.gain, 3) : "");
             least.push_back(has ? fixed(summary.least_gain, 3) : "");
-            worse.push_back(has ? std::to_string(summary.worse) + " of " + std::to_string(summary.judged) : "");
+            worse.push_back(has ? phrase("{0} of {1}", std::to_string(summary.worse), std::to_string(summary.judged)) : Phrase());
         }
         if (judged) rows.insert(rows.end(), {std::move(mean), std::move(least), std::move(worse)});
     }
@@ -257,9 +261,9 @@ std::vector<Row> people_rows(const StabilityStudy& study) {
     return rows;
 }
 
-std::vector<Row> known_rows(const StabilityStudy& study) {
-    std::vector<Row> rows{{"recipe"}};
-    for (const KnownPicture& known : study.known) rows[0].emplace_back(known.name);
+std::vector<ToldRow> known_rows(const StabilityStudy& study) {
+    std::vector<ToldRow> rows{{phrase("recipe")}};
+    for (const KnownPicture& known : study.known) rows[0].push_back(phrase(known.name));
     for (std::size_t c = 0; c < study.request.candidates.size(); ++c) {
         rows.push_back({study.request.candidates[c].name});
         for (std::size_t k = 0; k < study.known.size(); ++k) rows.back().push_back(known_text(study, k, c));
@@ -287,7 +291,7 @@ std::string recipe_json(const StabilityStudy& study, std::size_t recipe) {
     }
     for (std::size_t k = 0; k < study.known.size(); ++k) {
         JsonObject json;
-        json.add("picture", study.known[k].name);
+        json.add("picture", study.known[k].name.text);
         json.add(study.known[k].contour.pixels.empty() ? "ink" : "f", study.knowns[k].known[recipe]);
         knowns.push_back(json.text());
     }
@@ -330,10 +334,12 @@ void carry_out(StabilityStudy& study, const StudyWatch& watch) {
 StudyFindings run_stability_study(const StudyRequest& request, const StudyWatch& watch) {
     StabilityStudy study(request);
     carry_out(study, watch);
-    const std::vector<Row> held = held_rows(study), people = people_rows(study);
+    const std::vector<ToldRow> held = held_rows(study), people = people_rows(study);
     StudyFindings findings;
-    findings.text = aligned(held) + "\n" + (people.empty() ? "" : aligned(people) + "\n") + aligned(known_rows(study));
-    findings.csv = comma_separated(held);
+    findings.text = told_table(held, request.language) + "\n" +
+                    (people.empty() ? "" : told_table(people, request.language) + "\n") +
+                    told_table(known_rows(study), request.language);
+    findings.csv = told_csv(held);
     findings.json = whole_json(study);
     findings.problems = study.problems;
     findings.undone = SourceWords("{0} could not be compared:");

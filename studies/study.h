@@ -15,6 +15,7 @@
 #include "tactics/measure/truth.h"
 #include "tactics/option.h"
 #include "tactics/plot.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -29,7 +30,7 @@ struct Candidate {
 /// The request of a study, complete and checked before the first picture is opened.
 struct StudyRequest {
     std::vector<Subject> subjects;
-    std::vector<std::string> problems;  ///< of the folders, one line each
+    std::vector<Phrase> problems;  ///< of the folders, one line each
     std::vector<Candidate> candidates;
     Sheet sheet;
     Settings settings{std::span<const Option>()};  ///< of the study's own options
@@ -37,28 +38,29 @@ struct StudyRequest {
     std::vector<std::string> allowed;              ///< of kAskedFormats: the pictures are trusted
     int workers = 0;                               ///< 0: as many as there are cores
     bool quiet = false;                            ///< print only the table and errors
+    std::string language = "en";                   ///< a tag of BCP 47: of the tables' words
 };
 
 /// The observer of a running study. Called from any thread, one at a time.
 struct StudyWatch {
     std::function<void(std::size_t done, std::size_t all)> goes_on = {};  ///< at the beginning, and after each picture
-    std::function<void(const std::string& problem)> tell = {};            ///< one line, as soon as it is known
+    std::function<void(const Phrase& problem)> tell = {};                 ///< one line, as soon as it is known
 };
 
 /// A chart of what came out.
 struct StudyChart {
-    std::string word;          ///< for the name of its file, where a study has several: "levels"
-    Plot plot;                 ///< without marks or curves: there is nothing to draw
-    std::string missing = {};  ///< what is said in place of the chart; empty: it is drawn
+    std::string word;     ///< for the name of its file, where a study has several: "levels"
+    Plot plot;            ///< without marks or curves: there is nothing to draw
+    Phrase missing = {};  ///< what is said in place of the chart; empty: it is drawn
 };
 
 /// The results, ready for output.
 struct StudyFindings {
-    std::string text = {};                  ///< tables to read
-    std::string csv = {};                   ///< the table with commas, unless the study refuses it
-    std::string json = {};                  ///< one object a line
-    std::vector<std::string> remarks = {};  ///< one line each, for who is not quiet
-    std::vector<std::string> problems = {};
+    std::string text = {};             ///< tables to read, in the language of the request
+    std::string csv = {};              ///< the table with commas, unless the study refuses it
+    std::string json = {};             ///< one object a line
+    std::vector<Phrase> remarks = {};  ///< one line each, for who is not quiet
+    std::vector<Phrase> problems = {};
     SourceWords undone = "{0} could not be scored:";  ///< of what there are problems with
     std::vector<StudyChart> charts = {};
 };
@@ -66,11 +68,11 @@ struct StudyFindings {
 /// An option of evaluate that a study has no use for, and why.
 struct Refusal {
     std::string_view option;  ///< "sweep"
-    std::string_view why;
+    SourceWords why;
 };
 
 // The common part of several studies.
-inline constexpr Refusal kAsItIs[] = {{"sweep", "this study tries each recipe as it is"}};
+inline constexpr Refusal kAsItIs[] = {{"sweep", SourceWords("this study tries each recipe as it is")}};
 inline constexpr std::string_view kDots[] = {"none"};                            ///< recipes without lines that could be compared
 inline constexpr std::string_view kDotsAndRegions[] = {"none", "kmeans"};        ///< recipes without lines that could be mended
 inline constexpr std::string_view kRandomStart = "kmeans k=4 method=iterative";  ///< beside the exact one
@@ -81,7 +83,7 @@ struct Study {
                                             ///< how much ..."
     bool needs_maps = true;                 ///< false: pictures without contour maps are enough
     std::span<const Option> options = {};   ///< whole numbers that it alone asks for; their summaries go on with the default
-    std::string_view no_options = {};       ///< why the others have no use for them
+    SourceWords no_options = "";            ///< why the others have no use for them
     std::span<const Refusal> refuses = {};  ///< in the order in which they are told
     std::string_view paper = {};            ///< of its sheets, which have no margin; empty: as convert makes a page
     std::span<const std::string_view> recipes = {};  ///< default recipes; empty: all, and auto

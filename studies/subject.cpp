@@ -13,6 +13,7 @@
 #include "tactics/measure/consensus.h"
 #include "tactics/measure/objects.h"
 #include "tactics/text/json.h"
+#include "tactics/text/table.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -90,7 +91,7 @@ std::string list_json(const std::vector<double>& values) {
 std::string row_json(const SubjectStudy& study, const SubjectRow& row) {
     const Overlaps overlaps = overlaps_in(row);
     JsonObject json;
-    json.add("recipe", row.name);
+    json.add("recipe", row.name.english());
     json.add("failed", static_cast<double>(overlaps.failed));
     json.add("objects", static_cast<double>(overlaps.box.size()));
     if (!overlaps.box.empty()) {
@@ -149,8 +150,9 @@ SubjectFinder find_subjects(Recipe recipe, Image image, int width, int height) {
     };
 }
 
-std::vector<Row> subject_rows(const SubjectStudy& study) {
-    std::vector<Row> rows{{"recipe", "box IoU", "box found", "point IoU", "point found", "objects", "failed"}};
+std::vector<ToldRow> subject_rows(const SubjectStudy& study) {
+    std::vector<ToldRow> rows{{phrase("recipe"), phrase("box IoU"), phrase("box found"), phrase("point IoU"),
+                               phrase("point found"), phrase("objects"), phrase("failed")}};
     for (const SubjectRow& row : study.rows) {
         const Overlaps overlaps = overlaps_in(row);
         const auto mean = [](const std::vector<double>& values) { return values.empty() ? "" : fixed(mean_of(values), 3); };
@@ -178,8 +180,8 @@ StudyFindings study_subject(const StudyRequest& request, const StudyWatch& watch
     for (const Subject& subject : request.subjects) study.pictures.push_back(subject.name);
     for (const Candidate& candidate : request.candidates)
         study.rows.push_back({candidate.name, std::vector<SubjectTrial>(pictures)});
-    for (const std::string name : {"simplest person", "the box alone"})
-        study.rows.push_back({name, std::vector<SubjectTrial>(pictures)});
+    study.rows.push_back({phrase("simplest person"), std::vector<SubjectTrial>(pictures)});
+    study.rows.push_back({phrase("the box alone"), std::vector<SubjectTrial>(pictures)});
     std::vector<std::uint8_t> bare(pictures, 0);
     study.problems = try_all(request, watch, true, [&](std::size_t i, const MappedPicture& mapped) {
         const std::vector<LabelMap> people = regions_of_people(mapped.truths);
@@ -199,14 +201,15 @@ StudyFindings study_subject(const StudyRequest& request, const StudyWatch& watch
         };
     });
     study.bare = static_cast<std::size_t>(std::count(bare.begin(), bare.end(), std::uint8_t{1}));
-    const std::vector<Row> rows = subject_rows(study);
+    const std::vector<ToldRow> rows = subject_rows(study);
     StudyFindings findings;
-    findings.text = aligned(rows);
-    findings.csv = comma_separated(rows);
+    findings.text = told_table(rows, request.language);
+    findings.csv = told_csv(rows);
     findings.json = subject_json(study);
     if (study.bare > 0)
-        findings.remarks.push_back(std::to_string(study.bare) + " of " + std::to_string(pictures) +
-                                   " pictures have no object that " + std::to_string(kAgree) + " people agree on");
+        findings.remarks.push_back(phrases(study.bare, "{0} of {1} pictures has no object that {2} people agree on",
+                                           "{0} of {1} pictures have no object that {2} people agree on",
+                                           std::to_string(pictures), std::to_string(kAgree)));
     findings.problems = study.problems;
     findings.undone = SourceWords("{0} could not be tried:");
     return findings;

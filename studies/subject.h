@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "studies/study.h"
+#include "studies/told_table.h"
 #include "tactics/image.h"
 #include "tactics/recipe.h"
-#include "tactics/text/table.h"
 
 namespace tactics {
 
@@ -40,7 +40,7 @@ struct SubjectTrial {
 };
 
 struct SubjectRow {
-    std::string name;
+    Phrase name;
     std::vector<SubjectTrial> trials;  ///< by picture
 };
 
@@ -48,10 +48,10 @@ struct SubjectStudy {
     std::vector<std::string> pictures;
     std::size_t bare = 0;          ///< of these, without an agreed object
     std::vector<SubjectRow> rows;  ///< the recipes, the simplest person, and the box alone
-    std::vector<std::string> problems;
+    std::vector<Phrase> problems;
 };
 
-std::vector<Row> subject_rows(const SubjectStudy& study);
+std::vector<ToldRow> subject_rows(const SubjectStudy& study);
 /// One object a line: each row with its pictures, and last what the whole was.
 std::string subject_json(const SubjectStudy& study);
 

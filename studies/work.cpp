@@ -9,11 +9,11 @@
 namespace tactics {
 
 void work_through(const StudyRequest& request, const StudyWatch& watch, std::size_t count,
-                  const std::function<std::vector<std::string>(std::size_t)>& work) {
+                  const std::function<std::vector<Phrase>(std::size_t)>& work) {
     const auto goes_on = [&](std::size_t done) {
         if (watch.goes_on) watch.goes_on(done, count);
     };
-    const auto tell = [&](const std::vector<std::string>& problems) {
+    const auto tell = [&](const std::vector<Phrase>& problems) {
         for (const auto& problem : problems)
             if (watch.tell) watch.tell(problem);
     };
@@ -22,7 +22,7 @@ void work_through(const StudyRequest& request, const StudyWatch& watch, std::siz
     goes_on(0);
     tell(request.problems);
     share_out(count, request.workers, [&](std::size_t i) {
-        const std::vector<std::string> problems = work(i);
+        const std::vector<Phrase> problems = work(i);
         const std::lock_guard lock(mutex);
         tell(problems);
         goes_on(++done);

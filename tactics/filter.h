@@ -3,11 +3,13 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "tactics/artwork.h"
 #include "tactics/medium.h"
 #include "tactics/option.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -15,6 +17,17 @@ namespace tactics {
 struct Kept {
     double width = 1;
     double height = 1;
+};
+
+/// What a filter chose for an artwork, and why; empty: there was nothing to choose.
+struct ChosenSetting {
+    std::string setting = {};  ///< "k=3"; the name alone, "subject", if `why` tells what came of the user's own value
+    Phrase why = {};           ///< "3 greys explain 94 % of its variance"
+    std::string filter = {};   ///< its name, which run_settling fills in
+
+    bool empty() const { return why.empty(); }
+    bool can_be_changed() const { return setting.find('=') != std::string::npos; }
+    Phrase words() const { return phrase("{0}: {1}", filter + " " + setting, why); }
 };
 
 struct Filter {
@@ -29,9 +42,9 @@ struct Filter {
     /// Pure: same artwork and settings, same answer, on any thread. Artwork is of a kind in `takes`.
     Artwork (*apply)(Artwork artwork, const Settings& settings) = nullptr;
     /// Replaces settings that leave the choice to the filter (0) by the values that `apply` would choose for this artwork, and
-    /// says what it chose and why: "k=3: 3 greys explain 94 % of ...". Things that `apply` leaves out on its own are such a
-    /// choice, too. An empty answer means that there was nothing to choose. nullptr: this filter never chooses.
-    std::string (*settle)(const Artwork& artwork, Settings& settings) = nullptr;
+    /// says what it chose and why. Things that `apply` leaves out on its own are such a choice, too. nullptr: this filter never
+    /// chooses.
+    ChosenSetting (*settle)(const Artwork& artwork, Settings& settings) = nullptr;
     /// Fills in values that the medium decides and the user has not set, and removes those that the medium could not show.
     void (*fit)(Settings& settings, const Medium& medium) = nullptr;
     Kept (*keeps)(const Settings& settings) = nullptr;  ///< of the picture; nullptr: all of it

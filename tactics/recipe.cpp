@@ -143,12 +143,14 @@ Artwork run(const Recipe& recipe, Artwork artwork, const StepWatcher& watcher) {
     return artwork;
 }
 
-Artwork run_settling(Recipe& recipe, Artwork artwork, std::vector<std::string>& said) {
+Artwork run_settling(Recipe& recipe, Artwork artwork, std::vector<ChosenSetting>& said) {
     for (Step& step : recipe.steps) {
         artwork = seen_by(step, std::move(artwork));
         if (step.filter->settle != nullptr)
-            if (const std::string reason = step.filter->settle(artwork, step.settings); !reason.empty())
-                said.push_back(std::string(step.filter->name) + " " + reason);
+            if (ChosenSetting chosen = step.filter->settle(artwork, step.settings); !chosen.empty()) {
+                chosen.filter = step.filter->name;
+                said.push_back(std::move(chosen));
+            }
         artwork = step.filter->apply(std::move(artwork), step.settings);
     }
     return artwork;

@@ -58,6 +58,6 @@ using StepWatcher = std::function<void(std::size_t)>;
 Artwork run(const Recipe& recipe, Artwork artwork, const StepWatcher& watcher = {});
 
 /// The same, but writes the filters' choices into the recipe. Returns their explanations, each after the filter's name.
-Artwork run_settling(Recipe& recipe, Artwork artwork, std::vector<std::string>& said);
+Artwork run_settling(Recipe& recipe, Artwork artwork, std::vector<ChosenSetting>& said);
 
 }  // namespace tactics

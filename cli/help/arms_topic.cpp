@@ -27,7 +27,7 @@ std::string keys() {
         const std::string letter = all[i].letter == 0 ? "" : std::string(1, all[i].letter);
         const std::string number = i < kNumberedKeys ? std::to_string(i + 1) : "";
         text += folded("  " + number + (number.empty() || letter.empty() ? "" : " or ") + letter + ": " +
-                           std::string(all[i].name) + ", " + std::string(all[i].what),
+                           std::string(all[i].name.text) + ", " + std::string(all[i].what),
                        "    ");
     }
     return text;
@@ -35,7 +35,7 @@ std::string keys() {
 
 std::string chosen_names() {
     std::vector<std::string_view> names;
-    for (const PlotAction action : chosen_actions()) names.push_back(key_of(action).name);
+    for (const PlotAction action : chosen_actions()) names.push_back(key_of(action).name.text);
     return joined(names, ", ", " and ");
 }
 

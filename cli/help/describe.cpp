@@ -2,6 +2,7 @@
 #include "cli/help/describe.h"
 
 #include "cli/help/catalogue.h"
+#include "cli/help/help_language.h"
 #include "cli/help/thing_texts.h"
 #include "print/embosser.h"
 #include "tactics/error.h"
@@ -9,22 +10,22 @@
 namespace tactics {
 
 std::string describe_program() {
-    std::string text =
-        "tactics: tactile graphics from pictures\n\n"
-        "Use: tactics COMMAND [WORDS] [OPTIONS]\n\n"
-        "Example:\n  tactics convert photo.jpg -o photo.pdf\n\nCommands:\n";
+    std::vector<std::string> summaries;
+    for (const Command* command : commands()) summaries.emplace_back(command->summary);
+    const std::string_view language = language_of_help(summaries);
+    const auto said = [&](const Phrase& line) { return line.in(language) + "\n"; };
+    std::string text = said(phrase("tactics: tactile graphics from pictures")) + "\n" +
+                       said(phrase("Use: tactics {0}", "COMMAND [WORDS] [OPTIONS]")) + "\n" + said(phrase("Example:")) +
+                       "  tactics convert photo.jpg -o photo.pdf\n\n" + said(phrase("Commands:"));
     for (const Command* command : commands())
-        text += "  " + std::string(command->name) + ": " + std::string(command->summary) + "\n";
-    text +=
-        "\n"
-        "Options:\n"
-        " -h, --help: show this text\n"
-        " -V, --version: show the version\n\n"
-        "More: tactics help NAME, for any command, recipe, filter, format, medium, paper, rule or topic; tactics list shows "
-        "their names.\n"
-        "Exit codes: 0 done, 1 wrong use, 2 something could not be done, 3 done, but --strict found a hard rule broken; 4 to 7 "
-        "come from emboss, see its help.\n";
-    return text;
+        text += "  " + said(phrase("{0}: {1}", command->name, help_text(command->summary, language)));
+    return text + "\n" + said(phrase("Options:")) + " " + said(phrase("{0}: {1}", "-h, --help", phrase("show this text"))) + " " +
+           said(phrase("{0}: {1}", "-V, --version", phrase("show the version"))) + "\n" +
+           said(phrase(
+               "More: tactics help NAME, for any command, recipe, filter, format, medium, paper, rule or topic; tactics list "
+               "shows their names.")) +
+           said(phrase("Exit codes: 0 done, 1 wrong use, 2 something could not be done, 3 done, but --strict found a hard rule "
+                       "broken; 4 to 7 come from emboss, see its help."));
 }
 
 std::string describe_topic(std::string_view name) {

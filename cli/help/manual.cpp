@@ -75,6 +75,9 @@ std::string exit_part(bool strict) {
 
 std::string environment_part() {
     return section("ENVIRONMENT") +
+           item("LANGUAGE, LC_ALL, LC_MESSAGES, LANG",
+                "language of messages, reports and the help of commands (--help): German (de), French (fr), else English; manual "
+                "pages and lists are in English") +
            item("TACTICS_NETS", "folder with the weights of the contour net, searched before the installed one") +
            item("TACTICS_PROGRAMS",
                 "folder of the programs that read untrusted files for tactics, searched before the installed one") +

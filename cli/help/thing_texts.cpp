@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/help/thing_texts.h"
 
+#include <algorithm>
+
+#include "cli/help/help_language.h"
 #include "tactics/error.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
@@ -150,11 +153,20 @@ std::string describe_cell(const NamedCell& cell) {
 }
 
 std::string explain_command(const Command& command) {
-    std::string text = "tactics " + std::string(command.name) + ": " + std::string(command.summary) + "\n\nUse: tactics " +
-                       std::string(command.name) + (command.words.empty() ? "" : " ") + std::string(command.words) + "\n\n" +
-                       std::string(command.details) + "\n\nOptions:\n";
-    for (const Flag& flag : all_flags(command)) text += "  " + spelling(flag) + ": " + std::string(flag.summary) + "\n";
-    return text + "\nExamples:\n" + indent(command.example);
+    const std::string_view language = language_of_help(help_texts(command));
+    const auto said = [&](const Phrase& line) { return line.in(language) + "\n"; };
+    const std::string use = std::string(command.name) + (command.words.empty() ? "" : " ") + std::string(command.words);
+    std::string text = said(phrase("tactics {0}: {1}", command.name, help_text(command.summary, language))) + "\n" +
+                       said(phrase("Use: tactics {0}", use)) + "\n";
+    for (std::string_view rest = command.details; !rest.empty();) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        text += (line.empty() ? "" : help_text(line, language)) + "\n";
+        rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    }
+    text += "\n" + said(phrase("Options:"));
+    for (const Flag& flag : all_flags(command))
+        text += "  " + said(phrase("{0}: {1}", spelling(flag), help_text(flag.summary, language)));
+    return text + "\n" + said(phrase("Examples:")) + indent(command.example);
 }
 
 std::string spelling(const Flag& flag) {

@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,10 +31,10 @@ constexpr std::chrono::seconds kTimeToEnd{5};
 constexpr std::string_view kError = "ERROR: ", kInfo = "INFO: ", kPage = "PAGE: ";
 constexpr std::string_view kAny = "any", kText = "text", kOptions = "--";
 
+constexpr int kRequest = STDERR_FILENO + 1;  // where the child reads it
+
 std::vector<std::string> words_of(const JobRequest& request) {
-    std::vector<std::string> words{"tactics-printer-app",
-                                   std::string(kJobChild),
-                                   request.driver,
+    std::vector<std::string> words{request.driver,
                                    request.title,
                                    std::to_string(request.job.copies),
                                    std::to_string(request.job.first_page),
@@ -71,6 +72,48 @@ void check_choice(const PpdWords& words, const std::string& option, const std::s
                        did_you_mean(value, names)));
 }
 
+// The words in memory. Whoever lists processes reads their arguments, and the title and labels of a job are its user's.
+class Words {
+public:
+    explicit Words(const std::vector<std::string>& words) : file_(memfd_create("job", MFD_CLOEXEC)) {
+        std::string text;
+        for (const std::string& word : words) text += word + '\0';
+        std::string_view rest = text;
+        while (file_ >= 0 && !rest.empty()) {
+            const ssize_t count = write(file_, rest.data(), rest.size());
+            if (count < 0 && errno == EINTR) continue;
+            if (count <= 0) break;
+            rest.remove_prefix(static_cast<std::size_t>(count));
+        }
+        if (file_ < 0 || !rest.empty() || lseek(file_, 0, SEEK_SET) != 0)
+            throw Error(Fault::failed, "", phrase("there is no memory for another print job"));
+    }
+    ~Words() {
+        if (file_ >= 0) close(file_);
+    }
+    Words(const Words&) = delete;
+    Words& operator=(const Words&) = delete;
+    int file() const { return file_; }
+
+    static std::vector<std::string> read_all() {
+        std::string text;
+        std::array<char, 4096> block;
+        for (ssize_t count = 1; count != 0;) {
+            count = read(kRequest, block.data(), block.size());
+            if (count < 0 && errno != EINTR) break;
+            if (count > 0) text.append(block.data(), static_cast<std::size_t>(count));
+        }
+        close(kRequest);
+        std::vector<std::string> words;
+        for (std::size_t at = 0, end = 0; (end = text.find('\0', at)) != std::string::npos; at = end + 1)
+            words.push_back(text.substr(at, end - at));
+        return words;
+    }
+
+private:
+    int file_;
+};
+
 class Pipe {
 public:
     Pipe() {
@@ -96,9 +139,9 @@ private:
 class JobChild {
 public:
     JobChild(const std::vector<std::string>& words, int document) {
-        std::vector<char*> pointers;
-        for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
-        pointers.push_back(nullptr);
+        const Words request(words);
+        std::string name = "tactics-printer-app", way(kJobChild);
+        const std::array<char*, 3> pointers{name.data(), way.data(), nullptr};
         posix_spawn_file_actions_t files;
         posix_spawnattr_t how;
         posix_spawn_file_actions_init(&files);
@@ -106,7 +149,10 @@ public:
         posix_spawn_file_actions_adddup2(&files, document, STDIN_FILENO);
         posix_spawn_file_actions_adddup2(&files, out_.end(1), STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&files, told_.end(1), STDERR_FILENO);
-        posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);  // the device is not the child's
+        // Some of these may be the file that another becomes.
+        const int apart = fcntl(request.file(), F_DUPFD_CLOEXEC, kRequest + 1);
+        posix_spawn_file_actions_adddup2(&files, apart, kRequest);
+        posix_spawn_file_actions_addclosefrom_np(&files, kRequest + 1);  // the device is not the child's
         // The child ends by these, whatever the server does with them.
         sigset_t none, ours;
         sigemptyset(&none);
@@ -119,6 +165,7 @@ public:
         const int fault = posix_spawn(&child_, "/proc/self/exe", &files, &how, pointers.data(), environ);
         posix_spawn_file_actions_destroy(&files);
         posix_spawnattr_destroy(&how);
+        if (apart >= 0) close(apart);
         if (fault != 0) {
             child_ = -1;
             throw Error(Fault::failed, "", phrase("the program that converts print jobs could not be started"));
@@ -226,12 +273,12 @@ std::string convert_job(const JobRequest& request, int document, const JobWatch&
     return bytes;
 }
 
-int run_job_child(const std::vector<std::string>& words) {
+int run_job_child() {
     try {
         fix_print_surroundings();
         take_lesser_rights();
         prctl(PR_SET_PDEATHSIG, SIGKILL);  // asked for again with other rights
-        const JobRequest request = request_of(words);
+        const JobRequest request = request_of(Words::read_all());
         spell_wishes_with("tactics-");
         const Interrupt interrupt([] {});
         Source document = open_source("-");

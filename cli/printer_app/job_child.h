@@ -36,10 +36,11 @@ struct JobWatch {
 /// with what the child reports.
 std::string convert_job(const JobRequest& request, int document, const JobWatch& watch);
 
-/// The first word of the child's command line.
+/// The child's command line; the rest of the job would stand there for all who list processes.
 inline constexpr std::string_view kJobChild = "convert-job";
 
-/// The child: `words` are what follows kJobChild; the document is standard input. Returns the exit code. Never throws.
-int run_job_child(const std::vector<std::string>& words);
+/// The child: its request is on the file after standard error, the document on standard input. Returns the exit code. Never
+/// throws.
+int run_job_child();
 
 }  // namespace tactics

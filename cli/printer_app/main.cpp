@@ -133,7 +133,7 @@ const char* driver_for(const char*, const char*, const char* id, void*) {
 int main(int count, char** words) {
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGCHLD, SIG_DFL);  // how a job's child ended is asked for
-    if (count > 1 && words[1] == kJobChild) return run_job_child({words + 2, words + count});
+    if (count > 1 && words[1] == kJobChild) return run_job_child();
     if (count == 2 && std::string_view(words[1]) == "drivers") return list_drivers();
     ServerWish server;
     std::vector<pappl_pr_driver_t> drivers;

@@ -195,15 +195,10 @@ std::vector<Phrase> choice_lines(const Outcome& outcome) {
     const Phrase start = name_of_input(outcome);
     if (!outcome.reason.empty())
         lines.push_back(phrase("{0}: recipe {1} ({2}); change with --recipe", start, outcome.recipe, outcome.reason));
-    for (const std::string& choice : outcome.chosen) {
-        // "outlines subject: found, ..." reports a result and is no setting.
-        if (choice.find(':') < choice.find('=')) {
-            lines.push_back(phrase("{0}: {1}", start, choice.substr(choice.find(' ') + 1)));
-            continue;
-        }
-        std::string setting = choice.substr(0, choice.find('='));
-        std::replace(setting.begin(), setting.end(), ' ', '.');
-        lines.push_back(phrase("{0}: {1}; change with --set {2}=NUMBER", start, choice, setting));
+    for (const ChosenSetting& choice : outcome.chosen) {
+        const std::string name = choice.filter + "." + choice.setting.substr(0, choice.setting.find('='));
+        lines.push_back(choice.can_be_changed() ? phrase("{0}: {1}; change with --set {2}=NUMBER", start, choice.words(), name)
+                                                : phrase("{0}: {1}", start, phrase("{0}: {1}", choice.setting, choice.why)));
     }
     return lines;
 }
@@ -247,7 +242,7 @@ std::string result_json(const Outcome& outcome) {
     json.add_raw("steps", json_array(parts));
     if (!outcome.chosen.empty()) {
         parts.clear();
-        for (const auto& choice : outcome.chosen) parts.push_back(json_text(choice));
+        for (const auto& choice : outcome.chosen) parts.push_back(json_text(choice.words().english()));
         json.add_raw("chosen", json_array(parts));
     }
     parts.clear();

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "cli/report/say.h"
+#include "cli/report/user_language.h"
 #include "tactics/text/utf8.h"
 #include "tactics/units.h"
 
@@ -68,12 +69,17 @@ std::size_t terminal_width() {
 
 std::string wrapped_help(std::string_view text, std::size_t width) {
     std::string out;
-    bool typed = false;  // lines of examples
+    // Lines of examples, whose heading is in the language of the page.
+    const auto heads_examples = [](std::string_view line) {
+        return line == "Examples:" || line == "Example:" || line == phrase("Examples:").in(user_language()) ||
+               line == phrase("Example:").in(user_language());
+    };
+    bool typed = false;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         const std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
-        typed = line == "Examples:" || line == "Example:" || (typed && line.starts_with(' '));
+        typed = heads_examples(line) || (typed && line.starts_with(' '));
         if (typed || line.starts_with("Example: "))
             out.append(line).append("\n");
         else

@@ -10,6 +10,7 @@
 #include "cli/page_flags.h"
 #include "cli/report/progress.h"
 #include "cli/report/say.h"
+#include "cli/report/user_language.h"
 #include "cli/verbs/evaluate_request.h"
 #include "studies/frontier.h"
 #include "studies/list.h"
@@ -135,7 +136,7 @@ public:
                     progress_->show(done);
                     if (done == all) progress_->clear();
                 },
-                [this](const std::string& problem) { progress_->say_line("tactics: " + problem); }};
+                [this](const Phrase& problem) { progress_->say_line(phrase("tactics: {0}", problem)); }};
     }
 
 private:
@@ -147,7 +148,7 @@ private:
 int tell_problems(const StudyFindings& findings) {
     if (findings.problems.empty()) return 0;
     say(phrase(findings.undone, std::to_string(findings.problems.size())));
-    for (const auto& problem : findings.problems) say("  " + problem);
+    for (const Phrase& problem : findings.problems) say("  " + problem.in(user_language()));
     return static_cast<int>(Fault::failed);
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/chain.h"
+#include "cli/report/user_language.h"
 #include "cli/request.h"
 #include "filters/list.h"
 #include "print/format.h"
@@ -186,7 +187,7 @@ void plan_options(EvaluateRequest& request, const Given& given) {
                 throw Error(Fault::usage, flag,
                             phrase("it must be a whole number from {0} to {1}", numeral(option.min), numeral(option.max)));
             if (study != request.study)
-                throw Error(Fault::usage, flag, phrase("{0}; it is for --study {1}", study->no_options, study->name));
+                throw Error(Fault::usage, flag, phrase("{0}; it is for --study {1}", phrase(study->no_options), study->name));
             request.settings.set(option.name, given.value(flag), flag, study->name);
         }
 }
@@ -205,7 +206,7 @@ void plan_study(EvaluateRequest& request, const Given& given) {
         throw Error(Fault::usage, "--study",
                     phrase("there is no study \"{0}\"{1}; there are {2}", name.substr(0, 80), did_you_mean(name, names),
                            listed({names.begin(), names.end()})));
-    for (const auto& [option, why] : request.study->refuses) refuse(option, why);
+    for (const auto& [option, why] : request.study->refuses) refuse(option, phrase(why));
 }
 
 void plan_sheet(EvaluateRequest& request, const Given& given) {
@@ -249,6 +250,7 @@ EvaluateRequest plan_evaluation(const Given& given, const Disk& disk) {
     request.workers = workers_value(given);
     request.quiet = given.has("--quiet");
     request.json = given.has("--json");
+    request.language = user_language();
     if (request.json && request.csv == "-")
         throw Error(Fault::usage, "standard output",
                     phrase("only one can be written to it: --json or --csv; write the other to a file"));

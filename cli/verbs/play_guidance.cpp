@@ -81,7 +81,7 @@ std::vector<unsigned> keys_to_press(const Given& given, const HandKind& hand) {
     if (hand.name != kLedHand)
         throw Error(Fault::usage, "--guide", phrase("only the hand that is led presses these keys; leave out --hand"));
     std::vector<std::string_view> names;
-    for (const PlotKey& key : plot_keys().first(kNumberedKeys)) names.push_back(key.name);
+    for (const PlotKey& key : plot_keys().first(kNumberedKeys)) names.push_back(key.name.text);
     const std::string text = given.value("--guide");
     for (std::string_view rest = text; !rest.empty();) {
         const auto comma = std::min(rest.find(','), rest.size());

@@ -68,7 +68,7 @@ Phrase told(const PunchedSheet& sheet, std::size_t number, double width, double 
 }
 
 std::string json_of(const PunchedSheet& sheet, std::size_t number, double width, double height,
-                    const std::vector<std::string>& notes) {
+                    const std::vector<Phrase>& notes) {
     JsonAnswer json;
     json.add("sheet", static_cast<double>(number));
     json.add("width_mm", width);
@@ -149,14 +149,14 @@ std::vector<PunchedSheet> drawn_sheets(const Punched& punched) {
 }
 
 // Empty: all is drawn.
-std::string not_drawn(const std::vector<PunchedSheet>& drawn, const Punched& punched) {
+Phrase not_drawn(const std::vector<PunchedSheet>& drawn, const Punched& punched) {
     if (drawn.size() < punched.sheets.size())
-        return "pictures show the first " + std::to_string(drawn.size()) + " of " + std::to_string(punched.sheets.size()) +
-               " sheets; cut the file up to see the others";
+        return phrase("pictures show the first {0} of {1} sheets; cut the file up to see the others",
+                      std::to_string(drawn.size()), std::to_string(punched.sheets.size()));
     if (drawn.size() == 1 && drawn.front().dots.size() < punched.sheets.front().dots.size())
-        return "pictures show the first " + std::to_string(drawn.front().dots.size()) + " of " +
-               std::to_string(punched.sheets.front().dots.size()) + " dots; cut the file up to see the others";
-    return "";
+        return phrase("pictures show the first {0} of {1} dots; cut the file up to see the others",
+                      std::to_string(drawn.front().dots.size()), std::to_string(punched.sheets.front().dots.size()));
+    return {};
 }
 
 void write_pictures(const Preview& preview, const std::vector<PunchedSheet>& drawn, double width, double height) {
@@ -184,7 +184,7 @@ int run(const Given& given) {
     if (went_in_turned(preview, punched)) std::swap(width, height);
     if (!preview.items.empty()) {
         const std::vector<PunchedSheet> drawn = drawn_sheets(punched);
-        if (std::string note = not_drawn(drawn, punched); !note.empty()) punched.notes.push_back(std::move(note));
+        if (Phrase note = not_drawn(drawn, punched); !note.empty()) punched.notes.push_back(std::move(note));
         write_pictures(preview, drawn, width, height);
     }
 
@@ -205,7 +205,7 @@ int run(const Given& given) {
         }
         print_out(text);
     }
-    for (const std::string& note : punched.notes) say(phrase("{0}: {1}", given.words[0], note));
+    for (const Phrase& note : punched.notes) say(phrase("{0}: {1}", given.words[0], note));
     return 0;
 }
 

@@ -37,7 +37,7 @@ Punched punch_text(std::string_view bytes, CellHead head, Special special) {
         else if (const auto cell = cell_of_letter(c))
             feed.set_cell(*cell);
         else
-            feed.note(at, "a byte that is no letter of braille");
+            feed.note(at, phrase("a byte that is no letter of braille"));
         ++at;
     }
     return feed.finish(bytes.size());
@@ -57,7 +57,7 @@ std::size_t skip_command(std::string_view rest, std::size_t at, SheetFeed& feed,
             feed.set_up(at + 2 + command.more);
             return 2 + command.more;
         }
-    feed.note(at, "an ESC command that is not known here");
+    feed.note(at, phrase("an ESC command that is not known here"));
     return std::min<std::size_t>(2, rest.size());
 }
 
@@ -118,7 +118,7 @@ Punched punch_braillo(std::string_view bytes, const Settings& settings) {
             const bool feeds_nothing = rest[0] == '\f' && untouched;
             untouched = rest[0] == '\f';
             if (!feeds_nothing) return 0;
-            feed.note(at, "a form feed on an empty page, which is not taken");
+            feed.note(at, phrase("a form feed on an empty page, which is not taken"));
             return 1;
         });
 }
@@ -132,7 +132,7 @@ Punched punch_cidat(std::string_view bytes, const Settings&) {
             const auto c = static_cast<unsigned char>(rest[0]);
             if (c != kEsc) {
                 if (!transparent) return 0;
-                if (c > 0x3F) feed.note(at, "a byte that is no cell of 6 dots");
+                if (c > 0x3F) feed.note(at, phrase("a byte that is no cell of 6 dots"));
                 feed.set_cell(c & 0x3F);
                 return 1;
             }
@@ -166,7 +166,7 @@ Punched punch_cidat(std::string_view bytes, const Settings&) {
                 }
                 default: break;
             }
-            feed.note(at, "an ESC command that is not known here");
+            feed.note(at, phrase("an ESC command that is not known here"));
             return std::min<std::size_t>(2, rest.size());
         });
 }
@@ -177,7 +177,7 @@ Punched punch_mountbatten(std::string_view bytes, const Settings&) {
             if (rest[0] != '{') return 0;
             const auto end = rest.find('}');
             if (end == std::string_view::npos) {
-                feed.note(at, "a command without its }");
+                feed.note(at, phrase("a command without its }"));
                 return rest.size();
             }
             const std::string_view command = rest.substr(1, end - 1);
@@ -186,7 +186,7 @@ Punched punch_mountbatten(std::string_view bytes, const Settings&) {
             else if (command == "man" || command == "bc 1" || command == "lm 0" || command == "rm 0" || command == "tm 0")
                 feed.set_up(at + end + 1);
             else
-                feed.note(at, "a command that is not known here");
+                feed.note(at, phrase("a command that is not known here"));
             return end + 1;
         });
 }
@@ -217,21 +217,22 @@ Punched punch_nippon(std::string_view bytes, const Settings&) {
         for (at += 3; lines > 0 && at < bytes.size(); --lines) {
             const std::size_t length = byte(at);  // of the following bytes
             if (length < 2 || bytes.size() - at < length + 1 || bytes.substr(at + length - 1, 2) != "\r\n") {
-                feed.note(at, "a line that is not as long as it says");
+                feed.note(at, phrase("a line that is not as long as it says"));
                 return feed.finish(bytes.size());
             }
             for (std::size_t i = 1; i + 2 <= length; ++i) feed.set_cell(cell_of_letter(byte(at + i)).value_or(0));
             feed.line_feed();
             at += length + 1;
         }
-        if (lines > 0) feed.note(at, "a page that has fewer lines than it says");
+        if (lines > 0) feed.note(at, phrase("a page that has fewer lines than it says"));
         if (at < bytes.size() && byte(at) == '\f') ++at;  // goes with the page before it
         feed.form_feed(at);
     }
     if (at < bytes.size())
-        feed.note(at, in_job ? "a page begins with 02h 01h and its lines, a job ends with 03h" : "a job begins with 01h 00h 00h");
+        feed.note(at, in_job ? phrase("a page begins with 02h 01h and its lines, a job ends with 03h")
+                             : phrase("a job begins with 01h 00h 00h"));
     else if (in_job)
-        feed.note(at, "the job is not ended with 03h");
+        feed.note(at, phrase("the job is not ended with 03h"));
     return feed.finish(bytes.size());
 }
 

@@ -20,7 +20,7 @@ public:
 
     Punched run() {
         while (at_ < bytes_.size()) step();
-        if (graphics_) feed_.note(at_, "graphics are not ended with ESC 06h");
+        if (graphics_) feed_.note(at_, phrase("graphics are not ended with ESC 06h"));
         return feed_.finish(bytes_.size());
     }
 
@@ -41,7 +41,7 @@ private:
             return feed_.form_feed(at_);
         }
         if (const auto cell = cell_of_letter(c)) return feed_.set_cell(*cell);
-        feed_.note(start, "a byte that is no letter of braille");
+        feed_.note(start, phrase("a byte that is no letter of braille"));
     }
 
     void graphic(unsigned char c, std::size_t start) {
@@ -63,12 +63,12 @@ private:
             const std::string_view rest = bytes_.substr(at_);
             feed_.form_feed(at_ + (rest.starts_with("\r\x1b\x06") ? 3 : rest.starts_with("\x1b\x06") ? 2 : 0));
         } else {
-            feed_.note(start, "a byte that is no column of graphics");
+            feed_.note(start, phrase("a byte that is no column of graphics"));
         }
     }
 
     void command(std::size_t start) {
-        if (at_ == bytes_.size()) return feed_.note(start, "ESC without a command");
+        if (at_ == bytes_.size()) return feed_.note(start, phrase("ESC without a command"));
         const unsigned char c = next();
         if (c == 0x07 || c == 'F') feed_.begin();
         if (c == 0x07)
@@ -82,14 +82,14 @@ private:
         else if (c == '\\')
             transparent(start);
         else
-            feed_.note(start, "an ESC command that is not known here");
+            feed_.note(start, phrase("an ESC command that is not known here"));
     }
 
     void set_up(std::size_t start) {
         const auto end = bytes_.find(';', at_);
         if (end == std::string_view::npos) {
             at_ = bytes_.size();
-            return feed_.note(start, "ESC D without its ;");
+            return feed_.note(start, phrase("ESC D without its ;"));
         }
         std::string_view keys = bytes_.substr(at_, end - at_);
         at_ = end + 1;
@@ -111,7 +111,7 @@ private:
             else if (key == "TD2")
                 feed_.head().dot = 3.2, feed_.head().cell = 8.45;
             else if (!is_known(key))
-                feed_.note(start, "ESC D has a key that is not known here: " + std::string(key.substr(0, 20)));
+                feed_.note(start, phrase("ESC D has a key that is not known here: {0}", key.substr(0, 20)));
         }
     }
 
@@ -127,7 +127,7 @@ private:
     }
 
     void floating(std::size_t start) {
-        if (at_ >= bytes_.size() || next() != ';') return feed_.note(start, "ESC F without its ;");
+        if (at_ >= bytes_.size() || next() != ';') return feed_.note(start, phrase("ESC F without its ;"));
         while (at_ < bytes_.size()) {
             const std::size_t place = at_;
             const auto end = bytes_.find_first_of("\n;", at_);
@@ -142,22 +142,22 @@ private:
                 if (x && y && std::abs(*x) <= kFarthest && std::abs(*y) <= kFarthest)
                     feed_.set_dot({counted_from_.x + *x, counted_from_.y + *y});
                 else
-                    feed_.note(place, "a floating dot is x:y, in mm");
+                    feed_.note(place, phrase("a floating dot is x:y, in mm"));
             }
             if (bytes_[end] == ';') return;
         }
         at_ = bytes_.size();
-        feed_.note(start, "an area of floating dots is not ended with ;");
+        feed_.note(start, phrase("an area of floating dots is not ended with ;"));
     }
 
     // n1 + 256 n2 cells, of dots 1 2 3 7 4 5 6 8 from the lowest bit.
     void transparent(std::size_t start) {
         if (bytes_.size() - at_ < 2) {
             at_ = bytes_.size();
-            return feed_.note(start, "ESC \\ without its count");
+            return feed_.note(start, phrase("ESC \\ without its count"));
         }
         const unsigned low = next(), high = next();
-        if (low > 127 || high > 0) feed_.note(start, "counts over 127 are misread by the machine");
+        if (low > 127 || high > 0) feed_.note(start, phrase("counts over 127 are misread by the machine"));
         for (unsigned i = 0; i < low + 256 * high && at_ < bytes_.size(); ++i) {
             const unsigned bits = next();
             const unsigned cell = (bits & 7u) | (bits >> 3 & 1u) << 6 | (bits >> 4 & 7u) << 3 | (bits >> 7 & 1u) << 7;

@@ -21,7 +21,7 @@ public:
         while (at < bytes_.size()) {
             const std::size_t end = packet_end(at);
             if (end == 0) {
-                feed_.note(at, "no packet begins here");
+                feed_.note(at, phrase("no packet begins here"));
                 at = std::min(bytes_.find("\xAA\x55", at + 1), bytes_.size());
                 continue;
             }
@@ -43,10 +43,10 @@ private:
     void take(std::size_t at, std::size_t end) {
         int sum = 0xA5;
         for (std::size_t i = at + 4; i + 1 < end; ++i) sum ^= number(bytes_, i);
-        if (sum != number(bytes_, end - 1)) return feed_.note(at, "a packet whose checksum is wrong");
+        if (sum != number(bytes_, end - 1)) return feed_.note(at, phrase("a packet whose checksum is wrong"));
         const int row = number(bytes_, at + 4), command = 256 * number(bytes_, at + 5) + number(bytes_, at + 6);
         if (command == 0x0000 || command == 0x0100 || command == 0x0110) return;  // questions
-        if (command != 0x0200 || end - at < 10) return feed_.note(at, "a command that is not known");
+        if (command != 0x0200 || end - at < 10) return feed_.note(at, phrase("a command that is not known"));
         const std::string_view cells = bytes_.substr(at + 9, end - 1 - (at + 9));
         // A row that was set already: the picture before it is felt no more.
         if (set_[static_cast<std::size_t>(row)]) {
@@ -121,14 +121,15 @@ Punched punch_graphiti(std::string_view bytes, const Settings& settings) {
     bool shown = false;
     for (std::size_t at = 0; at < bytes.size();) {
         if (number(bytes, at) != 0x1B || at + 1 >= bytes.size() || number(bytes, at + 1) != 0x15) {
-            feed.note(at, "no picture of pins begins here");
+            feed.note(at, phrase("no picture of pins begins here"));
             at = std::min(bytes.find('\x1B', at + 1), bytes.size());
             continue;
         }
         // Whatever it is, no byte of it is read again.
         const Unescaped message = unescaped(bytes, at + 1, 1 + 2 * kAcross * kDown + 1);
         if (!message.whole || message.sum % 256 != 0) {
-            feed.note(at, message.whole ? "a picture whose checksum is wrong" : "a picture of pins that is cut short");
+            feed.note(
+                at, message.whole ? phrase("a picture whose checksum is wrong") : phrase("a picture of pins that is cut short"));
             at = message.end;
             continue;
         }
@@ -138,7 +139,7 @@ Punched punch_graphiti(std::string_view bytes, const Settings& settings) {
         feed.begin();
         for (int pin = 0; pin < kAcross * kDown; ++pin)
             if (const int height = number(message.bytes, 1 + 2 * static_cast<std::size_t>(pin)); height > 0) {
-                if (height > 4) feed.note(at, "a height over 4");
+                if (height > 4) feed.note(at, phrase("a height over 4"));
                 feed.set_dot({(pin % kAcross + 0.5) * pitch, (pin / kAcross + 0.5) * pitch}, std::min(height, 4) / 4.0);
             }
         at = message.end;

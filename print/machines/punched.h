@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tactics/page.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -30,8 +31,8 @@ struct PunchedSheet {
 struct Punched {
     std::vector<PunchedSheet> sheets;
     std::size_t job_end_begin = 0, job_end_end = 0;  ///< the last bytes that ended a job; equal: none did
-    std::vector<std::string>
-        notes;  ///< bytes that the machine would not understand, with their positions; and whether there are too many
+    /// Bytes that the machine would not understand, with their positions, and whether there are too many.
+    std::vector<Phrase> notes;
 };
 
 /// A page with these dots on it, to be written in any format. Sheets have no size of their own.

@@ -96,18 +96,18 @@ void SheetFeed::end_job(std::size_t end) {
     punched_.job_end_end = end;
 }
 
-void SheetFeed::note(std::size_t byte, const std::string& text) {
+void SheetFeed::note(std::size_t byte, const Phrase& text) {
     if (++notes_ > kMostNotes) return;
-    punched_.notes.push_back("byte " + std::to_string(byte) + ": " + text);
+    punched_.notes.push_back(phrase("byte {0}: {1}", std::to_string(byte), text));
 }
 
 Punched SheetFeed::finish(std::size_t end) {
     if (!sheet_.dots.empty() || punched_.sheets.empty()) form_feed(end);
     punched_.sheets.back().end = end;  // what ends the job goes with its last sheet
-    if (dots_ > kMostDots) punched_.notes.push_back("there are over 10 million dots; those behind them are left out");
+    if (dots_ > kMostDots) punched_.notes.push_back(phrase("there are over 10 million dots; those behind them are left out"));
     if (punched_.sheets.size() >= kMostSheets)
-        punched_.notes.push_back("there are over 100000 sheets; those behind them are left out");
-    if (notes_ > kMostNotes) punched_.notes.push_back("and " + std::to_string(notes_ - kMostNotes) + " more");
+        punched_.notes.push_back(phrase("there are over 100000 sheets; those behind them are left out"));
+    if (notes_ > kMostNotes) punched_.notes.push_back(phrase("and {0} more", std::to_string(notes_ - kMostNotes)));
     return std::move(punched_);
 }
 

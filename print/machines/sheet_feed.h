@@ -30,8 +30,8 @@ public:
     void carriage_return() { column_ = 0; }
     void line_feed();
     void form_feed(std::size_t end);
-    void end_job(std::size_t end);                         ///< the byte before that one ends a job and belongs to its last sheet
-    void note(std::size_t byte, const std::string& text);  ///< keeps the first few, then a note that there are more
+    void end_job(std::size_t end);                    ///< the byte before that one ends a job and belongs to its last sheet
+    void note(std::size_t byte, const Phrase& text);  ///< keeps the first few, then a note that there are more
 
     /// Ejects a sheet that is still in the machine if anything is on it.
     Punched finish(std::size_t end);

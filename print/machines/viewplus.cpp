@@ -18,7 +18,7 @@ Punched punch_viewplus(std::string_view bytes, const Settings&) {
                 if (const int white = picture.row(y)[x]; white < 255)
                     feed.set_dot({(x + 0.5) * kInch, (y + 0.5) * kInch}, (255 - white) / 255.0);
     } catch (const Error& error) {
-        feed.note(0, error.what());
+        feed.note(0, error.told());
     }
     return feed.finish(bytes.size());
 }

@@ -71,8 +71,24 @@ static_assert(TACTICS_READING == static_cast<int>(JobStep::reading) && TACTICS_D
 constexpr std::string_view kNotHere[] = {"files-from", "jobs",        "json", "no-defaults", "null",    "output",  "progress",
                                          "quiet",      "save-recipe", "to",   "update",      "verbose", "warnings"};
 
+// A caller of this library has options and no command line: "--title" of convert is its "title".
+std::string as_options(std::string text) {
+    for (const Flag& flag : convert_command.flags) {
+        const std::string name(flag.name);
+        for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+            const char before = at == 0 ? ' ' : text[at - 1],
+                       after = at + name.size() < text.size() ? text[at + name.size()] : ' ';
+            constexpr std::string_view kBefore = " (\"", kAfter = " :;,)?=\"";  // a file may have such a name in its own
+            if (kBefore.find(before) != kBefore.npos && kAfter.find(after) != kAfter.npos) text.erase(at, 2);
+        }
+    }
+    return text;
+}
+
+std::string told_line(const Phrase& words) { return as_options(one_line(words.english())); }
+
 tactics_code failed_with(tactics_job& job, tactics_code code, std::string_view message) {
-    job.message = one_line(message);
+    job.message = as_options(one_line(message));
     return code;
 }
 
@@ -104,7 +120,7 @@ tactics_code guarded(tactics_job* job, const Act& act) noexcept {
     if (job == nullptr) return TACTICS_USAGE;
     const NoSignals quiet;
     try {
-        // As the documentation of this library has wishes; they are the flags of convert, too.
+        // The words that it parses are those of convert; as_options takes the dashes off again.
         [[maybe_unused]] static const bool kSpelled = (spell_wishes_with("--"), true);
         job->fixed_message = nullptr;
         job->message.clear();
@@ -199,27 +215,26 @@ tactics_code make(tactics_job& job) {
     job.cancelled = false;
     if (given_up) return failed_with(job, TACTICS_CANCELLED, outcome.error.english());
     if (!outcome.error.empty()) return failed_with(job, static_cast<tactics_code>(outcome.fault), outcome.error.english());
-    for (const Phrase& note : notes) job.told.push_back({one_line(note.english())});
-    for (const Phrase& line : choice_lines(outcome)) job.told.push_back({one_line(line.english())});
-    job.told.push_back({one_line(result_line(outcome).english())});
-    for (const Note& note : further_lines(outcome)) {
-        job.told.push_back({one_line(note.english()), note.asks()});
-    }
+    for (const Phrase& note : notes) job.told.push_back({told_line(note)});
+    for (const Phrase& line : choice_lines(outcome)) job.told.push_back({told_line(line)});
+    job.told.push_back({told_line(result_line(outcome))});
+    for (const Note& note : further_lines(outcome)) job.told.push_back({told_line(note.words), note.asks()});
     job.json = result_json(outcome);
     if (breaks_a_rule(outcome)) return failed_with(job, TACTICS_RULE_BROKEN, "a page breaks a hard rule; the remarks say which");
     return TACTICS_DONE;
 }
 
 void add_option(tactics_job& job, const char* name, const char* value) {
-    const std::string option = spelled(name == nullptr ? "" : name);
+    const std::string_view asked = name == nullptr ? "" : name;
+    const std::string option = spelled(asked);
     std::vector<std::string_view> names;
     const Flag* found = nullptr;
     for (const Flag& flag : convert_command.flags) {
         if (std::find(std::begin(kNotHere), std::end(kNotHere), flag.name.substr(2)) != std::end(kNotHere)) continue;
-        names.push_back(flag.name);
+        names.push_back(flag.name.substr(2));
         if (flag.name == option) found = &flag;
     }
-    if (found == nullptr) throw Error(Fault::usage, option, phrase("a job has no such option{0}", did_you_mean(option, names)));
+    if (found == nullptr) throw Error(Fault::usage, asked, phrase("a job has no such option{0}", did_you_mean(asked, names)));
     if (found->value.empty() && value != nullptr)
         throw Error(Fault::usage, option, phrase("it takes no value; pass a null pointer"));
     if (!found->value.empty() && value == nullptr)

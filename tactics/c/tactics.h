@@ -81,10 +81,10 @@ void tactics_cancel(tactics_job* job);
 tactics_code tactics_run(tactics_job* job);
 
 /// What went wrong in the last call with this job that returned a code, and how to correct it; empty if nothing did. Options
-/// appear as on a command line: "--paper: there is no paper ...".
+/// are named as tactics_option takes them: "paper: there is no paper ...".
 const char* tactics_message(const tactics_job* job);
 
-/// The number of remarks about the pages, as `tactics convert` prints them; 0 until pages are made.
+/// The number of remarks about the pages, as `tactics convert` prints them but for the dashes of options; 0 until pages are made.
 size_t tactics_told_count(const tactics_job* job);
 /// One remark; empty if the index is too large.
 const char* tactics_told(const tactics_job* job, size_t index);

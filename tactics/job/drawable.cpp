@@ -29,7 +29,7 @@ namespace {
 
 // A thing can be named, and a box left out, where regions are looked for, and that is in this recipe.
 Choice choice_for(const SubjectWish& wish) {
-    return {"photo", wish.subject.empty() ? "it can leave a box out" : "what matters in it is named"};
+    return {"photo", wish.subject.empty() ? phrase("it can leave a box out") : phrase("what matters in it is named")};
 }
 
 Recipe recipe_for(Reading& reading, const Job& job, Phrase& reason) {

@@ -20,7 +20,7 @@ namespace tactics {
 /// How a drawing was made.
 struct DrawingWay {
     std::vector<std::string> steps;           ///< the filters with their settings, as fitted to the medium
-    std::vector<std::string> chosen;          ///< what they chose for the picture, and why
+    std::vector<ChosenSetting> chosen;        ///< what they chose for the picture, and why
     std::string chart_json = {};              ///< of a chart, if requested
     std::optional<DetailChoice> detail = {};  ///< if the wishes leave it to the medium
     bool finer = false;                       ///< the picture has more pixels than were used: a larger sheet shows more

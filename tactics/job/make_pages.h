@@ -66,11 +66,11 @@ struct Outcome {
     std::string input;
     int pdf_page = 0;  ///< page of a PDF, if several are made
     PictureInfo picture;
-    std::string recipe;               ///< its name
-    Phrase reason;                    ///< why auto chose it; empty if the user named it
-    bool keeps_some = false;          ///< keeps a part of the lines found, by a line budget; wishes can raise it
-    std::vector<std::string> steps;   ///< its filters with their settings, as fitted to the medium of the first layout
-    std::vector<std::string> chosen;  ///< what those filters chose for it, and why
+    std::string recipe;                 ///< its name
+    Phrase reason;                      ///< why auto chose it; empty if the user named it
+    bool keeps_some = false;            ///< keeps a part of the lines found, by a line budget; wishes can raise it
+    std::vector<std::string> steps;     ///< its filters with their settings, as fitted to the medium of the first layout
+    std::vector<ChosenSetting> chosen;  ///< what those filters chose for it, and why
     std::vector<Layout> layouts;
     std::vector<Made> made;
     std::vector<BoundPages> to_bind;  ///< pages of bound outputs, not yet written

@@ -9,6 +9,7 @@
 
 #include "tactics/image.h"
 #include "tactics/measure/matching.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -22,7 +23,7 @@ struct Disturbed {
 };
 
 struct Disturbance {
-    std::string_view name;     ///< heading of its column
+    SourceWords name;          ///< heading of its column
     std::string_view summary;  ///< what is done, for the help
     Disturbed (*apply)(const Image& image) = nullptr;
 };

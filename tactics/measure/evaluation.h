@@ -9,6 +9,7 @@
 
 #include "tactics/measure/score.h"
 #include "tactics/measure/touch.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -37,8 +38,8 @@ struct Evaluation {
     std::vector<Counts> people;    ///< of each picture, one annotator against the others
     std::vector<Counts> simplest;  ///< the same of the one whose map has the fewest regions
     std::vector<RecipeResult> recipes;
-    std::vector<std::string> problems;  ///< all that could not be scored, a line each
-    double peak_memory_mib = 0;         ///< of the whole run
+    std::vector<Phrase> problems;  ///< all that could not be scored, a line each
+    double peak_memory_mib = 0;    ///< of the whole run
 };
 
 /// A point of a recipe's dial.

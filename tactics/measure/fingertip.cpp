@@ -215,14 +215,18 @@ private:
 std::array<ReaderRange, 7> reader_ranges() {
     using R = FingertipReader;
     return {{
-        {"acuity", "mm", 1, 2.5, [](const R& r) { return r.acuity; }, [](R& r, double v) { r.acuity = v; }},
-        {"edges", "", 0, 1, [](const R& r) { return r.edges; }, [](R& r, double v) { r.edges = v; }},
-        {"position noise", "", 0, 0.4, [](const R& r) { return r.position_noise; }, [](R& r, double v) { r.position_noise = v; }},
-        {"places", "of 64", 4, 64, [](const R& r) { return static_cast<double>(r.places); },
+        {SourceWords("acuity"), SourceWords("mm"), 1, 2.5, [](const R& r) { return r.acuity; },
+         [](R& r, double v) { r.acuity = v; }},
+        {SourceWords("edges"), SourceWords(""), 0, 1, [](const R& r) { return r.edges; }, [](R& r, double v) { r.edges = v; }},
+        {SourceWords("position noise"), SourceWords(""), 0, 0.4, [](const R& r) { return r.position_noise; },
+         [](R& r, double v) { r.position_noise = v; }},
+        {SourceWords("places"), SourceWords("of 64"), 4, 64, [](const R& r) { return static_cast<double>(r.places); },
          [](R& r, double v) { r.places = static_cast<int>(v + 0.5); }},
-        {"bits", "", 1, 4, [](const R& r) { return r.bits; }, [](R& r, double v) { r.bits = v; }},
-        {"following", "", 0, 1, [](const R& r) { return r.following; }, [](R& r, double v) { r.following = v; }},
-        {"returning", "", 0, 1, [](const R& r) { return r.returning; }, [](R& r, double v) { r.returning = v; }},
+        {SourceWords("bits"), SourceWords(""), 1, 4, [](const R& r) { return r.bits; }, [](R& r, double v) { r.bits = v; }},
+        {SourceWords("following"), SourceWords(""), 0, 1, [](const R& r) { return r.following; },
+         [](R& r, double v) { r.following = v; }},
+        {SourceWords("returning"), SourceWords(""), 0, 1, [](const R& r) { return r.returning; },
+         [](R& r, double v) { r.returning = v; }},
     }};
 }
 

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tactics/text/phrase.h"
+
 namespace tactics {
 
 /// A square sheet: for each cell the raised share (0 to 1), row by row.
@@ -56,8 +58,8 @@ struct FingertipReader {
 
 /// The range of a parameter in a search for readers under whom a result holds.
 struct ReaderRange {
-    std::string_view name;
-    std::string_view unit;
+    SourceWords name;
+    SourceWords unit;
     double least = 0, most = 0;
     double (*get)(const FingertipReader& reader) = nullptr;
     void (*set)(FingertipReader& reader, double value) = nullptr;

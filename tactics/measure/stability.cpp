@@ -80,14 +80,14 @@ std::vector<KnownPicture> known_pictures() {
     // Both colours have luma 128 (ITU-R BT.601): a detector of greys sees one flat field.
     constexpr Colour kRed = {214, 92, 90}, kGreen = {60, 160, 143};
     std::vector<KnownPicture> known;
-    known.push_back({"flat", "one grey", flat(), nothing()});
-    known.push_back({"ramp", "grey rising evenly from 64 to 192", ramp(), nothing()});
-    known.push_back({"flat, noise", "with noise of 10 grey levels", with_noise(flat(), kGrain, 1), nothing()});
-    known.push_back({"ramp, noise", "with noise of 10 grey levels", with_noise(ramp(), kGrain, 2), nothing()});
-    known.push_back({"texture", "grains 5 pixels large without any contour", grains(), nothing()});
-    known.push_back({"faint disc", "a disc 4 grey levels above its ground, with noise of 3",
+    known.push_back({SourceWords("flat"), "one grey", flat(), nothing()});
+    known.push_back({SourceWords("ramp"), "grey rising evenly from 64 to 192", ramp(), nothing()});
+    known.push_back({SourceWords("flat, noise"), "with noise of 10 grey levels", with_noise(flat(), kGrain, 1), nothing()});
+    known.push_back({SourceWords("ramp, noise"), "with noise of 10 grey levels", with_noise(ramp(), kGrain, 2), nothing()});
+    known.push_back({SourceWords("texture"), "grains 5 pixels large without any contour", grains(), nothing()});
+    known.push_back({SourceWords("faint disc"), "a disc 4 grey levels above its ground, with noise of 3",
                      with_noise(disc({132}, {128}, 1), 3, 4), circle()});
-    known.push_back({"colour disc", "a disc of another colour and the same grey", disc(kRed, kGreen, 3), circle()});
+    known.push_back({SourceWords("colour disc"), "a disc of another colour and the same grey", disc(kRed, kGreen, 3), circle()});
     return known;
 }
 

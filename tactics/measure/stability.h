@@ -7,6 +7,7 @@
 
 #include "tactics/image.h"
 #include "tactics/measure/matching.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -16,7 +17,7 @@ double agreement(const PixelSet& before, const PixelSet& after);
 
 /// A picture of which it is known what is to be found in it.
 struct KnownPicture {
-    std::string_view name;
+    SourceWords name;
     std::string_view summary;
     Image image;
     PixelSet contour;  ///< empty: there is nothing to be found

@@ -41,16 +41,17 @@ Pairing pair_up(std::vector<std::string> pictures, std::vector<std::string> trut
         const std::string name = stem_of(path);
         const auto [subject, fresh] = subjects.emplace(name, Subject{name, path, {}});
         if (!fresh)
-            pairing.problems.push_back(path + ": " + subject->second.picture +
-                                       " has the same name, so its contour maps are not known apart; rename one");
+            pairing.problems.push_back(phrase("{0}: {1} has the same name, so its contour maps are not known apart; rename one",
+                                              path, subject->second.picture));
     }
     for (const auto& path : truths) {
         const std::string name = picture_of(path);
         const auto subject = subjects.find(name);
         if (name.empty())
-            pairing.problems.push_back(path + ": this is no contour map by its name; NAME_gt1.png is the first of picture NAME");
+            pairing.problems.push_back(
+                phrase("{0}: this is no contour map by its name; NAME_gt1.png is the first of picture NAME", path));
         else if (subject == subjects.end())
-            pairing.problems.push_back(path + ": there is no picture " + name + "; add it or take the map away");
+            pairing.problems.push_back(phrase("{0}: there is no picture {1}; add it or take the map away", path, name));
         else
             subject->second.truths.push_back(path);
     }

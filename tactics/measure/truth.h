@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tactics/measure/matching.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -17,8 +18,8 @@ struct Subject {
 };
 
 struct Pairing {
-    std::vector<Subject> subjects;      ///< in the order of their names; without truths if there are none
-    std::vector<std::string> problems;  ///< "gt/b_gt1.png: there is no picture b", one line each
+    std::vector<Subject> subjects;  ///< in the order of their names; without truths if there are none
+    std::vector<Phrase> problems;   ///< "gt/b_gt1.png: there is no picture b", one line each
 };
 
 /// The maps of picture NAME.jpg are NAME_gt1.png, NAME_gt2.png and so on. Given are paths of files, in any order.

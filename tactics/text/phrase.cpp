@@ -35,8 +35,10 @@ Phrase phrase_of(SourceWords one, SourceWords many, std::size_t count, std::vect
     return made;
 }
 
-Phrase numeral(double value) {
-    Phrase made(to_text(value));
+Phrase numeral(double value) { return numeral_of(to_text(value)); }
+
+Phrase numeral_of(std::string digits) {
+    Phrase made(std::move(digits));
     made.numeral_ = true;
     return made;
 }

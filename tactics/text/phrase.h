@@ -39,7 +39,7 @@ public:
 
 private:
     friend Phrase phrase_of(SourceWords one, SourceWords many, std::size_t count, std::vector<Phrase> parts);
-    friend Phrase numeral(double value);
+    friend Phrase numeral_of(std::string digits);
 
     std::string words_;          // as they are, if there is no source
     std::string_view source_;    // "{0} line": what the catalogues have it by
@@ -51,6 +51,8 @@ private:
 
 /// A number: "3.5", and "3,5" where people write it so.
 Phrase numeral(double value);
+/// The same of a number that is written already, such as "3.50".
+Phrase numeral_of(std::string digits);
 
 Phrase phrase_of(SourceWords one, SourceWords many, std::size_t count, std::vector<Phrase> parts);
 

@@ -124,8 +124,8 @@ std::vector<int> people_near(const Truth& truth, int width, int height) {
 Image copy_of(const Image& picture, std::size_t number) {
     constexpr std::string_view kKinds[] = {"JPEG 50", "noise 10", "half"};
     const auto all = disturbances();
-    const auto kind =
-        std::find_if(all.begin(), all.end(), [&](const Disturbance& d) { return d.name == kKinds[number % std::size(kKinds)]; });
+    const auto kind = std::find_if(all.begin(), all.end(),
+                                   [&](const Disturbance& d) { return d.name.text == kKinds[number % std::size(kKinds)]; });
     return enlarged(kind->apply(picture).image, picture.width, picture.height);
 }
 

@@ -43,12 +43,12 @@ int speak(const char* voice, double seconds) {
     using Clock = std::chrono::steady_clock;
     const auto begun = Clock::now();
     OpenedVoice opened = open_voice({.kind = voice});
-    if (!opened.note.empty()) std::printf("note %s\n", opened.note.c_str());
+    if (!opened.note.empty()) std::printf("note %s\n", opened.note.english().c_str());
     const PlotWords words(std::make_shared<const Plot>(drive()), {{0, 10, 100}, {0, 30, 60}});
     const auto opened_at = Clock::now();
-    Speaking speaking(std::move(opened.voice), [words](const Announcement& one) { return words.of(one); });
+    Speaking speaking(std::move(opened.voice), [words](const Announcement& one) { return words.of(one).english(); });
     for (const Announcement& one : tour()) {
-        std::printf("asked %s\n", words.of(one).c_str());
+        std::printf("asked %s\n", words.of(one).english().c_str());
         speaking.ask(one);
         std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
     }
@@ -58,7 +58,7 @@ int speak(const char* voice, double seconds) {
     const auto between = [](Clock::time_point from, Clock::time_point to) {
         return to_text(std::chrono::duration<double>(to - from).count());
     };
-    if (!speaking.note().empty()) std::printf("note %s\n", speaking.note().c_str());
+    if (!speaking.note().empty()) std::printf("note %s\n", speaking.note().english().c_str());
     std::printf("counts said %llu overtaken %llu dropped %llu ended %d\nseconds open %s end %s\n",
                 static_cast<unsigned long long>(counts.said), static_cast<unsigned long long>(counts.overtaken),
                 static_cast<unsigned long long>(counts.dropped), ended ? 1 : 0, between(begun, opened_at).c_str(),

@@ -28,9 +28,10 @@ Step kmeans(const std::string& settings) { return parse_step("kmeans " + setting
 
 int chosen(const Image& image, std::string* reason = nullptr) {
     Step step = kmeans("k=0");
-    const std::string said = step.filter->settle(image, step.settings);
-    if (reason != nullptr) *reason = said;
-    EXPECT_TRUE(said.starts_with("k=" + std::to_string(step.settings.whole("k")) + ": ")) << said;
+    const ChosenSetting said = step.filter->settle(image, step.settings);
+    if (reason != nullptr) *reason = said.why.english();
+    EXPECT_EQ(said.setting, "k=" + std::to_string(step.settings.whole("k")));
+    EXPECT_TRUE(said.can_be_changed());
     return step.settings.whole("k");
 }
 
@@ -58,7 +59,7 @@ TEST(LevelChoice, EvenShadesNeedFourAndNoPictureMoreThanTheTextures) {
     const LevelChoice most = choose_levels(variance, 0, 1);
     EXPECT_EQ(most.k, 5);
     EXPECT_TRUE(most.ended);
-    EXPECT_EQ(reason_of(most, "greys"), "k=5: 5 greys explain 80 % of its variance, and more textures no finger tells apart");
+    EXPECT_EQ(reason_of(most, false).english(), "5 greys explain 80 % of its variance, and more textures no finger tells apart");
     EXPECT_EQ(choose_levels(variance, 0.4, 1).k, 3);
     EXPECT_EQ(choose_levels(variance, 2, 1).k, 1);
     EXPECT_EQ(choose_levels([](int) { return 0.0; }, 0, 1).k, 1);
@@ -83,19 +84,19 @@ TEST(LevelChoice, RunningWithItIsRunningWithItsNumber) {
         const Image one = std::get<Image>(open.filter->apply(image, open.settings)),
                     other = std::get<Image>(three.filter->apply(image, three.settings));
         EXPECT_EQ(one.pixels, other.pixels) << channels;
-        EXPECT_NE(open.filter->settle(image, open.settings), "");
+        EXPECT_FALSE(open.filter->settle(image, open.settings).empty());
         EXPECT_EQ(open.settings.whole("k"), 3);
-        EXPECT_EQ(open.filter->settle(image, open.settings), "") << "there is nothing left to choose";
+        EXPECT_TRUE(open.filter->settle(image, open.settings).empty()) << "there is nothing left to choose";
     }
 }
 
 TEST(LevelChoice, ARunTellsAndKeepsWhatWasChosen) {
     Recipe recipe = parse_recipe("invert\nkmeans k=0\nkmeans k=2\n", "test", filters());
-    std::vector<std::string> said;
+    std::vector<ChosenSetting> said;
     const Image image = stripes({40, 120, 200}, 0);
     const Artwork settled = run_settling(recipe, image, said);
     ASSERT_EQ(said.size(), 1u);
-    EXPECT_EQ(said[0], "kmeans k=3: 3 greys explain 100 % of its variance");
+    EXPECT_EQ(said[0].words().english(), "kmeans k=3: 3 greys explain 100 % of its variance");
     EXPECT_EQ(to_text(recipe), "invert\nkmeans k=3\nkmeans k=2\n");
     EXPECT_EQ(std::get<Image>(settled).pixels,
               std::get<Image>(run(parse_recipe("invert\nkmeans k=0\nkmeans k=2\n", "test", filters()), image)).pixels);
@@ -106,7 +107,7 @@ TEST(LevelChoice, EdgesKeepFewerClassesThanThereAre) {
     for (std::size_t i = 0; i < edges.strength.size(); ++i)
         edges.strength[i] = i % 40 == 20 ? 90.0f : i % 40 == 10 ? 30.0f : 0.0f;
     Step step = kmeans("k=0 keep=1");
-    EXPECT_NE(step.filter->settle(edges, step.settings), "");
+    EXPECT_FALSE(step.filter->settle(edges, step.settings).empty());
     EXPECT_GE(step.settings.whole("k"), 2);
     const auto kept = std::get<EdgeMap>(step.filter->apply(edges, step.settings));
     EXPECT_EQ(std::count_if(kept.strength.begin(), kept.strength.end(), [](float s) { return s > 0; }), 30);

@@ -176,19 +176,20 @@ TEST(Regions, NecksAreOpenedOrClosed) {
 TEST(Regions, SmallestIsChosenFromTheSceneAndCanBeSet) {
     // 5 x 4 blocks of 25 mm and as much ground between them.
     const Image image = painted(560, 460, [](int x, int y) { return x % 110 >= 60 && y % 110 >= 60 ? 30 : 220; });
-    const auto settled = [&](const std::string& settings, std::string& said) {
+    const auto settled = [&](const std::string& settings, ChosenSetting& said) {
         Step step = parse_step("regions " + settings, "test", filters());
         said = step.filter->settle(image, step.settings);
         return step.settings.number("smallest");
     };
-    std::string said;
+    ChosenSetting said;
     EXPECT_EQ(settled("most=30", said), std::ceil(6.4 + 2 * 4.4 + 2));
-    EXPECT_EQ(said, "smallest=18mm: less wide regions have no room for a texture");
+    EXPECT_EQ(said.setting, "smallest=18mm");
+    EXPECT_EQ(said.why.english(), "less wide regions have no room for a texture");
     EXPECT_EQ(settled("most=30 clear=6mm", said), std::ceil(6.4 + 12 + 2)) << "a medium that needs more";
     EXPECT_GE(settled("most=7", said), 24);
-    EXPECT_EQ(said.substr(said.find(':')), ": 21 regions have room for a texture, 7 are enough");
+    EXPECT_EQ(said.why.english(), "21 regions have room for a texture, 7 are enough");
     EXPECT_EQ(settled("smallest=30mm", said), 30);
-    EXPECT_EQ(said, "");
+    EXPECT_TRUE(said.empty());
     Step step = parse_step("regions most=30", "test", filters());
     const Artwork open = step.filter->apply(image, step.settings);
     step.filter->settle(image, step.settings);

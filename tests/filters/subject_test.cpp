@@ -224,20 +224,21 @@ TEST(Subject, MoreLineIsMoreBesideAHintToo) {
 TEST(Subject, WhatIsFoundIsTold) {
     const auto told = [](const Image& image, const std::string& settings) {
         Step step = parse_step("outlines " + settings, "test", filters());
-        return step.filter->settle(tree_of(image), step.settings);
+        const ChosenSetting said = step.filter->settle(tree_of(image), step.settings);
+        EXPECT_FALSE(said.can_be_changed());
+        return said.why.english();
     };
     EXPECT_EQ(told(on_stripes(false), ""), "");
     const std::string found = told(on_stripes(false), "subject=16%,27%-51%,73%");
-    EXPECT_TRUE(found == "subject: found, 12 % of the picture" || found == "subject: found, 11 % of the picture") << found;
+    EXPECT_TRUE(found == "found, 12 % of the picture" || found == "found, 11 % of the picture") << found;
     EXPECT_EQ(told(on_stripes(false), "subject=0%,0%-100%,100%"),
-              "subject: 0%,0%-100%,100% is all of the picture and names nothing in it: draw the box closely around the thing");
+              "0%,0%-100%,100% is all of the picture and names nothing in it: draw the box closely around the thing");
     const std::string both = told(on_stripes(false), "subject=16%,27%-51%,73%;33%,50%");
-    EXPECT_TRUE(both.starts_with("subject: what was found at 16%,27%-51%,73% is part of what a later place names; found, 1"))
-        << both;
+    EXPECT_TRUE(both.starts_with("what was found at 16%,27%-51%,73% is part of what a later place names; found, 1")) << both;
     const Image blank = make_image(kWide, kHigh, 1, kPixel, 200);
-    EXPECT_EQ(told(blank, "subject=40%,50%"), "subject: no closed thing was found at 40%,50%: draw a box around it");
+    EXPECT_EQ(told(blank, "subject=40%,50%"), "no closed thing was found at 40%,50%: draw a box around it");
     EXPECT_EQ(told(blank, "subject=40%,50%;10%,10%-30%,30%"),
-              "subject: no closed thing was found at 40%,50%: draw a box around it; no closed thing was found in "
+              "no closed thing was found at 40%,50%: draw a box around it; no closed thing was found in "
               "10%,10%-30%,30%: draw the box closely around all of it");
 }
 

@@ -51,7 +51,7 @@ protected:
         felt_ = felt_lines(plot_, frame_, kResolution);
         guidance_.emplace(nothing_, GuidedLines(plot_, frame_, felt_, kResolution), frame_, GuidanceSettings{});
         const PlotWords words(std::make_shared<Plot>(plot_), {{0, 10, 100}, {0, 40, 80}});
-        speaking_.emplace(std::make_unique<Kept>(said_), [words](const Announcement& one) { return words.of(one); });
+        speaking_.emplace(std::make_unique<Kept>(said_), [words](const Announcement& one) { return words.of(one).english(); });
         scene_.emplace(*guidance_, KeyedParts{&*speaking_, &typed_, nullptr, &track_}, frame_, felt_);
     }
     void press(unsigned key) {
@@ -88,11 +88,11 @@ TEST(PlotKeys, EachIsNamedOnceAndDoesOneThing) {
     std::set<char> letters;
     std::set<PlotAction> actions;
     for (const PlotKey& key : plot_keys()) {
-        EXPECT_TRUE(names.insert(key.name).second) << key.name;
-        EXPECT_TRUE(actions.insert(key.action).second) << key.name;
+        EXPECT_TRUE(names.insert(key.name.text).second) << key.name.text;
+        EXPECT_TRUE(actions.insert(key.action).second) << key.name.text;
         EXPECT_FALSE(key.what.empty());
         EXPECT_EQ(&key_of(key.action), &key);
-        EXPECT_TRUE(key.letter == 0 || (std::islower(key.letter) != 0 && letters.insert(key.letter).second)) << key.name;
+        EXPECT_TRUE(key.letter == 0 || (std::islower(key.letter) != 0 && letters.insert(key.letter).second)) << key.name.text;
     }
     EXPECT_LE(kNumberedKeys, 8u);  // Touch::keys of the arms that have the most
     EXPECT_GE(plot_keys().size(), kNumberedKeys);
@@ -103,7 +103,7 @@ TEST(PlotKeys, TwoReachAll) {
     const std::set<PlotAction> chosen(chosen_actions().begin(), chosen_actions().end());
     EXPECT_EQ(chosen.size(), chosen_actions().size());
     for (const PlotKey& key : plot_keys().subspan(2))
-        EXPECT_TRUE(chosen.contains(key.action) || key.action == PlotAction::let_go) << key.name;
+        EXPECT_TRUE(chosen.contains(key.action) || key.action == PlotAction::let_go) << key.name.text;
     EXPECT_EQ(plot_keys()[0].action, PlotAction::chosen);
     EXPECT_EQ(plot_keys()[1].action, PlotAction::choose);
 }

@@ -70,15 +70,32 @@ TEST(PlotWords, SayWhatAFingerAsks) {
              Case{{.telling = choice, .action = PlotAction::follow}, "follow"},
              Case{{.telling = hush}, ""},
          })
-        EXPECT_EQ(words.of(one.asked), one.said);
+        EXPECT_EQ(words.of(one.asked).english(), one.said);
+}
+
+// A sentence of each kind, as a German voice reads it: with its decimal comma.
+TEST(PlotWords, AreInTheLanguageOfTheVoice) {
+    const PlotWords words = words_of(drive());
+    const auto said = [&](const Announcement& one) { return words.of(one).in("de-AT"); };
+    using enum Telling;
+    EXPECT_EQ(said({.telling = position, .x = 2.5, .y = 12}), "time 2,5 s, speed 12 m/s");
+    EXPECT_EQ(said({.telling = nearest, .x = 1.7, .y = 8}),
+              "am n\xC3\xA4"
+              "chsten: Punkt 2 von 4 der Kurve car, time 2 s, speed 8 m/s, 3 mm weiter rechts");
+    EXPECT_EQ(said({.telling = under_finger, .felt = FeltPart::x_tick, .x = 2.5}), "Achse time, Teilstrich 2,5 s");
+    EXPECT_EQ(said({.telling = way_end, .series = 1, .x = 4, .y = 16}),
+              "Anfang eines St\xC3\xBC"
+              "cks der Kurve bus, time 4 s, speed 16 m/s");
+    EXPECT_EQ(said({.telling = choice, .action = PlotAction::follow}), "folgen");
 }
 
 TEST(PlotWords, AnEmptyPlotHasWords) {
     const PlotWords words = words_of({}, {});
     for (int telling = 0; telling <= static_cast<int>(Telling::choice); ++telling)
         for (int felt = 0; felt <= static_cast<int>(FeltPart::y_grid); ++felt) {
-            const std::string said = words.of(
-                {.telling = static_cast<Telling>(telling), .felt = static_cast<FeltPart>(felt), .x = NAN, .y = INFINITY});
+            const std::string said =
+                words.of({.telling = static_cast<Telling>(telling), .felt = static_cast<FeltPart>(felt), .x = NAN, .y = INFINITY})
+                    .english();
             EXPECT_EQ(said.empty(), telling == 0) << telling << " " << felt;
         }
 }
@@ -89,9 +106,9 @@ TEST(PlotWords, DatesAndLogarithmsAreTheirAxes) {
     plot.y = {"power [W]", true, false};
     plot.curves = {{"", {{0, 1}, {864'000, 1e6}}}};
     const PlotWords words = words_of(plot, {{0, 86'400.0 * 1000, 100}, {1, 1e6, 60}});
-    EXPECT_EQ(words.of({.telling = Telling::position, .x = 864'000, .y = 1.234}), "day 1970-01-11, power 1.23 W");
-    EXPECT_EQ(words.of({.telling = Telling::position, .x = 864'000, .y = 123'456}), "day 1970-01-11, power 123000 W");
-    EXPECT_EQ(words.of({.telling = Telling::under_finger, .felt = FeltPart::curve}), "curve 1");
+    EXPECT_EQ(words.of({.telling = Telling::position, .x = 864'000, .y = 1.234}).english(), "day 1970-01-11, power 1.23 W");
+    EXPECT_EQ(words.of({.telling = Telling::position, .x = 864'000, .y = 123'456}).english(), "day 1970-01-11, power 123000 W");
+    EXPECT_EQ(words.of({.telling = Telling::under_finger, .felt = FeltPart::curve}).english(), "curve 1");
     EXPECT_NEAR(height_of_curve(plot, plot.curves[0], 432'000), 1e3, 1e-6);  // half of the way on paper
 }
 
@@ -119,7 +136,7 @@ TEST(PlotWords, ASurfaceHasItsHeightAndItsSlope) {
             for (const double x : surface.x) surface.z.push_back(2 + one.by_x * x + one.by_y * y);
         plot.surfaces.push_back(surface);
         const PlotWords words = words_of(plot, {{0, 10, 100}, {0, 30, 60}, {0, 4, 20}});
-        EXPECT_EQ(words.of({.telling = Telling::under_finger, .felt = FeltPart::surface, .x = 4, .y = 10}), one.said);
+        EXPECT_EQ(words.of({.telling = Telling::under_finger, .felt = FeltPart::surface, .x = 4, .y = 10}).english(), one.said);
     }
 }
 
@@ -128,14 +145,15 @@ TEST(PlotWords, WhereASurfaceIsNotKnownNothingIsMadeUp) {
     plot.surfaces.push_back({"", {0, 1, 2}, {0, 1}, {1, 1, 1, 1, NAN, 1}});
     const PlotWords words = words_of(plot, {{0, 2, 100}, {0, 1, 60}, {0, 4, 20}});
     const auto at = [&](double x, double y) {
-        return words.of({.telling = Telling::under_finger, .felt = FeltPart::surface, .x = x, .y = y});
+        return words.of({.telling = Telling::under_finger, .felt = FeltPart::surface, .x = x, .y = y}).english();
     };
     EXPECT_EQ(at(0.5, 0.5), "surface, height not known");
     EXPECT_EQ(at(-0.1, 0.5), "surface, height not known");
     EXPECT_EQ(at(NAN, 0.5), "surface, height not known");
     plot.surfaces[0].z[4] = 1;
     EXPECT_EQ(words_of(plot, {{0, 2, 100}, {0, 1, 60}, {0, 4, 20}})
-                  .of({.telling = Telling::under_finger, .felt = FeltPart::surface, .x = 2, .y = 1}),
+                  .of({.telling = Telling::under_finger, .felt = FeltPart::surface, .x = 2, .y = 1})
+                  .english(),
               "surface, height 1, level");
 }
 
@@ -169,6 +187,7 @@ TEST(PlotWords, TheNearestPointIsTheNearest) {
         }
         EXPECT_TRUE(words_of(plot)
                         .of({.telling = Telling::nearest, .x = fx, .y = fy})
+                        .english()
                         .starts_with("nearest: point " + std::to_string(nearest + 1) + " of 40, a "));
     }
 }

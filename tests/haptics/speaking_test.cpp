@@ -57,7 +57,7 @@ public:
         const std::lock_guard lock(heard_->guard);
         ++heard_->stopped;
     }
-    std::string trouble() override { return heard_->trouble; }
+    Phrase trouble() override { return heard_->trouble; }
 
 private:
     std::shared_ptr<Heard> heard_;
@@ -75,7 +75,7 @@ TEST(Speaking, SaysAllInOrderToAVoiceThatTakesTurns) {
     for (int i = 0; i < 40; ++i) EXPECT_EQ(heard->said[static_cast<std::size_t>(i)], "number " + std::to_string(i));
     EXPECT_EQ(speaking.counts().said, 40u);
     EXPECT_EQ(heard->closed, 1);
-    EXPECT_EQ(speaking.note(), "a trouble");
+    EXPECT_EQ(speaking.note().english(), "a trouble");
 }
 
 TEST(Speaking, TheNewestOvertakes) {
@@ -107,7 +107,7 @@ TEST(Speaking, EndsAlthoughTheVoiceHangs) {
         EXPECT_GT(dropped, 900u);
         EXPECT_EQ(speaking.counts().dropped, dropped);
         EXPECT_FALSE(speaking.finish());
-        EXPECT_NE(speaking.note().find("does not answer"), std::string::npos);
+        EXPECT_NE(speaking.note().english().find("does not answer"), std::string::npos);
     }
     heard->let_go();
     std::unique_lock lock(heard->guard);

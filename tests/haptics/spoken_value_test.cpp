@@ -24,7 +24,7 @@ TEST(SpokenValue, SaysNoMoreThanAPlotCanMean) {
           Case{1.2e-9, 2e-11, 1e-8, "1.2 times 10 to the minus 9"}, Case{-1.2e-9, 2e-11, 1e-8, "-1.2 times 10 to the minus 9"},
           Case{0, 2e-11, 1e-8, "0"}, Case{3e18, 1e16, 1e19, "3 times 10 to the 18"}, Case{NAN, 1, 1, "not known"},
           Case{1.23456789, 0, 0, "1.234568"}})
-        EXPECT_EQ(spoken_number(one.value, one.step, one.largest), one.words);
+        EXPECT_EQ(spoken_number(one.value, one.step, one.largest).english(), one.words);
 }
 
 // Reads back what is said: never an exponent's letter, and never more than half a step away.
@@ -33,7 +33,7 @@ TEST(SpokenValue, IsWithinHalfAStep) {
     std::uniform_real_distribution<double> power(-12, 17), share(-1, 1);
     for (int i = 0; i < 20'000; ++i) {
         const double largest = std::pow(10.0, power(random)), value = largest * share(random), step = largest / 500;
-        const std::string words = spoken_number(value, step, largest);
+        const std::string words = spoken_number(value, step, largest).english();
         std::string figure = words;
         double factor = 1;
         if (const auto at = words.find(" times 10 to the "); at != std::string::npos) {
@@ -72,15 +72,15 @@ TEST(SpokenValue, DatesAreThoseOfTheCalendar) {
         char words[64];
         std::strftime(words, sizeof words, "%Y-%m-%d %H:%M:%S", &parts);
         const std::string whole = words;
-        EXPECT_EQ(spoken_date(static_cast<double>(seconds), 5), whole);
-        EXPECT_EQ(spoken_date(static_cast<double>(seconds), 60), whole.substr(0, 16));
-        EXPECT_EQ(spoken_date(static_cast<double>(seconds), 86'400), whole.substr(0, 10));
+        EXPECT_EQ(spoken_date(static_cast<double>(seconds), 5).english(), whole);
+        EXPECT_EQ(spoken_date(static_cast<double>(seconds), 60).english(), whole.substr(0, 16));
+        EXPECT_EQ(spoken_date(static_cast<double>(seconds), 86'400).english(), whole.substr(0, 10));
     }
-    EXPECT_EQ(spoken_date(1'709'211'907.25, 0.02), "2024-02-29 13:05:07.25");
-    EXPECT_EQ(spoken_date(0.1 + 0.2, 0.1), "1970-01-01 00:00:00.3");
-    EXPECT_EQ(spoken_date(59.999, 0.1), "1970-01-01 00:01:00");
-    EXPECT_EQ(spoken_date(-0.5, 0.1), "1969-12-31 23:59:59.5");
-    EXPECT_EQ(spoken_date(1e300, 1).find("-"), std::string::npos);  // no year of the calendar
+    EXPECT_EQ(spoken_date(1'709'211'907.25, 0.02).english(), "2024-02-29 13:05:07.25");
+    EXPECT_EQ(spoken_date(0.1 + 0.2, 0.1).english(), "1970-01-01 00:00:00.3");
+    EXPECT_EQ(spoken_date(59.999, 0.1).english(), "1970-01-01 00:01:00");
+    EXPECT_EQ(spoken_date(-0.5, 0.1).english(), "1969-12-31 23:59:59.5");
+    EXPECT_EQ(spoken_date(1e300, 1).english().find("-"), std::string::npos);  // no year of the calendar
 }
 
 }  // namespace

@@ -187,12 +187,12 @@ TEST_F(ToneFiles, AlsaIsSentTheSamples) {
     setenv("ALSA_CONFIG_PATH", (folder_ / "asound.conf").c_str(), 1);
     OpenedTones opened = open_tones();
     unsetenv("ALSA_CONFIG_PATH");
-    if (!opened.note.empty()) GTEST_SKIP() << opened.note;
+    if (!opened.note.empty()) GTEST_SKIP() << opened.note.english();
     EXPECT_TRUE(opened.sink->has_beat());
     ToneSynthesiser synthesiser;
     const auto samples = rendered(synthesiser, {0.5, 0.3, 0, true}, 0.25);
     opened.sink->take(samples);
-    EXPECT_EQ(opened.sink->trouble(), "");
+    EXPECT_TRUE(opened.sink->trouble().empty());
     opened.sink.reset();
     std::ifstream file(raw, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -218,7 +218,7 @@ public:
         const std::lock_guard lock(kept_->guard);
         kept_->samples.insert(kept_->samples.end(), samples.begin(), samples.end());
     }
-    std::string trouble() override { return "a trouble"; }
+    Phrase trouble() override { return "a trouble"; }
 
 private:
     std::shared_ptr<Kept> kept_;
@@ -244,7 +244,7 @@ TEST(Toning, SoundsWhatWasToldLast) {
     ASSERT_TRUE(comes(2 * kToneRate / 4));
     EXPECT_TRUE(toning.finish());
     EXPECT_TRUE(kept->closed);
-    EXPECT_EQ(toning.note(), "a trouble");
+    EXPECT_EQ(toning.note().english(), "a trouble");
     const double seconds = static_cast<double>(kept->samples.size()) / 2 / kToneRate;
     EXPECT_NEAR(crossings(kept->samples, 1, seconds - 0.15, seconds - 0.03) / tone_frequency(0.5), 1, 0.01);
     EXPECT_EQ(kept->samples.back(), 0) << "it did not fade";

@@ -139,8 +139,8 @@ TEST_F(VoiceTest, ARecordingHasALineForEachUtterance) {
     const OpenedVoice opened = open_voice({"recording:" + file.string()});
     opened.voice->say("time 2.5 s");
     opened.voice->say("nothing");
-    EXPECT_EQ(opened.note, "");
-    EXPECT_EQ(opened.voice->trouble(), "");
+    EXPECT_EQ(opened.note.english(), "");
+    EXPECT_EQ(opened.voice->trouble().english(), "");
     EXPECT_TRUE(std::regex_match(content_of(file), std::regex("\\d+\\.\\d{3} time 2\\.5 s\n\\d+\\.\\d{3} nothing\n")))
         << content_of(file);
 }
@@ -191,8 +191,8 @@ TEST_F(VoiceTest, AbsentSpeechIsANote) {
     for (const std::string kind : {"espeak-ng", "speechd", "tcp:127.0.0.1:1", "auto"}) {
         const OpenedVoice opened = open_voice({kind});
         EXPECT_EQ(opened.voice->name(), "none");
-        EXPECT_NE(opened.note, "") << kind;
-        EXPECT_EQ(opened.note.find("install ") != std::string::npos, !kind.starts_with("tcp")) << opened.note;
+        EXPECT_FALSE(opened.note.empty()) << kind;
+        EXPECT_EQ(opened.note.english().find("install ") != std::string::npos, !kind.starts_with("tcp")) << opened.note.english();
     }
 }
 
@@ -202,7 +202,7 @@ TEST_F(VoiceTest, OneUtteranceEndsTheOther) {
         path_with("espeak-ng", "[ \"$3\" = -q ] && exit 0\nread line\necho \"begin $* $line\" >>" + (folder_ / "log").string() +
                                    "\n[ \"$line\" = last ] || sleep 60\necho end >>" + (folder_ / "log").string() + "\n"));
     const OpenedVoice opened = open_voice({"espeak-ng", "de"});
-    ASSERT_EQ(opened.voice->name(), "espeak-ng") << opened.note;
+    ASSERT_EQ(opened.voice->name(), "espeak-ng") << opened.note.english();
     const auto begun = [&](const std::string& text) {
         return comes_true([&] { return content_of(folder_ / "log").find(text) != std::string::npos; });
     };
@@ -211,7 +211,7 @@ TEST_F(VoiceTest, OneUtteranceEndsTheOther) {
     opened.voice->say("last");
     EXPECT_TRUE(begun("end"));
     EXPECT_EQ(content_of(folder_ / "log"), "begin -v de first\nbegin -v de last\nend\n");
-    EXPECT_EQ(opened.voice->trouble(), "");
+    EXPECT_EQ(opened.voice->trouble().english(), "");
 }
 
 TEST_F(VoiceTest, ASynthesiserThatFailsIsTold) {
@@ -230,12 +230,12 @@ TEST_F(VoiceTest, EspeakNgMakesASound) {
     const std::string real = std::string("PATH='") + (before == nullptr ? "/usr/bin:/bin" : before) + "' exec espeak-ng \"$@\"";
     const Setting path("PATH", path_with("espeak-ng", real + " -w " + sound.string() + "\n"));
     const OpenedVoice opened = open_voice({"espeak-ng", "en", 200});
-    ASSERT_EQ(opened.voice->name(), "espeak-ng") << opened.note;
+    ASSERT_EQ(opened.voice->name(), "espeak-ng") << opened.note.english();
     fs::remove(sound);
     opened.voice->say("time 2.5 s, speed 12 m/s");
     // At 200 words a minute some two seconds of 22,050 Hz and 16 bits.
     EXPECT_TRUE(comes_true([&] { return fs::exists(sound) && fs::file_size(sound) > 60'000; }));
-    EXPECT_EQ(opened.voice->trouble(), "");
+    EXPECT_EQ(opened.voice->trouble().english(), "");
     EXPECT_EQ(open_voice({"espeak-ng", "xx-nowhere"}).voice->name(), "none");
 }
 
@@ -256,7 +256,7 @@ TEST_F(VoiceTest, SpeechDispatcherSpeaks) {
     if (!server.runs()) GTEST_SKIP() << "speech-dispatcher is not installed, or has no module sd_generic or no ALSA";
     const Setting address("SPEECHD_ADDRESS", "unix_socket:" + in("socket"));
     OpenedVoice opened = open_voice({"speechd", "en", 250});
-    if (opened.voice->name() == "none") GTEST_SKIP() << opened.note;
+    if (opened.voice->name() == "none") GTEST_SKIP() << opened.note.english();
     EXPECT_EQ(opened.voice->name(), "speechd");
     opened.voice->say("time 2.5 s, speed 12 m/s");
     EXPECT_TRUE(comes_true([&] { return content_of(folder_ / "spoken").find("speed 12 m/s") != std::string::npos; }))
@@ -264,7 +264,7 @@ TEST_F(VoiceTest, SpeechDispatcherSpeaks) {
     opened.voice->stop();
     opened.voice->say("end of the curve");
     EXPECT_TRUE(comes_true([&] { return content_of(folder_ / "spoken").find("end of the curve") != std::string::npos; }));
-    EXPECT_EQ(opened.voice->trouble(), "");
+    EXPECT_EQ(opened.voice->trouble().english(), "");
     server.end();
     opened.voice->say("nobody hears");
     opened.voice->say("nobody hears");

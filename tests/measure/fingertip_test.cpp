@@ -147,14 +147,14 @@ TEST(Fingertip, RandomReadersFillTheirRanges) {
         double least = range.most, most = range.least;
         for (std::uint64_t seed = 0; seed < 200; ++seed) {
             const double value = range.get(random_reader(seed));
-            EXPECT_GE(value, range.least) << range.name;
-            EXPECT_LE(value, range.most) << range.name;
+            EXPECT_GE(value, range.least) << range.name.text;
+            EXPECT_LE(value, range.most) << range.name.text;
             least = std::min(least, value);
             most = std::max(most, value);
         }
-        EXPECT_GT(most - least, 0.9 * (range.most - range.least)) << range.name;
+        EXPECT_GT(most - least, 0.9 * (range.most - range.least)) << range.name.text;
         const double usual = range.get(FingertipReader{});
-        EXPECT_TRUE(usual >= range.least && usual <= range.most) << range.name;
+        EXPECT_TRUE(usual >= range.least && usual <= range.most) << range.name.text;
     }
 }
 

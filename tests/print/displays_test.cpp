@@ -219,7 +219,7 @@ TEST(Graphiti, BrokenMessagesAreLeftWhereTheyEnd) {
     const std::string good = graphiti.encode(page_with(graphiti, settings, {{1.25, 1.25}}), settings);
     const auto notes = [&](const std::string& sent) {
         std::string all;
-        for (const std::string& note : graphiti.embosser->punch(sent, settings).notes) all += note + "\n";
+        for (const Phrase& note : graphiti.embosser->punch(sent, settings).notes) all += note.english() + "\n";
         return all;
     };
     std::string doubled;

@@ -187,7 +187,7 @@ TEST(Embossers, MachineMakesThePageOfTheBytes) {
         const Page page = lay_out(everything(), sheet_for(*format, settings));
         ASSERT_EQ(page.names.size(), 2u) << format->name;
         const Punched punched = format->embosser->punch(format->encode(page, settings), settings);
-        for (const std::string& note : punched.notes) ADD_FAILURE() << format->name << ": " << note;
+        for (const Phrase& note : punched.notes) ADD_FAILURE() << format->name << ": " << note.english();
         ASSERT_EQ(punched.sheets.size(), 1u) << format->name;
         expect_same(page, punched.sheets[0], format->name);
         EXPECT_GT(punched.sheets[0].dots.size(), format->embosser->display != nullptr ? 200u : 300u) << format->name;
@@ -220,7 +220,7 @@ TEST(Embossers, InEveryPitchAndSize) {
         for (unsigned seed = 0; seed < 3; ++seed) {
             const Page page = lay_out(at_random(seed), sheet_for(format, settings));
             const Punched punched = format.embosser->punch(format.encode(page, settings), settings);
-            EXPECT_TRUE(punched.notes.empty()) << embosser << ": " << punched.notes[0];
+            EXPECT_TRUE(punched.notes.empty()) << embosser << ": " << punched.notes[0].english();
             ASSERT_EQ(punched.sheets.size(), 1u);
             expect_same(page, punched.sheets[0], embosser);
         }

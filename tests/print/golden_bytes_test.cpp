@@ -118,7 +118,7 @@ TEST(GoldenBytes, FullPagesOfEnablingAreOneSheet) {
     for (const std::string_view page : {"text", "full", "graphic"}) {
         const std::string job = golden("enabling-romeo-libembosser-" + std::string(page) + ".prn");
         const Punched punched = find_format("enabling")->embosser->punch(job + job, settings);
-        EXPECT_TRUE(punched.notes.empty()) << page << ": " << punched.notes[0];
+        EXPECT_TRUE(punched.notes.empty()) << page << ": " << punched.notes[0].english();
         ASSERT_EQ(punched.sheets.size(), 2u) << page;
         EXPECT_EQ(punched.sheets[0].lines, punched.sheets[1].lines) << page;
         EXPECT_EQ(punched.sheets[0].lines.size() == 25, page == "full") << page;
@@ -231,8 +231,8 @@ TEST(GoldenBytes, OfAnotherOrderMakeTheSameSheets) {
             const std::string theirs = golden(beside.theirs + "-" + std::string(page) + ".prn"), we = ours(beside, page);
             const auto punch = find_format(beside.embosser)->embosser->punch;
             const Punched of_theirs = punch(theirs, settings_of(beside)), of_ours = punch(we, settings_of(beside));
-            EXPECT_TRUE(of_theirs.notes.empty()) << beside.theirs << " " << page << ": " << of_theirs.notes[0];
-            EXPECT_TRUE(of_ours.notes.empty()) << beside.theirs << " " << page << ": " << of_ours.notes[0];
+            EXPECT_TRUE(of_theirs.notes.empty()) << beside.theirs << " " << page << ": " << of_theirs.notes[0].english();
+            EXPECT_TRUE(of_ours.notes.empty()) << beside.theirs << " " << page << ": " << of_ours.notes[0].english();
             ASSERT_EQ(of_theirs.sheets.size(), of_ours.sheets.size()) << beside.theirs << " " << page;
             for (std::size_t i = 0; i < of_ours.sheets.size(); ++i)
                 EXPECT_EQ(unicode_of(of_ours.sheets[i], 2.5), unicode_of(of_theirs.sheets[i], 2.5))

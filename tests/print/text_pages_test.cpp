@@ -21,7 +21,7 @@ std::string text_on(std::string_view name, std::string_view brf, const Paper& pa
 std::vector<std::string> sheets_of(std::string_view name, const std::string& bytes) {
     const Format& format = *find_format(name);
     const Punched punched = format.embosser->punch(bytes, Settings(format.options));
-    EXPECT_TRUE(punched.notes.empty()) << name << ": " << punched.notes[0];
+    EXPECT_TRUE(punched.notes.empty()) << name << ": " << punched.notes[0].english();
     std::vector<std::string> sheets;
     for (const PunchedSheet& sheet : punched.sheets) {
         sheets.emplace_back();

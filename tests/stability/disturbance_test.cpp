@@ -17,7 +17,7 @@ constexpr int kWidth = 300, kHeight = 200;
 
 const Disturbance& named(std::string_view name) {
     const auto all = disturbances();
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Disturbance& d) { return d.name == name; });
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Disturbance& d) { return d.name.text == name; });
     EXPECT_NE(found, all.end()) << name;
     return *found;
 }
@@ -50,7 +50,8 @@ Middle of_light(const Image& image) {
 TEST(Disturbance, TheWayBackLeadsToWhereThePictureWas) {
     for (const Disturbance& disturbance : disturbances())
         for (const auto& [x, y] : {std::pair{60, 30}, {240, 40}, {150, 100}, {40, 150}, {250, 160}}) {
-            if (disturbance.name == "dark 0.1" || disturbance.name == "very low" || disturbance.name == "low") continue;
+            if (disturbance.name.text == "dark 0.1" || disturbance.name.text == "very low" || disturbance.name.text == "low")
+                continue;
             const Disturbed changed = disturbance.apply(spot(x, y));
             const Middle seen = of_light(changed.image);
             const PixelSet lines{changed.width,
@@ -58,9 +59,9 @@ TEST(Disturbance, TheWayBackLeadsToWhereThePictureWas) {
                                  {at(static_cast<int>(seen.x * changed.width / changed.image.width),
                                      static_cast<int>(seen.y * changed.height / changed.image.height), changed.width)}};
             const PixelSet back = brought_back(lines, changed, kWidth, kHeight);
-            ASSERT_EQ(back.pixels.size(), 1u) << disturbance.name;
-            EXPECT_NEAR(static_cast<double>(back.pixels[0] % kWidth), x + 1.5, 1) << disturbance.name;
-            EXPECT_NEAR(static_cast<double>(back.pixels[0] / kWidth), y + 1.5, 1) << disturbance.name;
+            ASSERT_EQ(back.pixels.size(), 1u) << disturbance.name.text;
+            EXPECT_NEAR(static_cast<double>(back.pixels[0] % kWidth), x + 1.5, 1) << disturbance.name.text;
+            EXPECT_NEAR(static_cast<double>(back.pixels[0] / kWidth), y + 1.5, 1) << disturbance.name.text;
         }
 }
 

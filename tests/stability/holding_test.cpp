@@ -56,7 +56,7 @@ PixelSet drawn(const Recipe& recipe, const Image& image) { return drawn(recipe, 
 // `before`: what the recipe draws of the image.
 double held(const PixelSet& before, const Recipe& recipe, const Image& image, std::string_view change) {
     for (const Disturbance& disturbance : disturbances()) {
-        if (disturbance.name != change) continue;
+        if (disturbance.name.text != change) continue;
         const Disturbed changed = disturbance.apply(image);
         const double reach = reach_of(image.width, image.height);
         const PixelSet after =
@@ -75,7 +75,7 @@ double mean_held(const Recipe& recipe, std::string_view change) {
 
 const KnownPicture& known(std::string_view name) {
     static const std::vector<KnownPicture> kKnown = known_pictures();
-    return *std::find_if(kKnown.begin(), kKnown.end(), [&](const KnownPicture& k) { return k.name == name; });
+    return *std::find_if(kKnown.begin(), kKnown.end(), [&](const KnownPicture& k) { return k.name.text == name; });
 }
 
 const std::string kCanny = "resample dpi=45\ncanny low=20 high=40\n";
@@ -162,7 +162,8 @@ TEST(Stability, ThePhotoRecipeHolds) {
     std::map<std::string_view, double> sums;
     for (const auto name : kNine) {
         const PixelSet before = drawn(photo, scene(name));
-        for (const Disturbance& change : disturbances()) sums[change.name] += held(before, photo, scene(name), change.name);
+        for (const Disturbance& change : disturbances())
+            sums[change.name.text] += held(before, photo, scene(name), change.name.text);
     }
     for (const auto& [change, sum] : sums) {
         const bool tones_lost = change == "dark 0.1" || change == "bright 1.2";

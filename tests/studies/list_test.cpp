@@ -54,7 +54,7 @@ TEST(Studies, NameWhatThereIs) {
         for (const Option& option : study->options) {
             EXPECT_EQ(flags_called(option.name), 1) << option.name;
             EXPECT_EQ(option.type, Option::Type::whole) << option.name;
-            EXPECT_FALSE(study->no_options.empty() || option.summary.empty()) << option.name;
+            EXPECT_FALSE(study->no_options.text.empty() || option.summary.empty()) << option.name;
         }
     }
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tactics/text/table.h"
 #include "tests/studies/evaluating.h"
 
 namespace tactics {
@@ -105,12 +106,12 @@ TEST(PageFigures, WhatNoPictureHasIsNotNought) {
     const PageStudy study{{"a", "b", "c"}, {{"photo", true, {without, nobody, failed}}}, {}};
     EXPECT_FALSE(page_figures(study.makers[0]).r3);
     EXPECT_FALSE(page_figures(study.makers[0]).main_object);
-    const std::vector<Row> rows = page_rows(study);
-    EXPECT_EQ(rows[1][1], "0.500");
-    EXPECT_EQ(rows[1][3], "");
-    EXPECT_EQ(rows[1][4], "");
-    EXPECT_EQ(rows[1][11], "1");
-    EXPECT_EQ(rows[1][12], "1") << "a picture of which one person's lines are all there is, is no failure";
+    const std::vector<ToldRow> rows = page_rows(study);
+    EXPECT_EQ(rows[1][1].english(), "0.500");
+    EXPECT_EQ(rows[1][3].english(), "");
+    EXPECT_EQ(rows[1][4].english(), "");
+    EXPECT_EQ(rows[1][11].english(), "1");
+    EXPECT_EQ(rows[1][12].english(), "1") << "a picture of which one person's lines are all there is, is no failure";
     EXPECT_EQ(page_json(study).find("\"r3\""), std::string::npos);
     EXPECT_TRUE(page_plot(study, true).marks.empty());
     EXPECT_EQ(page_plot(study, false).marks.size(), 1u);
@@ -129,10 +130,10 @@ TEST(PageFigures, WhatWasExpectedStandsBesideWhatIs) {
     nothing.shares.r3.reset();
     nothing.trust = {0.9, 0.9};
     study.makers[0].trials.push_back(nothing);
-    const std::vector<Row> rows = trust_rows(study);
+    const std::vector<ToldRow> rows = trust_rows(study);
     ASSERT_EQ(rows.size(), 3u);
-    EXPECT_EQ(rows[1], (Row{"photo", "too little, told", "1", "1", "0.500", "0.400", "0.500", "0.300"}));
-    EXPECT_EQ(rows[2], (Row{"photo", "more", "2", "0", "0.900", "0.900", "0.700", "0.800"}));
+    EXPECT_EQ(in_language(rows[1], "en"), (Row{"photo", "too little, told", "1", "1", "0.500", "0.400", "0.500", "0.300"}));
+    EXPECT_EQ(in_language(rows[2], "en"), (Row{"photo", "more", "2", "0", "0.900", "0.900", "0.700", "0.800"}));
 }
 
 TEST(PageFigures, TheChartHasTheFrontierAndTheLevelOfAPerson) {

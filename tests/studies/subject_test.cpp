@@ -36,7 +36,7 @@ TEST_F(EvaluateSubject, APictureWithoutAgreementIsToldAndIsNoFailure) {
     std::filesystem::remove(folder / "set/gt/a_gt4.png");
     const Ending table = study("subject", kCut);
     EXPECT_EQ(table.code, 0) << table.err;
-    EXPECT_TRUE(holds(table.err, "1 of 1 pictures have no object that 3 people agree on")) << table.err;
+    EXPECT_TRUE(holds(table.err, "1 of 1 pictures has no object that 3 people agree on")) << table.err;
     EXPECT_TRUE(holds(table.out, "\nthreshold method=fixed        -          -          -            -        0  0\n"))
         << table.out;
 }

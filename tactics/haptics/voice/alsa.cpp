@@ -55,28 +55,28 @@ public:
             // It ran dry, or the machine slept.
             if (taken < 0) taken = library_.recover(pcm_, static_cast<int>(taken), 1);
             if (taken < 0)
-                trouble_ = std::string("tones are no longer heard: ") + library_.words(static_cast<int>(taken)) +
-                           "; see that the sound card is there";
+                trouble_ = phrase("tones are no longer heard: {0}; see that the sound card is there",
+                                  library_.words(static_cast<int>(taken)));
             else
                 samples = samples.subspan(2 * static_cast<std::size_t>(taken));
         }
     }
-    std::string trouble() override { return trouble_; }
+    Phrase trouble() override { return trouble_; }
 
 private:
     Library library_;
     void* pcm_;
-    std::string trouble_;
+    Phrase trouble_;
 };
 
 }  // namespace
 
-std::unique_ptr<ToneSink> open_alsa(std::string& note) {
+std::unique_ptr<ToneSink> open_alsa(Phrase& note) {
     Library library;
     try {
         library = open_library();
     } catch (const Error& error) {
-        note = error.what();
+        note = error.told();
         return nullptr;
     }
     library.tell(&say_nothing);  // it would write on the terminal
@@ -88,7 +88,7 @@ std::unique_ptr<ToneSink> open_alsa(std::string& note) {
         if (fault < 0) library.close(pcm);
     }
     if (fault >= 0) return std::make_unique<Alsa>(library, pcm);
-    note = std::string("no tones: ") + library.words(fault) + "; see that another program is heard";
+    note = phrase("no tones: {0}; see that another program is heard", library.words(fault));
     return nullptr;
 }
 

@@ -23,7 +23,7 @@ public:
         look();
         speaking_.reset();
     }
-    std::string trouble() override {
+    Phrase trouble() override {
         look();
         return trouble_;
     }
@@ -31,14 +31,14 @@ public:
 private:
     void look() {
         if (speaking_ == nullptr || speaking_->how() == ChildAnswer::End::done) return;
-        trouble_ = "espeak-ng spoke nothing; see that \"espeak-ng hello\" is heard";
+        trouble_ = phrase("espeak-ng spoke nothing; see that \"espeak-ng hello\" is heard");
     }
     std::vector<std::string> words_;
     std::unique_ptr<ChildBeside> speaking_;
-    std::string trouble_;
+    Phrase trouble_;
 };
 
-std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, std::string& note) {
+std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, Phrase& note) {
     std::vector<std::string> words = {"espeak-ng", "-v", wish.language};
     if (wish.rate != 0) words.insert(words.end(), {"-s", std::to_string(wish.rate)});
     // Without a sound: is it there, and does it know the language?
@@ -46,10 +46,12 @@ std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, std::stri
     quiet.emplace_back("-q");
     const ChildAnswer answer = run_child(quiet, "a\n", {.time = std::chrono::seconds(3), .bytes = 1 << 16});
     if (answer.end == ChildAnswer::End::done) return std::make_unique<EspeakNg>(std::move(words));
-    note = answer.end == ChildAnswer::End::missing ? "espeak-ng is not there; install espeak-ng"
-           : answer.end == ChildAnswer::End::failed
-               ? "espeak-ng does not speak \"" + wish.language + "\"; name a language that it knows, such as en"
-               : "espeak-ng does not answer; see that \"espeak-ng hello\" is heard";
+    if (answer.end == ChildAnswer::End::missing)
+        note = phrase("espeak-ng is not there; install espeak-ng");
+    else if (answer.end == ChildAnswer::End::failed)
+        note = phrase("espeak-ng does not speak \"{0}\"; name a language that it knows, such as en", wish.language);
+    else
+        note = phrase("espeak-ng does not answer; see that \"espeak-ng hello\" is heard");
     return nullptr;
 }
 

@@ -13,7 +13,7 @@ public:
     void stop() override {}
 };
 
-std::unique_ptr<Voice> open(const VoiceWish&, const std::string&, std::string&) { return std::make_unique<Silence>(); }
+std::unique_ptr<Voice> open(const VoiceWish&, const std::string&, Phrase&) { return std::make_unique<Silence>(); }
 
 }  // namespace
 

@@ -7,6 +7,8 @@
 #include <span>
 #include <string_view>
 
+#include "tactics/text/phrase.h"
+
 namespace tactics {
 
 enum class PlotAction : std::uint8_t { chosen, choose, under, nearest, start, follow, extremum, compare, position, let_go };
@@ -14,8 +16,9 @@ enum class PlotAction : std::uint8_t { chosen, choose, under, nearest, start, fo
 /// An entry of the one list from which the help, the device keys and the keyboard are made.
 struct PlotKey {
     PlotAction action = PlotAction::chosen;
-    char letter = 0;  ///< on the keyboard; 0: none
-    std::string_view name = {}, what = {};
+    char letter = 0;        ///< on the keyboard; 0: none
+    SourceWords name = "";  ///< it is said aloud when it is chosen
+    std::string_view what = {};
 };
 
 /// The first kNumberedKeys correspond to the keys of a device, numbered from 1, and to these digits on the keyboard; the others

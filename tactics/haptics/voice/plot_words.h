@@ -3,11 +3,11 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "tactics/haptics/voice/announcement.h"
 #include "tactics/haptics/voice/spoken_value.h"
 #include "tactics/plot.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -16,7 +16,7 @@ struct SpokenFrame {
     AxisSpan x, y, z = {};
 };
 
-/// English words without a full stop; names and units as written. A value that is cheap to copy, for any thread.
+/// Words without a full stop; names and units as written. A value that is cheap to copy, for any thread.
 ///
 ///     position      "time 2.5 s, speed 12 m/s"
 ///     nearest       "nearest: point 12 of 40 of car, time 2.5 s, speed 12 m/s, 3 mm away to the right", on the paper
@@ -35,21 +35,21 @@ class PlotWords {
 public:
     PlotWords(std::shared_ptr<const Plot> plot, const SpokenFrame& frame) : plot_(std::move(plot)), frame_(frame) {}
 
-    std::string of(const Announcement& announcement) const;
+    Phrase of(const Announcement& announcement) const;
 
 private:
-    std::string position(double x, double y, double z) const;
-    std::string nearest(double x, double y) const;
-    std::string under_finger(const Announcement& one) const;
-    std::string on_surface(const Announcement& one) const;
-    std::string curve_end(const Announcement& one) const;
-    std::string extreme(const Announcement& one) const;
-    std::string comparison(const Announcement& one) const;
-    std::string away(double x, double y) const;
-    std::string value(const Axis& axis, const AxisSpan& span, double at) const;
-    std::string value_of(const Axis& axis, const AxisSpan& span, const char* otherwise, double at) const;
+    Phrase position(double x, double y, double z) const;
+    Phrase nearest(double x, double y) const;
+    Phrase under_finger(const Announcement& one) const;
+    Phrase on_surface(const Announcement& one) const;
+    Phrase curve_end(const Announcement& one) const;
+    Phrase extreme(const Announcement& one) const;
+    Phrase comparison(const Announcement& one) const;
+    Phrase turn(const Announcement& one) const;
+    Phrase value(const Axis& axis, const AxisSpan& span, double at) const;
+    Phrase value_of(const Axis& axis, const AxisSpan& span, const Phrase& otherwise, double at) const;
     const PlotCurve* curve(std::size_t series) const;
-    std::string name_of_curve(std::size_t series) const;
+    Phrase name_of_curve(std::size_t series) const;
 
     std::shared_ptr<const Plot> plot_;
     SpokenFrame frame_;

@@ -22,8 +22,9 @@ public:
     bool takes_turns() const override { return true; }
     void say(const std::string& text) override { write(text); }
     void stop() override {}
-    std::string trouble() override {
-        return file_ ? std::string() : path_ + ": what is spoken can no longer be written there; make room on the disk";
+    Phrase trouble() override {
+        if (file_) return {};
+        return phrase("{0}: what is spoken can no longer be written there; make room on the disk", path_);
     }
 
 private:
@@ -39,9 +40,7 @@ private:
     Clock::time_point begun_ = Clock::now();
 };
 
-std::unique_ptr<Voice> open(const VoiceWish&, const std::string& where, std::string&) {
-    return std::make_unique<Recording>(where);
-}
+std::unique_ptr<Voice> open(const VoiceWish&, const std::string& where, Phrase&) { return std::make_unique<Recording>(where); }
 
 }  // namespace
 

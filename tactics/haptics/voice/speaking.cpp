@@ -51,7 +51,7 @@ struct Speaking::Shared {
     std::atomic<bool> over{false};
     std::atomic<std::uint64_t> said{0}, overtaken{0}, dropped{0};
     std::mutex guard;
-    std::string note;  // guarded
+    Phrase note;  // guarded
     std::unique_ptr<Voice> voice;
     Words words;
 
@@ -79,7 +79,7 @@ struct Speaking::Shared {
         if (newest) say(*newest);
         return newest.has_value();
     }
-    void remember(const std::string& trouble) {
+    void remember(const Phrase& trouble) {
         const std::lock_guard lock(guard);
         if (note.empty()) note = trouble;
     }
@@ -99,7 +99,7 @@ void Speaking::work(Shared& shared) {
         shared.remember(shared.voice->trouble());
         shared.voice->stop();
     } catch (const std::exception& fault) {
-        shared.remember(std::string("speech ended: ") + fault.what());
+        shared.remember(phrase("speech ended: {0}", fault.what()));
     }
     shared.voice.reset();
 }
@@ -121,7 +121,7 @@ bool Speaking::ask(const Announcement& announcement) noexcept {
 bool Speaking::finish() {
     shared_->over.store(true, std::memory_order_release);
     if (thread_->ends_within(std::chrono::milliseconds(kFarewell))) return true;
-    shared_->remember("the voice does not answer any more; what was asked last may not have been spoken");
+    shared_->remember(phrase("the voice does not answer any more; what was asked last may not have been spoken"));
     return false;
 }
 
@@ -130,7 +130,7 @@ SpokenCounts Speaking::counts() const noexcept {
             shared_->dropped.load(std::memory_order_relaxed)};
 }
 
-std::string Speaking::note() const {
+Phrase Speaking::note() const {
     const std::lock_guard lock(shared_->guard);
     return shared_->note;
 }

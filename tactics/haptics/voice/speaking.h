@@ -48,7 +48,7 @@ public:
     static constexpr int kFarewell = 1000;  ///< ms
 
     SpokenCounts counts() const noexcept;
-    std::string note() const;  ///< the first trouble of the voice; empty: none
+    Phrase note() const;  ///< the first trouble of the voice; empty: none
 
 private:
     struct Shared;

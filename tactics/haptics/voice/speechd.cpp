@@ -100,8 +100,9 @@ public:
         const HeldPipes held;
         lost_ = lost_ || library_.cancel(connection_) < 0;
     }
-    std::string trouble() override {
-        return lost_ ? "speech-dispatcher is gone; see that \"spd-say hello\" is heard, then play again" : "";
+    Phrase trouble() override {
+        if (!lost_) return {};
+        return phrase("speech-dispatcher is gone; see that \"spd-say hello\" is heard, then play again");
     }
 
 private:
@@ -128,19 +129,20 @@ std::unique_ptr<Voice> connect(const Library& library, const VoiceWish& wish, st
     return stalled ? nullptr : voice.get();
 }
 
-std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, std::string& note) {
+std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, Phrase& note) {
     Library library;
     try {
         library = open_library();
     } catch (const Error& error) {
-        note = error.what();
+        note = error.told();
         return nullptr;
     }
     bool stalled = false;
     auto voice = connect(library, wish, std::chrono::seconds(3), stalled);
     if (voice == nullptr)
-        note = stalled ? "speech-dispatcher does not answer; see that \"spd-say hello\" is heard"
-                       : "speech-dispatcher does not run; install speech-dispatcher and see that \"spd-say hello\" is heard";
+        note = stalled
+                   ? phrase("speech-dispatcher does not answer; see that \"spd-say hello\" is heard")
+                   : phrase("speech-dispatcher does not run; install speech-dispatcher and see that \"spd-say hello\" is heard");
     return voice;
 }
 

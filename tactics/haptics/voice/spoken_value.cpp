@@ -50,19 +50,20 @@ double telling_step(const AxisSpan& span, bool logarithmic, double value) {
     return std::abs(span.to - span.from) * share;
 }
 
-std::string spoken_number(double value, double step, double largest) {
-    if (!std::isfinite(value)) return "not known";
+Phrase spoken_number(double value, double step, double largest) {
+    if (!std::isfinite(value)) return phrase("not known");
     const int decimals = decimals_of(step);
     const double size = std::max(std::abs(value), std::abs(largest));
     const bool small = decimals > kMostDecimals && size < 1, large = size >= kLargestWhole;
-    if ((!small && !large) || !std::isfinite(size)) return fixed(value, std::min(decimals, 15));
+    if ((!small && !large) || !std::isfinite(size)) return numeral_of(fixed(value, std::min(decimals, 15)));
     const int power = 3 * static_cast<int>(std::floor(std::log10(size) / 3));
     const std::string figure = fixed(value / std::pow(10.0, power), decimals + power);
-    if (figure == "0" || power == 0) return figure;
-    return figure + " times 10 to the " + (power < 0 ? "minus " : "") + std::to_string(std::abs(power));
+    if (figure == "0" || power == 0) return numeral_of(figure);
+    return power < 0 ? phrase("{0} times 10 to the minus {1}", numeral_of(figure), std::to_string(-power))
+                     : phrase("{0} times 10 to the {1}", numeral_of(figure), std::to_string(power));
 }
 
-std::string spoken_date(double seconds, double step) {
+Phrase spoken_date(double seconds, double step) {
     using namespace std::chrono;
     constexpr double kFarthest = 9e11;  // s: years of five digits, within what std::chrono::year holds
     constexpr double kDay = 86'400, kMinute = 60;

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "tactics/text/phrase.h"
+
 namespace tactics {
 
 /// The visible range of one axis of a plot.
@@ -22,10 +24,10 @@ double telling_step(const AxisSpan& span, bool logarithmic, double value);
 /// hyphen, which espeak-ng 1.51 speaks as "minus" at the beginning and within a line. It speaks 1.2e-9 as "one point two e nine",
 /// so numbers that need more than six decimals or 15 digits before the point are written "1.2 times 10 to the minus 9", with a
 /// power that is a multiple of three and fits `largest`, the largest value of the axis.
-std::string spoken_number(double value, double step, double largest);
+Phrase spoken_number(double value, double step, double largest);
 
 /// Seconds since 1970-01-01 00:00 UTC as a date, with as much of the time as that step in seconds supports: "2024-02-29",
 /// "2024-02-29 13:05", "2024-02-29 13:05:07", "2024-02-29 13:05:07.25". Rounded down, as clocks do.
-std::string spoken_date(double seconds, double step);
+Phrase spoken_date(double seconds, double step);
 
 }  // namespace tactics

@@ -34,14 +34,14 @@ public:
         }
     }
     void stop() override {}
-    std::string trouble() override { return trouble_; }
+    Phrase trouble() override { return trouble_; }
 
 private:
     bool send_until(Clock::time_point end) {
         while (!rest_.empty()) {
             const Channel::Taken taken = channel_->take(rest_);
             if (taken.ending != Ending::done) {
-                trouble_ = place_ + ": the text server is gone; start it, then play again";
+                trouble_ = phrase("{0}: the text server is gone; start it, then play again", place_);
                 channel_.reset();
                 rest_.clear();
                 return false;
@@ -50,7 +50,7 @@ private:
             if (taken.bytes > 0) continue;
             const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now());
             if (left.count() <= 0) {
-                trouble_ = place_ + ": the text server takes no text; see whether it still speaks";
+                trouble_ = phrase("{0}: the text server takes no text; see whether it still speaks", place_);
                 return false;
             }
             channel_->wait(left);
@@ -58,17 +58,18 @@ private:
         return true;
     }
     std::unique_ptr<Channel> channel_;
-    std::string place_, rest_, trouble_;
+    std::string place_, rest_;
+    Phrase trouble_;
 };
 
-std::unique_ptr<Voice> open(const VoiceWish&, const std::string& where, std::string& note) {
+std::unique_ptr<Voice> open(const VoiceWish&, const std::string& where, Phrase& note) {
     const auto colon = where.rfind(':');
     if (colon == std::string::npos || colon == 0 || colon + 1 == where.size())
         throw Error(Fault::usage, "tcp:" + where, phrase("a text server has a host and a port; write tcp:HOST:PORT"));
     try {
         return std::make_unique<TextServer>(open_tcp(where.substr(0, colon), where.substr(colon + 1)), where);
     } catch (const Error& error) {
-        note = std::string("nothing speaks: ") + error.what();
+        note = phrase("nothing speaks: {0}", error.told());
         return nullptr;
     }
 }

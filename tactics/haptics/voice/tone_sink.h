@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
+
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -16,17 +17,17 @@ public:
     /// Takes pairs of samples, kToneRate per second. Never throws.
     virtual void take(std::span<const std::int16_t> samples) = 0;
     virtual bool has_beat() const { return false; }  ///< it consumes samples in real time; other sinks at once
-    virtual std::string trouble() { return {}; }     ///< why nothing is heard, and the remedy; empty: no known trouble
+    virtual Phrase trouble() { return {}; }          ///< why nothing is heard, and the remedy; empty: no known trouble
 };
 
 struct OpenedTones {
     std::unique_ptr<ToneSink> sink;  ///< never empty
-    std::string note;                ///< why it is not the requested one; empty: it is
+    Phrase note;                     ///< why it is not the requested one; empty: it is
 };
 
 /// The loudspeaker, or nothing. A missing sound device gives a note.
 OpenedTones open_tones();
 
-std::unique_ptr<ToneSink> open_alsa(std::string& note);  ///< empty, with a note, if there is none
+std::unique_ptr<ToneSink> open_alsa(Phrase& note);  ///< empty, with a note, if there is none
 
 }  // namespace tactics

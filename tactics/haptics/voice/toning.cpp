@@ -43,7 +43,7 @@ struct Toning::Shared {
     std::atomic<std::uint64_t> tone{0};
     std::atomic<bool> over{false};
     std::mutex guard;
-    std::string note;  // guarded
+    Phrase note;  // guarded
     std::unique_ptr<ToneSink> sink;
 };
 
@@ -58,7 +58,7 @@ void Toning::work(Shared& shared) {
     const auto sound = [&](const Tone& tone) {
         synthesiser.render(tone, samples);
         shared.sink->take(samples);
-        const std::string trouble = shared.sink->trouble();
+        const Phrase trouble = shared.sink->trouble();
         if (trouble.empty()) return;
         const std::lock_guard lock(shared.guard);
         if (shared.note.empty()) shared.note = trouble;
@@ -74,7 +74,7 @@ void Toning::work(Shared& shared) {
         for (int i = 0; i < 2; ++i) sound({});  // it fades
     } catch (const std::exception& fault) {
         const std::lock_guard lock(shared.guard);
-        shared.note = std::string("tones ended: ") + fault.what();
+        shared.note = phrase("tones ended: {0}", fault.what());
     }
     shared.sink.reset();
 }
@@ -92,11 +92,11 @@ bool Toning::finish() {
     shared_->over.store(true, std::memory_order_release);
     if (thread_->ends_within(std::chrono::seconds(1))) return true;
     const std::lock_guard lock(shared_->guard);
-    if (shared_->note.empty()) shared_->note = "the sound card does not take any more tones";
+    if (shared_->note.empty()) shared_->note = phrase("the sound card does not take any more tones");
     return false;
 }
 
-std::string Toning::note() const {
+Phrase Toning::note() const {
     const std::lock_guard lock(shared_->guard);
     return shared_->note;
 }

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "tactics/haptics/voice/tone.h"
 #include "tactics/haptics/voice/tone_sink.h"
@@ -29,7 +28,7 @@ public:
 
     /// Fades and closes the sink within a second; false: the sink hangs and the thread was abandoned.
     bool finish();
-    std::string note() const;  ///< the first trouble of the sink; empty: none
+    Phrase note() const;  ///< the first trouble of the sink; empty: none
 
 private:
     struct Shared;

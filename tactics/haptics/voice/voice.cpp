@@ -32,19 +32,21 @@ bool is_language(std::string_view tag) {
 }
 
 std::unique_ptr<Voice> silence() {
-    std::string note;
+    Phrase note;
     return none_voice.open({}, "", note);
 }
 
 OpenedVoice open_first(const VoiceWish& wish) {
-    std::string notes;
+    std::vector<Phrase> notes;
     for (const VoiceKind* kind : voice_kinds()) {
         if (!kind->automatic) continue;
-        std::string note;
+        Phrase note;
         if (auto voice = kind->open(wish, "", note)) return {std::move(voice), ""};
-        notes += (notes.empty() ? "" : "; ") + note;
+        notes.push_back(std::move(note));
     }
-    return {silence(), "nothing speaks: " + notes};
+    Phrase all;
+    for (Phrase& note : notes) all = all.empty() ? std::move(note) : phrase("{0}; {1}", std::move(all), std::move(note));
+    return {silence(), phrase("nothing speaks: {0}", std::move(all))};
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "tactics/text/phrase.h"
+
 namespace tactics {
 
 /// A voice. For one thread at a time; no function throws Error. `say` and `stop` return within a second, unless a library waits
@@ -22,7 +24,7 @@ public:
     /// Whether it takes each utterance at once, so that none has to be dropped.
     virtual bool takes_turns() const { return false; }
     /// Why speech is not heard, and the remedy, one line; empty: no known trouble.
-    virtual std::string trouble() { return {}; }
+    virtual Phrase trouble() { return {}; }
 };
 
 struct VoiceWish {
@@ -35,7 +37,7 @@ inline constexpr int kLeastRate = 80, kUsualRate = 175, kMostRate = 450;
 
 struct OpenedVoice {
     std::unique_ptr<Voice> voice;  ///< never empty: "none" if there is no other
-    std::string note;              ///< why it is not the requested one, and what to install; empty: it is
+    Phrase note;                   ///< why it is not the requested one, and what to install; empty: it is
 };
 
 struct VoiceKind {
@@ -45,7 +47,7 @@ struct VoiceKind {
     bool automatic = false;  ///< "auto" tries it
     /// `where` is the part after the colon. Empty, with a note that says why, if there is none. Throws Error(usage) if `where` is
     /// invalid, Error(failed) for a file that cannot be written.
-    std::unique_ptr<Voice> (*open)(const VoiceWish& wish, const std::string& where, std::string& note) = nullptr;
+    std::unique_ptr<Voice> (*open)(const VoiceWish& wish, const std::string& where, Phrase& note) = nullptr;
 };
 
 std::span<const VoiceKind* const> voice_kinds();

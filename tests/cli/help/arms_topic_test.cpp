@@ -31,7 +31,7 @@ TEST(ArmsTopic, TellsOfEachKey) {
         const PlotKey& key = plot_keys()[i];
         std::string how = i < kNumberedKeys ? std::to_string(i + 1) : "";
         if (key.letter != 0) how += (how.empty() ? "" : " or ") + std::string(1, key.letter);
-        EXPECT_NE(text.find("\n  " + how + ": " + std::string(key.name) + ", "), std::string::npos) << key.name;
+        EXPECT_NE(text.find("\n  " + how + ": " + std::string(key.name.text) + ", "), std::string::npos) << key.name.text;
     }
 }
 

@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <sys/socket.h>
 
+#include <atomic>
 #include <chrono>
 #include <thread>
 
@@ -155,6 +156,22 @@ TEST_F(PrinterApp, GivesTheBytesOfConvert) {
     EXPECT_TRUE(holds(log(), "other: these bytes are for enabling")) << log();
     ASSERT_EQ(add("Romeo", "romeo").code, 0);
     EXPECT_EQ(printed("romeo", {"disc.tif"}, "Romeo"), bytes_of(folder / "other.prn"));
+}
+
+// Whoever lists the processes of the computer sees that a job is converted, and none of its words.
+TEST_F(PrinterApp, KeepsTheWordsOfAJobFromTheListOfProcesses) {
+    std::string lists;
+    std::atomic<bool> over = false;
+    std::thread looking([&] {
+        while (!over)
+            for (const auto& entry : fs::directory_iterator("/proc"))
+                if (std::string words = bytes_of(entry.path() / "cmdline"); holds(words, "convert-job")) lists += words + "\n";
+    });
+    printed("secret", {"-o", "tactics-title='Hidden words'", "-o", "tactics-label='5%,5%=Hidden ring'", "disc.tif"});
+    over = true;
+    looking.join();
+    EXPECT_TRUE(holds(lists, "convert-job"));
+    EXPECT_FALSE(holds(lists, "secret") || holds(lists, "Hidden")) << lists;
 }
 
 TEST_F(PrinterApp, TakesThePagesOfAPdfThatAreAskedFor) {

@@ -10,6 +10,8 @@
 #include <map>
 #include <set>
 
+#include "cli/command.h"
+#include "cli/help/help_language.h"
 #include "tactics/text/phrase.h"
 #include "tests/tactics/text/source_phrases.h"
 
@@ -38,6 +40,17 @@ std::string quoted(const std::string& text) {
     return marked + "\"";
 }
 
+// Those of the source, and what commands say of themselves in their help.
+std::vector<SourcePhrase> all_phrases() {
+    std::vector<SourcePhrase> all = phrases_of_the_program();
+    std::set<std::string> known;
+    for (const SourcePhrase& one : all) known.insert(one.english);
+    for (const Command* command : commands())
+        for (const std::string& text : help_texts(*command))
+            if (known.insert(text).second) all.push_back({text, "", "tactics " + std::string(command->name) + " --help"});
+    return all;
+}
+
 void write_anew(const Language& language, const std::vector<SourcePhrase>& phrases) {
     const std::string path = folder() + std::string(language.tag) + ".po";
     const std::string before = read(path);
@@ -58,7 +71,7 @@ void write_anew(const Language& language, const std::vector<SourcePhrase>& phras
 }
 
 TEST(Catalogue, EveryLanguageSaysAllThatIsSaidAndNothingElse) {
-    const std::vector<SourcePhrase> phrases = phrases_of_the_program();
+    const std::vector<SourcePhrase> phrases = all_phrases();
     ASSERT_GT(phrases.size(), 100u);
     if (const char* ask = std::getenv("TACTICS_REGENERATE"); ask != nullptr && std::string_view(ask) == "1") {
         for (const Language& language : languages()) write_anew(language, phrases);
