@@ -23,8 +23,8 @@ std::vector<std::string> louis_tables();
 /// As to_braille (braille.h), with the same errors. Thread-safe.
 std::vector<std::uint8_t> cells_by_louis(std::string_view utf8, const LouisTable& table, std::string_view text_place);
 
-/// Before which letters of the word a table with hyphenation patterns ("de-g0.utb,hyph_de_DE.dic") divides it, by letter. Empty: it
-/// does not know, as of words of 100 letters or more. Thread-safe.
+/// Before which letters of the word a table with hyphenation patterns ("de-g0.utb,hyph_de_DE.dic") divides it, by letter. Empty:
+/// it does not know, as of words of 100 letters or more. Thread-safe.
 std::vector<bool> divisions_by_louis(std::string_view word, const std::string& table);
 
 }  // namespace tactics
