@@ -236,7 +236,7 @@ std::vector<Row> held_rows(const StabilityStudy& study) {
 }
 
 // Nothing where people drew none of the pictures.
-std::vector<Row> people_rows(const StabilityStudy& study) {
+std::vector<Row> stability_people_rows(const StabilityStudy& study) {
     std::vector<Row> rows{{"P3 against people"}};
     rows[0].insert(rows[0].end(), study.columns.begin(), study.columns.end());
     for (std::size_t c = 0; c < study.request.candidates.size(); ++c) {
@@ -267,7 +267,7 @@ std::vector<Row> known_rows(const StabilityStudy& study) {
     return rows;
 }
 
-std::string recipe_json(const StabilityStudy& study, std::size_t recipe) {
+std::string stability_recipe_json(const StabilityStudy& study, std::size_t recipe) {
     std::vector<std::string> columns, knowns, pictures;
     for (std::size_t column = 0; column < study.columns.size(); ++column) {
         const Summary summary = sum_up(study, recipe, column);
@@ -308,7 +308,7 @@ std::string recipe_json(const StabilityStudy& study, std::size_t recipe) {
 
 std::string whole_json(const StabilityStudy& study) {
     std::string text;
-    for (std::size_t c = 0; c < study.request.candidates.size(); ++c) text += recipe_json(study, c) + "\n";
+    for (std::size_t c = 0; c < study.request.candidates.size(); ++c) text += stability_recipe_json(study, c) + "\n";
     JsonObject whole;
     whole.add("pictures", static_cast<double>(study.pictures.size()));
     whole.add_raw("problems", json_text_array(study.problems));
@@ -330,7 +330,7 @@ void carry_out(StabilityStudy& study, const StudyWatch& watch) {
 StudyFindings run_stability_study(const StudyRequest& request, const StudyWatch& watch) {
     StabilityStudy study(request);
     carry_out(study, watch);
-    const std::vector<Row> held = held_rows(study), people = people_rows(study);
+    const std::vector<Row> held = held_rows(study), people = stability_people_rows(study);
     StudyFindings findings;
     findings.text = aligned(held) + "\n" + (people.empty() ? "" : aligned(people) + "\n") + aligned(known_rows(study));
     findings.csv = comma_separated(held);

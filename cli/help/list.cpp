@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kListFlags[] = {
     {"--json", "", "", "one JSON object per line: group, name, summary, settings", false, ""},
 };
 
@@ -51,7 +51,7 @@ std::string entry_json(const Group& group, const Entry& entry) {
     return json.text() + "\n";
 }
 
-int run(const Given& given) {
+int run_list(const Given& given) {
     std::vector<const Group*> wanted;
     std::vector<std::string_view> names;
     for (const Group& group : groups()) names.push_back(group.name);
@@ -93,9 +93,9 @@ const Command list_command{
         "Each line gives a name and says what it is. Without GROUP, all groups are listed: commands, recipes, filters, formats, "
         "embossers, displays, media, papers, cells, braille, readers, rules, topics.",
     .example = "tactics list filters\ntactics list formats papers --json",
-    .flags = kFlags,
+    .flags = kListFlags,
     .offers = "groups",
-    .run = run,
+    .run = run_list,
 };
 
 }  // namespace tactics

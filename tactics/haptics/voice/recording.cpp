@@ -39,7 +39,7 @@ private:
     Clock::time_point begun_ = Clock::now();
 };
 
-std::unique_ptr<Voice> open(const VoiceWish&, const std::string& where, std::string&) {
+std::unique_ptr<Voice> open_recording(const VoiceWish&, const std::string& where, std::string&) {
     return std::make_unique<Recording>(where);
 }
 
@@ -49,6 +49,6 @@ extern const VoiceKind recording_voice;
 const VoiceKind recording_voice{.name = "recording",
                                 .address = "FILE",
                                 .summary = "a file: each utterance is a line, after the time in seconds at which it was spoken",
-                                .open = &open};
+                                .open = &open_recording};
 
 }  // namespace tactics
