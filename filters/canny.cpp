@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::array kOptions{
+constexpr std::array kCannyOptions{
     Option{.name = "blur",
            .type = Option::Type::length,
            .fallback = 1.2,
@@ -36,7 +36,7 @@ constexpr std::array kOptions{
            .summary = "and this strength everywhere (never more than high)"},
 };
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_canny(Artwork artwork, const Settings& settings) {
     const Image grey = to_grey(std::get<Image>(std::move(artwork)));
     const double sigma = settings.number("blur") / grey.mm_per_pixel;
     const GradientTensor tensor = gradient_tensor(grey_plane(grey), sigma);
@@ -55,8 +55,8 @@ const Filter canny_filter{
     .summary = "thin edges by Canny's method with fixed thresholds",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::edges),
-    .options = kOptions,
-    .apply = apply,
+    .options = kCannyOptions,
+    .apply = apply_canny,
 };
 
 }  // namespace tactics

@@ -24,7 +24,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::array kOptions{
+constexpr std::array kContoursOptions{
     Option{.name = "map",
            .type = Option::Type::choice,
            .fallback = 0,
@@ -83,8 +83,8 @@ constexpr std::array kOptions{
 };
 
 // Scans and prints bring a frame along: a line close beside the border says nothing of the scene, one that runs out of it does.
-constexpr double kBorder = 2;    // in blurs
-constexpr float kBeside = 0.9f;  // cosine of the angle to the border, 26 degrees
+constexpr double kBorder = 2;            // in blurs
+constexpr float kContoursBeside = 0.9f;  // cosine of the angle to the border, 26 degrees
 
 void leave_the_border(EdgeMap& map, double sigma) {
     const int border = static_cast<int>(std::lround(kBorder * sigma));
@@ -94,8 +94,8 @@ void leave_the_border(EdgeMap& map, double sigma) {
             const bool left_or_right = std::min(x, map.width - 1 - x) < border,
                        above_or_below = std::min(y, map.height - 1 - y) < border;
             if (map.strength[i] <= 0 || !(left_or_right || above_or_below)) continue;
-            if ((left_or_right && std::abs(std::cos(map.normal[i])) > kBeside) ||
-                (above_or_below && std::abs(std::sin(map.normal[i])) > kBeside))
+            if ((left_or_right && std::abs(std::cos(map.normal[i])) > kContoursBeside) ||
+                (above_or_below && std::abs(std::sin(map.normal[i])) > kContoursBeside))
                 map.strength[i] = 0;
         }
 }
@@ -119,7 +119,7 @@ EdgeMap learned_contours(const Image& picture, const ContourNet& net) {
     return thin;
 }
 
-ChosenSetting settle(const Artwork& artwork, Settings& settings) {
+ChosenSetting settle_contours(const Artwork& artwork, Settings& settings) {
     if (ChosenSetting said = settle_map(settings, "contours"); !said.empty() || settings.choice("map") == "learned") return said;
     const Image& picture = std::get<Image>(artwork);
     const double pixels = blur_of(picture, settings), blur = pixels * picture.mm_per_pixel;
@@ -130,7 +130,7 @@ ChosenSetting settle(const Artwork& artwork, Settings& settings) {
                    numeral(std::round(blur * 10) / 10))};
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_contours(Artwork artwork, const Settings& settings) {
     const Image& picture = std::get<Image>(artwork);
     const double mm = picture.mm_per_pixel;
     if (const auto net = net_for(settings)) return learned_contours(picture, *net);
@@ -158,9 +158,9 @@ const Filter contours_filter{
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::edges),
     .uses_colour = true,
-    .options = kOptions,
-    .apply = apply,
-    .settle = settle,
+    .options = kContoursOptions,
+    .apply = apply_contours,
+    .settle = settle_contours,
     .in_full = "contours scene=0",
 };
 

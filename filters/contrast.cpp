@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kContrastOptions[] = {
     {.name = "black",
      .type = Option::Type::number,
      .fallback = 1,
@@ -34,7 +34,7 @@ constexpr Option kOptions[] = {
      .summary = "over 1 brightens the middle greys, under 1 darkens them"},
 };
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_contrast(Artwork artwork, const Settings& settings) {
     auto& image = std::get<Image>(artwork);
     const auto counts = count_levels(image);
     const auto total = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
@@ -70,8 +70,8 @@ const Filter contrast_filter{
     .summary = "stretches the greys to full black and white; a picture with a single grey is unchanged",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .options = kOptions,
-    .apply = apply,
+    .options = kContrastOptions,
+    .apply = apply_contrast,
 };
 
 }  // namespace tactics

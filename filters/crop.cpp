@@ -12,15 +12,15 @@ namespace tactics {
 
 namespace {
 
-constexpr Option percent(std::string_view name, std::string_view summary) {
+constexpr Option crop_percent(std::string_view name, std::string_view summary) {
     return {.name = name, .type = Option::Type::number, .fallback = 0, .min = 0, .max = 90, .unit = "%", .summary = summary};
 }
 
-constexpr Option kOptions[] = {
-    percent("left", "share of the picture's width to cut off at the left"),
-    percent("top", "share of the picture's height to cut off at the top"),
-    percent("right", "share of the picture's width to cut off at the right"),
-    percent("bottom", "share of the picture's height to cut off at the bottom"),
+constexpr Option kCropOptions[] = {
+    crop_percent("left", "share of the picture's width to cut off at the left"),
+    crop_percent("top", "share of the picture's height to cut off at the top"),
+    crop_percent("right", "share of the picture's width to cut off at the right"),
+    crop_percent("bottom", "share of the picture's height to cut off at the bottom"),
 };
 
 struct Span {
@@ -60,7 +60,7 @@ double share(const Settings& settings, std::string_view before, std::string_view
 
 Kept keeps(const Settings& settings) { return {share(settings, "left", "right"), share(settings, "top", "bottom")}; }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_crop(Artwork artwork, const Settings& settings) {
     const auto spans = [&](auto& picture) {
         return std::pair(kept(picture.width, settings, "left", "right"), kept(picture.height, settings, "top", "bottom"));
     };
@@ -87,8 +87,8 @@ const Filter crop_filter{
     .name = "crop",
     .summary = "cuts off the edges of the picture; the rest keeps its scale on the page, and at least one pixel stays",
     .takes = Kind::picture | Kind::edges,
-    .options = kOptions,
-    .apply = apply,
+    .options = kCropOptions,
+    .apply = apply_crop,
     .keeps = keeps,
 };
 

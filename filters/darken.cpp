@@ -83,7 +83,7 @@ Image ink_on_white(const Image& image) {
 
 namespace {
 
-Artwork apply(Artwork artwork, const Settings&) { return ink_on_white(std::get<Image>(artwork)); }
+Artwork apply_darken(Artwork artwork, const Settings&) { return ink_on_white(std::get<Image>(artwork)); }
 
 }  // namespace
 
@@ -96,7 +96,7 @@ const Filter darken_filter{
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
     .uses_colour = true,
-    .apply = apply,
+    .apply = apply_darken,
 };
 
 }  // namespace tactics

@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kDashesOptions[] = {
     {.name = "longest",
      .type = Option::Type::length,
      .fallback = 8,
@@ -29,13 +29,13 @@ constexpr Option kOptions[] = {
      .summary = "pieces of ink wider than this are no dashes: letters are wider than lines"},
 };
 
-constexpr double kMostGap = 2.5;  // mm on the page; gaps made for the eye are smaller
+constexpr double kDashesMostGap = 2.5;  // mm on the page; gaps made for the eye are smaller
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_dashes(Artwork artwork, const Settings& settings) {
     Image image = to_grey(std::move(std::get<Image>(artwork)));
     const double mm = image.mm_per_pixel;
-    const auto rows =
-        dash_rows_in(image, {settings.number("longest") / mm, std::max(2.0, settings.number("widest") / mm), kMostGap / mm});
+    const auto rows = dash_rows_in(
+        image, {settings.number("longest") / mm, std::max(2.0, settings.number("widest") / mm), kDashesMostGap / mm});
     cv::Mat ink = view_of(image);
     const int thick = std::max(1, static_cast<int>(std::lround(0.3 / mm)));
     for (const DashRow& row : rows)
@@ -56,8 +56,8 @@ const Filter dashes_filter{
     .summary = "joins dashed and dotted lines in a black and white picture, so that they are traced as lines",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .options = kOptions,
-    .apply = apply,
+    .options = kDashesOptions,
+    .apply = apply_dashes,
 };
 
 }  // namespace tactics

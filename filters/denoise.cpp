@@ -15,7 +15,7 @@ namespace tactics {
 namespace {
 
 // 1.5 mm is about what a fingertip blurs itself.
-constexpr Option kOptions[] = {
+constexpr Option kDenoiseOptions[] = {
     {.name = "method",
      .type = Option::Type::choice,
      .fallback = 0,
@@ -74,7 +74,7 @@ Image blurred(const Image& image, double sigma) {
     return result;
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_denoise(Artwork artwork, const Settings& settings) {
     const auto& image = std::get<Image>(artwork);
     const double size = settings.number("size") / image.mm_per_pixel;
     if (size < 1) return artwork;
@@ -99,8 +99,8 @@ const Filter denoise_filter{
     .summary = "smooths away grain and small detail",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .options = kOptions,
-    .apply = apply,
+    .options = kDenoiseOptions,
+    .apply = apply_denoise,
 };
 
 }  // namespace tactics

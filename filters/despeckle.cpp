@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kDespeckleOptions[] = {
     {.name = "size",
      .type = Option::Type::length,
      .fallback = 2,
@@ -32,7 +32,7 @@ void remove_small(std::vector<Value>& values, int width, const Components& piece
     }
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_despeckle(Artwork artwork, const Settings& settings) {
     if (auto* edges = std::get_if<EdgeMap>(&artwork)) {
         const double size = settings.number("size") / edges->mm_per_pixel;
         if (size < 1) return artwork;
@@ -59,8 +59,8 @@ const Filter despeckle_filter{
     .name = "despeckle",
     .summary = "removes small specks of ink (darker than 128) or short pieces of edges",
     .takes = Kind::picture | Kind::edges,
-    .options = kOptions,
-    .apply = apply,
+    .options = kDespeckleOptions,
+    .apply = apply_despeckle,
 };
 
 }  // namespace tactics

@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kFillHolesOptions[] = {
     {.name = "size",
      .type = Option::Type::length,
      .fallback = 2,
@@ -20,7 +20,7 @@ constexpr Option kOptions[] = {
      .summary = "fill holes smaller than a disc of this diameter; no effect under 1 pixel"},
 };
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_fill_holes(Artwork artwork, const Settings& settings) {
     Image image = to_grey(std::move(std::get<Image>(artwork)));
     const double diameter = settings.number("size") / image.mm_per_pixel;
     if (diameter < 1) return image;
@@ -46,8 +46,8 @@ const Filter fill_holes_filter{
     .summary = "fills small white holes (128 or lighter) enclosed by ink",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .options = kOptions,
-    .apply = apply,
+    .options = kFillHolesOptions,
+    .apply = apply_fill_holes,
 };
 
 }  // namespace tactics

@@ -15,7 +15,7 @@ namespace {
 
 // 0.5 mm is the least width that one tool allows for lines on swell paper: smaller dots may be lost by the printer or not
 // rise. Dots of 1 mm and more are felt one by one, as a texture.
-constexpr Option kOptions[] = {
+constexpr Option kHalftoneOptions[] = {
     {.name = "method",
      .type = Option::Type::choice,
      .fallback = 0,
@@ -83,7 +83,7 @@ void dither(Image& image, std::string_view method) {
         diffuse(image);
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_halftone(Artwork artwork, const Settings& settings) {
     Image image = to_grey(std::move(std::get<Image>(artwork)));
     const auto method = settings.choice("method");
     const double side = std::min(std::floor(settings.number("dot") / image.mm_per_pixel),
@@ -123,8 +123,8 @@ const Filter halftone_filter{
     .summary = "turns greys into black dots, for media that have no grey",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .options = kOptions,
-    .apply = apply,
+    .options = kHalftoneOptions,
+    .apply = apply_halftone,
 };
 
 }  // namespace tactics

@@ -6,7 +6,7 @@ namespace tactics {
 
 namespace {
 
-Artwork apply(Artwork artwork, const Settings&) {
+Artwork apply_invert(Artwork artwork, const Settings&) {
     for (auto& sample : std::get<Image>(artwork).pixels) sample = static_cast<std::uint8_t>(255 - sample);
     return artwork;
 }
@@ -19,7 +19,7 @@ const Filter invert_filter{
     .summary = "swaps black and white",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .apply = apply,
+    .apply = apply_invert,
 };
 
 }  // namespace tactics

@@ -21,7 +21,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kKmeansOptions[] = {
     {.name = "k",
      .type = Option::Type::whole,
      .fallback = 4,
@@ -121,7 +121,7 @@ LevelChoice choose_k(const Artwork& artwork, const Settings& settings) {
     return choose_levels([&](int k) { return unexplained(levels, k); }, variance, 1);
 }
 
-ChosenSetting settle(const Artwork& artwork, Settings& settings) {
+ChosenSetting settle_kmeans(const Artwork& artwork, Settings& settings) {
     if (settings.whole("k") > 0) return {};
     const LevelChoice choice = choose_k(artwork, settings);
     settings.set("k", std::to_string(choice.k), "kmeans", "kmeans");
@@ -160,9 +160,9 @@ EdgeMap keep_strongest(EdgeMap edges, const Settings& settings) {
     return edges;
 }
 
-Artwork apply(Artwork artwork, const Settings& given) {
+Artwork apply_kmeans(Artwork artwork, const Settings& given) {
     Settings settings = given;
-    settle(artwork, settings);
+    settle_kmeans(artwork, settings);
     if (auto* edges = std::get_if<EdgeMap>(&artwork)) return keep_strongest(std::move(*edges), settings);
     auto& image = std::get<Image>(artwork);
     if (image.channels == 3 && settings.choice("colour") == "yes") return kmeans_colour(std::move(image), settings.whole("k"));
@@ -177,9 +177,9 @@ const Filter kmeans_filter{
     .summary = "sorts greys, colours or strengths of edges into a few classes; of edges, keeps the strongest classes",
     .takes = Kind::picture | Kind::edges,
     .uses_colour = true,
-    .options = kOptions,
-    .apply = apply,
-    .settle = settle,
+    .options = kKmeansOptions,
+    .apply = apply_kmeans,
+    .settle = settle_kmeans,
     .cuts_edges = true,
 };
 

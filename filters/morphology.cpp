@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kMorphologyOptions[] = {
     {.name = "operation",
      .type = Option::Type::choice,
      .fallback = 3,
@@ -77,7 +77,7 @@ Image lightest_of_disc(Image image, double radius) {
     return image;
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_morphology(Artwork artwork, const Settings& settings) {
     Image image = to_grey(std::move(std::get<Image>(artwork)));
     const double radius = settings.number("radius") / image.mm_per_pixel;
     if (radius < 1) return image;
@@ -96,8 +96,8 @@ const Filter morphology_filter{
     .summary = "grows or shrinks ink by a disc",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .options = kOptions,
-    .apply = apply,
+    .options = kMorphologyOptions,
+    .apply = apply_morphology,
 };
 
 }  // namespace tactics

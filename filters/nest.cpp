@@ -16,7 +16,7 @@ namespace tactics {
 namespace {
 
 // A fingertip is about 8 mm across; what is smaller has no inside that could be felt.
-constexpr Option kOptions[] = {
+constexpr Option kNestOptions[] = {
     {.name = "map",
      .type = Option::Type::choice,
      .fallback = 0,
@@ -34,7 +34,7 @@ constexpr Option kOptions[] = {
      .summary = "side of the smallest square that forms its own region"},
 };
 
-ChosenSetting settle(const Artwork&, Settings& settings) { return settle_map(settings, "nest"); }
+ChosenSetting settle_nest(const Artwork&, Settings& settings) { return settle_map(settings, "nest"); }
 
 // Regions, and what they are judged by, depend on how many pixels they have. In a copy of fewer pixels they shall be the same.
 Image as_large_as_scene(Image picture) {
@@ -58,7 +58,7 @@ PixelBox scene_within(const Image& image) {
 }
 
 // Bars and borders around a picture are no part of the scene: it goes on in them as it ends, so that there is no line along them.
-Image without_bars(Image image, const PixelBox& inside) {
+Image without_bars_nest(Image image, const PixelBox& inside) {
     if (inside == all_of(image.width, image.height)) return image;
     const cv::Rect part(inside.left, inside.top, inside.width(), inside.height());
     const cv::Mat within = view_of(image)(part).clone();
@@ -68,11 +68,11 @@ Image without_bars(Image image, const PixelBox& inside) {
     return image;
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_nest(Artwork artwork, const Settings& settings) {
     Image image = std::get<Image>(std::move(artwork));
     const PixelBox inside = scene_within(image);
     const int width = image.width, height = image.height;
-    const Image picture = as_large_as_scene(without_bars(std::move(image), inside));
+    const Image picture = as_large_as_scene(without_bars_nest(std::move(image), inside));
     const auto net = net_for(settings);
     const double side = picture.mm_per_pixel > 0 ? settings.number("smallest") / picture.mm_per_pixel : 0;
     RegionTree tree = region_tree_of(picture, contour_maps_of(picture, net.get()), side * side, pair_weights(net != nullptr));
@@ -95,9 +95,9 @@ const Filter nest_filter{
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::regions),
     .uses_colour = true,
-    .options = kOptions,
-    .apply = apply,
-    .settle = settle,
+    .options = kNestOptions,
+    .apply = apply_nest,
+    .settle = settle_nest,
     .in_full = "contours",
 };
 

@@ -25,7 +25,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kOutlinesOptions[] = {
     {.name = "line",
      .type = Option::Type::length,
      .fallback = kUsualLine,
@@ -211,7 +211,7 @@ void add_what_is_open(Drawing& drawing, const RegionTree& tree, const Parts& par
 }
 
 // The pieces of a line, at whose points nothing is in the way, that can be felt as lines.
-std::vector<Stroke> pieces_of(Stroke stroke, const std::vector<bool>& in_the_way) {
+std::vector<Stroke> pieces_of_outlines(Stroke stroke, const std::vector<bool>& in_the_way) {
     const auto first = std::find(in_the_way.begin(), in_the_way.end(), true) - in_the_way.begin();
     const auto size = static_cast<std::ptrdiff_t>(stroke.points.size());
     if (first == size) return {std::move(stroke)};
@@ -247,7 +247,7 @@ void cut_at_boxes(Drawing& drawing, const RegionTree& tree, const NamedThings& t
         std::vector<bool> in_the_way(stroke.points.size(), false);
         if (stroke.line != LineClass::thick)  // a thing's own outline
             std::transform(stroke.points.begin(), stroke.points.end(), in_the_way.begin(), left_out);
-        for (Stroke& piece : pieces_of(std::move(stroke), in_the_way)) strokes.push_back(std::move(piece));
+        for (Stroke& piece : pieces_of_outlines(std::move(stroke), in_the_way)) strokes.push_back(std::move(piece));
     }
     drawing.strokes = std::move(strokes);
 }
@@ -279,14 +279,14 @@ void cut_at_bars(Drawing& drawing, const RegionTree& tree) {
     drawing.strokes = std::move(strokes);
 }
 
-ChosenSetting settle(const Artwork& artwork, Settings& settings) {
+ChosenSetting settle_outlines(const Artwork& artwork, Settings& settings) {
     const std::vector<Spot>& spots = settings.spots("subject");
     if (spots.empty()) return {};
     const auto& tree = std::get<RegionTree>(artwork);
     return {"subject", words_of(find_things(tree, arc_chances_of(tree).drawn, spots), spots)};
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_outlines(Artwork artwork, const Settings& settings) {
     const auto& tree = std::get<RegionTree>(artwork);
     const ArcChances chances = arc_chances_of(tree);
     const Stakes stakes = stakes_of(tree, chances, settings.number("sure"));
@@ -314,9 +314,9 @@ const Filter outlines_filter{
     .summary = "draws whole outlines of the regions that people would draw, up to a budget of line",
     .takes = static_cast<Kinds>(Kind::regions),
     .gives = static_cast<Kinds>(Kind::drawing),
-    .options = kOptions,
-    .apply = apply,
-    .settle = settle,
+    .options = kOutlinesOptions,
+    .apply = apply_outlines,
+    .settle = settle_outlines,
     .finishes = static_cast<Kinds>(Kind::regions),
     .budget = "line",
     .in_full = "trace",

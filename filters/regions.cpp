@@ -27,7 +27,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kRegionsOptions[] = {
     {.name = "smallest",
      .type = Option::Type::length,
      .fallback = 0,
@@ -57,7 +57,7 @@ constexpr double kRow = 2;
 
 double needed_by_texture(const Settings& settings) { return std::ceil(kLeastTexture + 2 * settings.number("clear") + kRow); }
 
-struct Classes {
+struct RegionClasses {
     ClassMap map;
     std::vector<double> grey;                ///< of each class
     std::vector<std::vector<double>> apart;  ///< how different they look
@@ -76,7 +76,7 @@ int step_of(const Image& image, double pixel, double clear) {
 double apart(const Lab& a, const Lab& b) { return 10 + std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 // The picture's own colours if they are few, else as few.
-Classes classes_of(Image image, const Settings& settings) {
+RegionClasses classes_of(Image image, const Settings& settings) {
     const std::size_t most = textures().size() + 1;
     const auto colour_at = [&](std::size_t pixel) {
         const std::uint8_t* at = image.pixels.data() + pixel * static_cast<std::size_t>(image.channels);
@@ -102,7 +102,7 @@ Classes classes_of(Image image, const Settings& settings) {
     }
     const double pixel = image.mm_per_pixel > 0 ? image.mm_per_pixel : 1;
     const int step = step_of(image, pixel, settings.number("clear"));
-    Classes classes{{(image.width + step - 1) / step, (image.height + step - 1) / step, {}}, {}, {}, pixel * step};
+    RegionClasses classes{{(image.width + step - 1) / step, (image.height + step - 1) / step, {}}, {}, {}, pixel * step};
     std::vector<Lab> labs;
     for (auto& [colour, number] : colours) {
         number = static_cast<std::uint8_t>(classes.grey.size());
@@ -125,7 +125,7 @@ Classes classes_of(Image image, const Settings& settings) {
 
 // Specks go to what they stand on, then thin parts and necks to what is beside them, and only then what is too small for a
 // texture: a path that runs over a river does not make two small rivers of it.
-Merging begin(const Classes& classes, const Settings& settings) {
+Merging begin(const RegionClasses& classes, const Settings& settings) {
     // Smoothing and corners take some of it again. With necks closed and this, 20 photographs keep 3 gaps that are too narrow of
     // 24.
     constexpr double kSpare = 1.25;
@@ -160,9 +160,9 @@ Choice choose_smallest(Merging merging, const Settings& settings, double pixel) 
     return choice;
 }
 
-ChosenSetting settle(const Artwork& artwork, Settings& settings) {
+ChosenSetting settle_regions(const Artwork& artwork, Settings& settings) {
     if (settings.number("smallest") > 0) return {};
-    const Classes classes = classes_of(std::get<Image>(artwork), settings);
+    const RegionClasses classes = classes_of(std::get<Image>(artwork), settings);
     const Choice choice = choose_smallest(begin(classes, settings), settings, classes.pixel);
     settings.set("smallest", to_text(choice.smallest) + "mm", "regions", "regions");
     const std::string chosen = "smallest=" + to_text(choice.smallest) + "mm";
@@ -173,7 +173,7 @@ ChosenSetting settle(const Artwork& artwork, Settings& settings) {
     return {chosen, phrase("less wide regions have no room for a texture")};
 }
 
-void fit(Settings& settings, const Medium& medium) {
+void fit_regions(Settings& settings, const Medium& medium) {
     if (settings.is_default("clear"))
         settings.set("clear", to_text(least_apart(medium, medium.line, medium.line) + kMovedLater), "regions", "regions");
 }
@@ -181,7 +181,7 @@ void fit(Settings& settings, const Medium& medium) {
 class Scene {
 public:
     Scene(const Image& image, const Settings& settings) {
-        Classes classes = classes_of(image, settings);
+        RegionClasses classes = classes_of(image, settings);
         pixel_ = classes.pixel;
         const double own = image.mm_per_pixel > 0 ? image.mm_per_pixel : 1;
         width_ = image.width * own;
@@ -260,7 +260,7 @@ private:
     RegionBorders borders_;
 };
 
-Artwork apply(Artwork artwork, const Settings& settings) { return Scene(std::get<Image>(artwork), settings).draw(); }
+Artwork apply_regions(Artwork artwork, const Settings& settings) { return Scene(std::get<Image>(artwork), settings).draw(); }
 
 }  // namespace
 
@@ -273,10 +273,10 @@ const Filter regions_filter{
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::drawing),
     .uses_colour = true,
-    .options = kOptions,
-    .apply = apply,
-    .settle = settle,
-    .fit = fit,
+    .options = kRegionsOptions,
+    .apply = apply_regions,
+    .settle = settle_regions,
+    .fit = fit_regions,
 };
 
 }  // namespace tactics

@@ -13,7 +13,7 @@ namespace {
 
 // 150 dpi: drawings made at 150 and at 300 dpi of the page agree to F 0.95-0.99 within 0.5 mm, and the coarser has fewer,
 // longer lines; a fingertip tells about 25 dpi.
-constexpr Option kOptions[] = {
+constexpr Option kResampleOptions[] = {
     {.name = "dpi",
      .type = Option::Type::number,
      .fallback = 150,
@@ -23,16 +23,16 @@ constexpr Option kOptions[] = {
      .summary = "pixels per inch of the page; a picture that has fewer is unchanged"},
 };
 
-int shrunk(int length, double scale) { return std::max(1, static_cast<int>(std::lround(length * scale))); }
+int resample_shrunk(int length, double scale) { return std::max(1, static_cast<int>(std::lround(length * scale))); }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_resample(Artwork artwork, const Settings& settings) {
     auto& image = std::get<Image>(artwork);
     const double scale = image.mm_per_pixel * settings.number("dpi") / kMmPerInch;
     const int longer = std::max(image.width, image.height);
-    if (shrunk(longer, scale) >= longer) return artwork;
+    if (resample_shrunk(longer, scale) >= longer) return artwork;
     // The longer side keeps its length on the page exactly; the other one to half a pixel.
-    const double mm_per_pixel = image.mm_per_pixel * longer / shrunk(longer, scale);
-    Image small{shrunk(image.width, scale), shrunk(image.height, scale), image.channels, mm_per_pixel, {}};
+    const double mm_per_pixel = image.mm_per_pixel * longer / resample_shrunk(longer, scale);
+    Image small{resample_shrunk(image.width, scale), resample_shrunk(image.height, scale), image.channels, mm_per_pixel, {}};
     RowShrinker<std::uint8_t> rows({image.width, image.height}, {small.width, small.height}, image.channels);
     for (int y = 0; y < image.height; ++y) rows.add(image.row(y));
     small.pixels = rows.take();
@@ -40,7 +40,7 @@ Artwork apply(Artwork artwork, const Settings& settings) {
 }
 
 // Nothing finer than the medium shows.
-void fit(Settings& settings, const Medium& medium) {
+void fit_resample(Settings& settings, const Medium& medium) {
     if (settings.number("dpi") > medium.dpi) settings.set("dpi", to_text(medium.dpi), "resample", "resample");
 }
 
@@ -52,9 +52,9 @@ const Filter resample_filter{
     .summary = "shrinks the picture to the resolution of the page by averaging; never enlarges",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::picture),
-    .options = kOptions,
-    .apply = apply,
-    .fit = fit,
+    .options = kResampleOptions,
+    .apply = apply_resample,
+    .fit = fit_resample,
     .dpi = "dpi",
 };
 

@@ -11,7 +11,7 @@ namespace {
 // 3.2 mm (1/8 in) is the least clear distance between two elements (L. Hasty, Designing Tactile Graphics), and a line is
 // 1 mm wide on swell paper, so middle lines stand 4.2 mm apart, and 0.2 mm more for what simplify may move them after that. A
 // line of half the 12.7 mm (1/2 in) that a side of a shape needs (APH guide) is the least that a piece may be.
-constexpr Option kOptions[] = {
+constexpr Option kSeparateOptions[] = {
     {.name = "gap",
      .type = Option::Type::length,
      .fallback = 4.4,
@@ -28,13 +28,13 @@ constexpr Option kOptions[] = {
      .summary = "lines and pieces shorter than this are left out"},
 };
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_separate(Artwork artwork, const Settings& settings) {
     keep_apart(std::get<Drawing>(artwork), settings.number("gap"), settings.number("shortest"));
     return artwork;
 }
 
 // Lines that keep the usual gap keep that of the medium.
-void fit(Settings& settings, const Medium& medium) {
+void fit_separate(Settings& settings, const Medium& medium) {
     if (settings.is_default("gap")) settings.set("gap", to_text(medium.gap + medium.line + kMovedLater), "separate", "separate");
 }
 
@@ -46,9 +46,9 @@ const Filter separate_filter{
     .summary = "keeps lines far enough apart for a finger; of two that run together, keeps the stronger",
     .takes = static_cast<Kinds>(Kind::drawing),
     .gives = static_cast<Kinds>(Kind::drawing),
-    .options = kOptions,
-    .apply = apply,
-    .fit = fit,
+    .options = kSeparateOptions,
+    .apply = apply_separate,
+    .fit = fit_separate,
     .in_full = "-",
 };
 

@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kSimplifyOptions[] = {
     {.name = "tolerance",
      .type = Option::Type::length,
      .fallback = 0.1,
@@ -73,7 +73,7 @@ void simplify(std::vector<Point>& points, bool closed, double tolerance) {
     points.resize(closed ? to - 1 : to);
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_simplify(Artwork artwork, const Settings& settings) {
     auto& drawing = std::get<Drawing>(artwork);
     const double tolerance = settings.number("tolerance"), shortest = settings.number("shortest");
     for (Stroke& stroke : drawing.strokes) simplify(stroke.points, stroke.closed, tolerance);
@@ -91,8 +91,8 @@ const Filter simplify_filter{
     .summary = "draws the same lines with fewer points; leaves out lines too short to feel",
     .takes = static_cast<Kinds>(Kind::drawing),
     .gives = static_cast<Kinds>(Kind::drawing),
-    .options = kOptions,
-    .apply = apply,
+    .options = kSimplifyOptions,
+    .apply = apply_simplify,
 };
 
 }  // namespace tactics

@@ -14,7 +14,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::array kOptions{
+constexpr std::array kSobelOptions{
     Option{.name = "blur",
            .type = Option::Type::length,
            .fallback = 0.3,
@@ -66,7 +66,7 @@ void sobel_rows(EdgeMap& map, const cv::Mat& grey, float scale, bool directions)
     }
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_sobel(Artwork artwork, const Settings& settings) {
     const Image grey = to_grey(std::get<Image>(std::move(artwork)));
     const double sigma = settings.number("blur") / grey.mm_per_pixel;
     const bool thin = settings.choice("thin") == "yes";
@@ -98,8 +98,8 @@ const Filter sobel_filter{
     .summary = "finds edges by the Sobel gradient; strengths are in grey levels",
     .takes = static_cast<Kinds>(Kind::picture),
     .gives = static_cast<Kinds>(Kind::edges),
-    .options = kOptions,
-    .apply = apply,
+    .options = kSobelOptions,
+    .apply = apply_sobel,
 };
 
 }  // namespace tactics

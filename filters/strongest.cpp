@@ -24,7 +24,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kStrongestOptions[] = {
     {.name = "line",
      .type = Option::Type::length,
      .fallback = 160,
@@ -170,7 +170,7 @@ void fill_up(std::vector<bool>& kept, const Ridges& ridges, const std::vector<bo
 // Lengths as people say them: 0.98 m.
 Phrase metres(double pixels, double mm) { return numeral(std::round(pixels * mm * kLengthOfPixel / 10) / 100); }
 
-ChosenSetting settle(const Artwork& artwork, Settings& settings) {
+ChosenSetting settle_strongest(const Artwork& artwork, Settings& settings) {
     const auto& edges = std::get<EdgeMap>(artwork);
     if (!edges.thinned) return {};
     const auto found = static_cast<double>(
@@ -182,7 +182,7 @@ ChosenSetting settle(const Artwork& artwork, Settings& settings) {
                    metres(most, edges.mm_per_pixel), metres(found, edges.mm_per_pixel))};
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_strongest(Artwork artwork, const Settings& settings) {
     auto& edges = std::get<EdgeMap>(artwork);
     if (!edges.thinned) edges = thin_edges(edges, std::nullopt);
     const Ridges ridges(edges);
@@ -222,9 +222,9 @@ const Filter strongest_filter{
     .summary = "keeps the strongest edges, up to a budget of line that a finger can follow",
     .takes = static_cast<Kinds>(Kind::edges),
     .gives = static_cast<Kinds>(Kind::edges),
-    .options = kOptions,
-    .apply = apply,
-    .settle = settle,
+    .options = kStrongestOptions,
+    .apply = apply_strongest,
+    .settle = settle_strongest,
     .budget = "line",
     .in_full = "-",
 };

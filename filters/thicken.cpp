@@ -7,7 +7,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kThickenOptions[] = {
     {.name = "line",
      .type = Option::Type::choice,
      .fallback = 2,
@@ -28,7 +28,7 @@ LineClass class_of(std::string_view name) {
     return name == "thin" ? LineClass::thin : name == "normal" ? LineClass::normal : LineClass::thick;
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_thicken(Artwork artwork, const Settings& settings) {
     auto& drawing = std::get<Drawing>(artwork);
     const LineClass line = class_of(settings.choice("line"));
     const double share = settings.number("share");
@@ -55,8 +55,8 @@ const Filter thicken_filter{
     .summary = "makes lines thin, normal or thick: all of them, or the strongest share",
     .takes = static_cast<Kinds>(Kind::drawing),
     .gives = static_cast<Kinds>(Kind::drawing),
-    .options = kOptions,
-    .apply = apply,
+    .options = kThickenOptions,
+    .apply = apply_thicken,
 };
 
 }  // namespace tactics

@@ -14,7 +14,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kThresholdOptions[] = {
     {.name = "method",
      .type = Option::Type::choice,
      .fallback = 1,
@@ -143,7 +143,7 @@ EdgeMap cut_edges(EdgeMap edges, const Settings& settings) {
     return edges;
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_threshold(Artwork artwork, const Settings& settings) {
     if (auto* edges = std::get_if<EdgeMap>(&artwork)) return cut_edges(std::move(*edges), settings);
     return cut_picture(to_grey(std::move(std::get<Image>(artwork))), settings);
 }
@@ -155,8 +155,8 @@ const Filter threshold_filter{
     .name = "threshold",
     .summary = "makes a picture black and white, or drops weak edges",
     .takes = Kind::picture | Kind::edges,
-    .options = kOptions,
-    .apply = apply,
+    .options = kThresholdOptions,
+    .apply = apply_threshold,
     .finishes = static_cast<Kinds>(Kind::edges),
     .cuts_edges = true,
 };

@@ -17,7 +17,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kTraceOptions[] = {
     {.name = "method",
      .type = Option::Type::choice,
      .fallback = 0,
@@ -125,7 +125,7 @@ void add_lines(Drawing& drawing, InkMap ink, const EdgeMap* edges, const EdgeMap
     for (const std::uint32_t dot : dots) add_area(drawing, take_piece(skeleton, dot), scale, shortest);
 }
 
-Artwork apply(Artwork artwork, const Settings& settings) {
+Artwork apply_trace(Artwork artwork, const Settings& settings) {
     const EdgeMap* edges = std::get_if<EdgeMap>(&artwork);
     const bool areas = settings.choice("method") == "areas";
     Image grey;
@@ -158,8 +158,8 @@ const Filter trace_filter{
     .summary = "turns pixels into lines: the middle of lines and edges, or the outlines of black regions",
     .takes = Kind::picture | Kind::edges,
     .gives = static_cast<Kinds>(Kind::drawing),
-    .options = kOptions,
-    .apply = apply,
+    .options = kTraceOptions,
+    .apply = apply_trace,
 };
 
 }  // namespace tactics

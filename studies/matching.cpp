@@ -161,7 +161,7 @@ void keep_answers(MatchedRecipe& recipe, const std::vector<std::size_t>& sets, c
                      [](const Mistake& a, const Mistake& b) { return a.times > b.times; });
 }
 
-double rate_of(const std::vector<std::size_t>& sets, const Tables& tables, int readers) {
+double rate_of_matching(const std::vector<std::size_t>& sets, const Tables& tables, int readers) {
     std::size_t hits = 0, pictures = 0;
     for (std::size_t set = 0; set < sets.size(); pictures += sets[set++])
         for (std::size_t i = 0; i < sets[set]; ++i) hits += tables[set][i * (sets[set] + 1)];
@@ -182,10 +182,10 @@ void match(MatchingStudy& study, const Collections& collections, const StudyRequ
             keep_answers(recipe, study.sets, ask(sets, study.reader, study.readers, seed));
         } else if (round <= changed) {
             const Tables tables = ask(sets, study.changed_readers[round - 1].reader, kOtherReaders, seed);
-            recipe.changed[round - 1] = rate_of(study.sets, tables, kOtherReaders);
+            recipe.changed[round - 1] = rate_of_matching(study.sets, tables, kOtherReaders);
         } else {
             const Tables tables = ask(sets, study.random_readers[round - 1 - changed], kOtherReaders, seed);
-            recipe.random[round - 1 - changed] = rate_of(study.sets, tables, kOtherReaders);
+            recipe.random[round - 1 - changed] = rate_of_matching(study.sets, tables, kOtherReaders);
         }
     });
 }
@@ -267,9 +267,9 @@ constexpr Option kOptions[] = {{.name = "seed",
                                 .max = 1e9,
                                 .summary = "another number, other simulated readers"}};
 constexpr SourceWords kSquares = "the sheets of --study matching are squares of 2.5 in, each made once";
-constexpr Refusal kRefuses[] = {{"paper", kSquares}, {"margin", kSquares}, {"sweep", kSquares}};
-constexpr std::string_view kRecipes[] = {"none",         "kmeans", "sobel", "kmeans-sobel",
-                                         "sobel-kmeans", "photo",  "auto"};  // the paper's five first
+constexpr Refusal kMatchingRefuses[] = {{"paper", kSquares}, {"margin", kSquares}, {"sweep", kSquares}};
+constexpr std::string_view kMatchingRecipes[] = {"none",         "kmeans", "sobel", "kmeans-sobel",
+                                                 "sobel-kmeans", "photo",  "auto"};  // the paper's five first
 
 }  // namespace
 
@@ -298,9 +298,9 @@ constinit const Study matching_study{
     .needs_maps = false,
     .options = kOptions,
     .no_options = SourceWords("nothing is left to chance here"),
-    .refuses = kRefuses,
+    .refuses = kMatchingRefuses,
     .paper = "2.5x2.5in",
-    .recipes = kRecipes,
+    .recipes = kMatchingRecipes,
     .besides = kRandomStart,
     .run = run_matching_study,
 };

@@ -240,8 +240,8 @@ StudyFindings run_needed_study(const StudyRequest& request, const StudyWatch& wa
 }
 
 constexpr SourceWords kOwnDials = "the study needed turns dials of its own and gives text or --json";
-constexpr Refusal kRefuses[] = {{"sweep", kOwnDials}, {"csv", kOwnDials}};
-constexpr std::string_view kRecipes[] = {"auto"};
+constexpr Refusal kNeededRefuses[] = {{"sweep", kOwnDials}, {"csv", kOwnDials}};
+constexpr std::string_view kNeededRecipes[] = {"auto"};
 
 }  // namespace
 
@@ -255,8 +255,8 @@ constinit const Study needed_study{
         "best on that dial. The table gives the value that is enough for a quarter, half and three quarters of the pictures, "
         "the median that the recipe uses by default, on how many pictures that is more than needed, and the mean F at each "
         "value. --chart writes a page for each dial: chart-levels.pdf, chart-dpi.pdf, chart-strokes.pdf.",
-    .refuses = kRefuses,
-    .recipes = kRecipes,
+    .refuses = kNeededRefuses,
+    .recipes = kNeededRecipes,
     .charted = curves_and_marks,
     .run = run_needed_study,
 };

@@ -33,8 +33,8 @@ PageTrial trial_of(const Drawing& page, const Consensus& people, const PictureIn
     return trial;
 }
 
-PageTrial try_recipe(const StudyRequest& request, const Subject& subject, const Candidate& candidate, const Consensus& people,
-                     const PictureInfo& info) {
+PageTrial try_recipe_page(const StudyRequest& request, const Subject& subject, const Candidate& candidate,
+                          const Consensus& people, const PictureInfo& info) {
     const double start = cpu_ms();
     ReadyRecipe ready = make_ready(request, subject, candidate);
     const Mended page =
@@ -46,7 +46,7 @@ PageTrial try_recipe(const StudyRequest& request, const Subject& subject, const 
     return trial;
 }
 
-PageTrial try_person(const StudyRequest& request, const MappedPicture& mapped) {
+PageTrial try_person_page(const StudyRequest& request, const MappedPicture& mapped) {
     if (mapped.truths.size() < 2) {
         PageTrial nobody;
         nobody.nobody = true;
@@ -275,9 +275,9 @@ StudyFindings run_page_study(const StudyRequest& request, const StudyWatch& watc
         study.makers.push_back({candidate.name, true, std::vector<PageTrial>(pictures)});
     study.makers.push_back({std::string(kPerson), false, std::vector<PageTrial>(pictures)});
     study.problems = try_all(request, watch, true, [&](std::size_t i, const MappedPicture& mapped) {
-        study.makers.back().trials[i] = try_person(request, mapped);
+        study.makers.back().trials[i] = try_person_page(request, mapped);
         return [&, i, info = mapped.info, people = Consensus(mapped.truths)](std::size_t c) {
-            study.makers[c].trials[i] = try_recipe(request, request.subjects[i], request.candidates[c], people, info);
+            study.makers[c].trials[i] = try_recipe_page(request, request.subjects[i], request.candidates[c], people, info);
         };
     });
     find_poor(study);

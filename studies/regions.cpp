@@ -48,7 +48,7 @@ const RegionScore& best_of(const RegionTrial& trial) {
                              [](const RegionScore& a, const RegionScore& b) { return a.covering < b.covering; });
 }
 
-std::string picture_json(const std::string& name, const RegionTrial& trial) {
+std::string regions_picture_json(const std::string& name, const RegionTrial& trial) {
     JsonObject json;
     json.add("picture", name);
     const RegionScore& best = best_of(trial);
@@ -59,7 +59,7 @@ std::string picture_json(const std::string& name, const RegionTrial& trial) {
     return json.text();
 }
 
-std::string row_json(const RegionStudy& study, const RegionRow& row) {
+std::string regions_row_json(const RegionStudy& study, const RegionRow& row) {
     const RegionFigures figures = region_figures(row.trials);
     JsonObject json;
     json.add("recipe", row.name.english());
@@ -78,7 +78,7 @@ std::string row_json(const RegionStudy& study, const RegionRow& row) {
     }
     std::vector<std::string> pictures;
     for (std::size_t i = 0; i < row.trials.size(); ++i)
-        if (!row.trials[i].curve.empty()) pictures.push_back(picture_json(study.pictures[i], row.trials[i]));
+        if (!row.trials[i].curve.empty()) pictures.push_back(regions_picture_json(study.pictures[i], row.trials[i]));
     json.add_raw("pictures", json_array(pictures));
     return json.text();
 }
@@ -157,7 +157,7 @@ std::vector<ToldRow> region_rows(const RegionStudy& study) {
 
 std::string region_json(const RegionStudy& study) {
     std::string text;
-    for (const RegionRow& row : study.rows) text += row_json(study, row) + "\n";
+    for (const RegionRow& row : study.rows) text += regions_row_json(study, row) + "\n";
     return text + study_json("regions", study.pictures.size(), study.problems);
 }
 

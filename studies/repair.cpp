@@ -20,8 +20,8 @@ Counts counts_of(const Drawing& drawing, const MappedPicture& mapped) {
     return score_at_levels(lines_of(drawing, mapped.info.width, mapped.info.height), mapped.truths).back();  // all that is drawn
 }
 
-RepairTrial try_recipe(const StudyRequest& request, const Subject& subject, const Candidate& candidate,
-                       const MappedPicture& mapped) {
+RepairTrial try_recipe_repair(const StudyRequest& request, const Subject& subject, const Candidate& candidate,
+                              const MappedPicture& mapped) {
     RepairTrial trial;
     const double start = cpu_ms();
     ReadyRecipe ready = make_ready(request, subject, candidate);
@@ -51,7 +51,7 @@ StudyFindings run_repair_study(const StudyRequest& request, const StudyWatch& wa
         study.recipes.push_back({candidate.name, std::vector<RepairTrial>(request.subjects.size())});
     study.problems = try_all(request, watch, false, [&](std::size_t i, const MappedPicture& mapped) {
         return [&, i, mapped](std::size_t c) {
-            study.recipes[c].trials[i] = try_recipe(request, request.subjects[i], request.candidates[c], mapped);
+            study.recipes[c].trials[i] = try_recipe_repair(request, request.subjects[i], request.candidates[c], mapped);
         };
     });
     StudyFindings findings;
@@ -66,7 +66,7 @@ StudyFindings run_repair_study(const StudyRequest& request, const StudyWatch& wa
 }
 
 constexpr SourceWords kTextOrJson = "the study repair gives text or --json";
-constexpr Refusal kRefuses[] = {{"sweep", kTextOrJson}, {"csv", kTextOrJson}};
+constexpr Refusal kRepairRefuses[] = {{"sweep", kTextOrJson}, {"csv", kTextOrJson}};
 
 }  // namespace
 
@@ -80,7 +80,7 @@ constinit const Study repair_study{
         "share of line that stays, and CPU seconds: the median for a page from picture to PDF, the median for its repair, and "
         "the longest repair. --chart draws places against R.",
     .needs_maps = false,
-    .refuses = kRefuses,
+    .refuses = kRepairRefuses,
     .without = kDotsAndRegions,
     .charted = recipes_alone,
     .run = run_repair_study,

@@ -239,7 +239,7 @@ std::vector<ToldRow> held_rows(const StabilityStudy& study) {
 }
 
 // Nothing where people drew none of the pictures.
-std::vector<ToldRow> people_rows(const StabilityStudy& study) {
+std::vector<ToldRow> stability_people_rows(const StabilityStudy& study) {
     std::vector<ToldRow> rows{{phrase("P3 against people")}};
     rows[0].insert(rows[0].end(), study.told.begin(), study.told.end());
     for (std::size_t c = 0; c < study.request.candidates.size(); ++c) {
@@ -271,7 +271,7 @@ std::vector<ToldRow> known_rows(const StabilityStudy& study) {
     return rows;
 }
 
-std::string recipe_json(const StabilityStudy& study, std::size_t recipe) {
+std::string stability_recipe_json(const StabilityStudy& study, std::size_t recipe) {
     std::vector<std::string> columns, knowns, pictures;
     for (std::size_t column = 0; column < study.columns.size(); ++column) {
         const Summary summary = sum_up(study, recipe, column);
@@ -312,7 +312,7 @@ std::string recipe_json(const StabilityStudy& study, std::size_t recipe) {
 
 std::string whole_json(const StabilityStudy& study) {
     std::string text;
-    for (std::size_t c = 0; c < study.request.candidates.size(); ++c) text += recipe_json(study, c) + "\n";
+    for (std::size_t c = 0; c < study.request.candidates.size(); ++c) text += stability_recipe_json(study, c) + "\n";
     JsonObject whole;
     whole.add("pictures", static_cast<double>(study.pictures.size()));
     whole.add_raw("problems", json_text_array(study.problems));
@@ -334,7 +334,7 @@ void carry_out(StabilityStudy& study, const StudyWatch& watch) {
 StudyFindings run_stability_study(const StudyRequest& request, const StudyWatch& watch) {
     StabilityStudy study(request);
     carry_out(study, watch);
-    const std::vector<ToldRow> held = held_rows(study), people = people_rows(study);
+    const std::vector<ToldRow> held = held_rows(study), people = stability_people_rows(study);
     StudyFindings findings;
     findings.text = told_table(held, request.language) + "\n" +
                     (people.empty() ? "" : told_table(people, request.language) + "\n") +

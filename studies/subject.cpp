@@ -39,7 +39,7 @@ SubjectTrial try_finder(const SubjectFinder& finder, const std::vector<AgreedObj
 }
 
 // Against the objects of the others.
-SubjectTrial try_person(std::vector<LabelMap> maps, std::size_t simplest) {
+SubjectTrial try_person_subject(std::vector<LabelMap> maps, std::size_t simplest) {
     const auto own = std::make_shared<const LabelMap>(std::move(maps[simplest]));
     maps.erase(maps.begin() + static_cast<std::ptrdiff_t>(simplest));
     return try_finder(find_in(own), agreed_objects(maps));
@@ -88,7 +88,7 @@ std::string list_json(const std::vector<double>& values) {
     return json_array(texts);
 }
 
-std::string row_json(const SubjectStudy& study, const SubjectRow& row) {
+std::string subject_row_json(const SubjectStudy& study, const SubjectRow& row) {
     const Overlaps overlaps = overlaps_in(row);
     JsonObject json;
     json.add("recipe", row.name.english());
@@ -165,7 +165,7 @@ std::vector<ToldRow> subject_rows(const SubjectStudy& study) {
 
 std::string subject_json(const SubjectStudy& study) {
     std::string text;
-    for (const SubjectRow& row : study.rows) text += row_json(study, row) + "\n";
+    for (const SubjectRow& row : study.rows) text += subject_row_json(study, row) + "\n";
     JsonObject whole;
     whole.add("study", "subject");
     whole.add("pictures", static_cast<double>(study.pictures.size()));
@@ -187,7 +187,7 @@ StudyFindings study_subject(const StudyRequest& request, const StudyWatch& watch
         const std::vector<LabelMap> people = regions_of_people(mapped.truths);
         std::vector<AgreedObject> objects = agreed_objects(people);
         bare[i] = objects.empty() ? 1 : 0;
-        study.rows[recipes].trials[i] = try_person(people, simplest_of(mapped.truths));
+        study.rows[recipes].trials[i] = try_person_subject(people, simplest_of(mapped.truths));
         study.rows[recipes + 1].trials[i] = try_box(objects, people.front());
         return [&, i, objects = std::move(objects), info = mapped.info](std::size_t c) {
             SubjectTrial& trial = study.rows[c].trials[i];

@@ -11,26 +11,26 @@ namespace {
 // Lines of at most 80 letters.
 std::string folded(std::string line, const std::string& set_in) {
     constexpr std::size_t kWidth = 80;
-    std::string text;
+    std::string arms_text;
     while (line.size() > kWidth) {
         const auto blank = line.rfind(' ', kWidth);
-        text += line.substr(0, blank) + "\n";
+        arms_text += line.substr(0, blank) + "\n";
         line = set_in + line.substr(blank + 1);
     }
-    return text + line + "\n";
+    return arms_text + line + "\n";
 }
 
 std::string keys() {
-    std::string text;
+    std::string arms_text;
     const auto all = plot_keys();
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::string letter = all[i].letter == 0 ? "" : std::string(1, all[i].letter);
         const std::string number = i < kNumberedKeys ? std::to_string(i + 1) : "";
-        text += folded("  " + number + (number.empty() || letter.empty() ? "" : " or ") + letter + ": " +
-                           std::string(all[i].name.text) + ", " + std::string(all[i].what),
-                       "    ");
+        arms_text += folded("  " + number + (number.empty() || letter.empty() ? "" : " or ") + letter + ": " +
+                                std::string(all[i].name.text) + ", " + std::string(all[i].what),
+                            "    ");
     }
-    return text;
+    return arms_text;
 }
 
 std::string chosen_names() {
@@ -53,7 +53,7 @@ std::string key_text() {
            "Turns of a curve lower than 1 mm under the finger are skipped.\n";
 }
 
-std::string text() {
+std::string arms_text() {
     return "A haptic arm knows where the finger is and pushes it in space. tactics supports\n"
            "three kinds. None has been tried on a real device yet: the code follows the\n"
            "makers' publications, and was tested against programs of our own.\n"
@@ -116,6 +116,6 @@ std::string text() {
 }  // namespace
 
 extern const Topic arms_topic;
-const Topic arms_topic{"arms", "haptic arms: which are supported, their axes and limits", text};
+const Topic arms_topic{"arms", "haptic arms: which are supported, their axes and limits", arms_text};
 
 }  // namespace tactics

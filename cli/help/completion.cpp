@@ -9,7 +9,7 @@ namespace tactics {
 
 namespace {
 
-int run(const Given& given) {
+int run_completion(const Given& given) {
     if (given.words.size() != 1) throw Error(Fault::usage, "completion", phrase("name one shell: bash, zsh or fish"));
     const std::string& shell = given.words[0];
     if (shell == "bash")
@@ -38,7 +38,7 @@ const Command completion_command{
         "tactics completion zsh > ~/.zfunc/_tactics\n"
         "tactics completion fish > ~/.config/fish/completions/tactics.fish",
     .offers = "bash zsh fish",
-    .run = run,
+    .run = run_completion,
 };
 
 }  // namespace tactics

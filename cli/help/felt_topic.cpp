@@ -6,7 +6,7 @@ namespace tactics {
 
 namespace {
 
-std::string layout() {
+std::string felt_layout() {
     return "A .felt file holds heights, or a recording of what a finger felt. encode,\n"
            "convert and relief write it, decode unpacks it; convert, check, relief and play\n"
            "read its heights directly, and play --device recorded:FILE.felt replays the\n"
@@ -82,11 +82,11 @@ std::string coding() {
            "a plane. So neither could be read back.\n";
 }
 
-std::string text() { return layout() + "\n" + coding(); }
+std::string felt_text() { return felt_layout() + "\n" + coding(); }
 
 }  // namespace
 
 extern const Topic felt_topic;
-const Topic felt_topic{"felt", "what .felt files hold, byte by byte", text};
+const Topic felt_topic{"felt", "what .felt files hold, byte by byte", felt_text};
 
 }  // namespace tactics

@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kHelpFlags[] = {
     {"--man", "", "", "write a man page (roff), for the command that you name or for tactics(1)", false, ""},
     {"--man-pages", "", "FOLDER",
      "write all man pages into a folder: tactics.1 and one for each command, such as tactics-convert.1", false, "folders"},
@@ -36,7 +36,7 @@ void write_man_pages(const Given& given) {
         write_file(folder + "/tactics-" + std::string(command->name) + ".1", manual_of(*command));
 }
 
-int run(const Given& given) {
+int run_help(const Given& given) {
     if (given.has("--man-pages")) {
         write_man_pages(given);
         return 0;
@@ -66,9 +66,9 @@ const Command help_command{
     .example =
         "tactics help convert\ntactics help sobel\ntactics help mouse\ntactics help --man convert > tactics-convert.1\ntactics "
         "help --man-pages man/",
-    .flags = kFlags,
+    .flags = kHelpFlags,
     .offers = "commands recipes filters formats media papers cells rules topics",
-    .run = run,
+    .run = run_help,
 };
 
 }  // namespace tactics

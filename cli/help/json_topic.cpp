@@ -16,8 +16,8 @@ bool promises(const Command& command) {
     return false;
 }
 
-std::string text() {
-    std::string text =
+std::string json_topic_text() {
+    std::string json_topic_text =
         "With --json a command writes JSON objects to standard output, one per line (JSON\n"
         "Lines), in UTF-8, each as soon as it is ready, and nothing else. Messages for\n"
         "people still go to standard error. The exit code does not change.\n"
@@ -27,8 +27,8 @@ std::string text() {
         ".\n"
         "A JSON Schema (2020-12) for each command is installed under the prefix:\n";
     for (const Command* command : commands())
-        if (promises(*command)) text += "  share/tactics/schemas/" + std::string(command->name) + ".schema.json\n";
-    return text +
+        if (promises(*command)) json_topic_text += "  share/tactics/schemas/" + std::string(command->name) + ".schema.json\n";
+    return json_topic_text +
            "New members may appear without a new version, so ignore members you do not know.\n"
            "Removing or renaming a member, or changing what it means, raises the version. The\n"
            "output of play and evaluate has no version and may change at any time.\n"
@@ -50,7 +50,7 @@ extern const Topic json_topic;
 const Topic json_topic{
     .name = "json",
     .summary = "the output of --json, for programs that read it",
-    .text = text,
+    .text = json_topic_text,
 };
 
 }  // namespace tactics

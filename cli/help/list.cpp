@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kListFlags[] = {
     {"--json", "", "", "one JSON object per line: group, name, summary, settings", false, ""},
 };
 
@@ -94,7 +94,7 @@ std::vector<Entry> entries_of(const Wanted& wanted) {
     return some;
 }
 
-int run(const Given& given) {
+int run_list(const Given& given) {
     const std::vector<Wanted> wanted = wanted_of(given);
     std::string text;
     for (const Wanted& one : wanted) {
@@ -127,9 +127,9 @@ const Command list_command{
         "embossers, displays, media, papers, cells, braille, readers, rules, topics. After braille, a language, such as de or "
         "german, lists its tables alone.",
     .example = "tactics list filters\ntactics list formats papers --json\ntactics list braille de",
-    .flags = kFlags,
+    .flags = kListFlags,
     .offers = "groups",
-    .run = run,
+    .run = run_list,
 };
 
 }  // namespace tactics

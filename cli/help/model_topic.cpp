@@ -11,10 +11,10 @@ namespace {
 constexpr std::size_t kColumns = 80;
 
 // Words in lines of at most 80 characters, those after the first set in.
-std::string wrapped(const std::string& text) {
+std::string wrapped(const std::string& model_text) {
     std::string lines;
     std::size_t column = 0;
-    for (const std::string_view word : words_of(text)) {
+    for (const std::string_view word : words_of(model_text)) {
         if (column > 0 && column + 1 + word.size() > kColumns) {
             lines += "\n    ";
             column = 4;
@@ -31,7 +31,7 @@ std::string wrapped(const std::string& text) {
     return lines + "\n";
 }
 
-std::string text() {
+std::string model_text() {
     std::string lines =
         "A model (VRML, X3D, COLLADA, OBJ, PLY, glTF, STL) is drawn as blind people draw\n"
         "(M. Kurze, 1997): without perspective and with each face in its true shape;\n"
@@ -81,6 +81,6 @@ std::string text() {
 }  // namespace
 
 extern const Topic model_topic;
-const Topic model_topic{"model", "how a 3-D model is drawn, and the settings for it", &text};
+const Topic model_topic{"model", "how a 3-D model is drawn, and the settings for it", &model_text};
 
 }  // namespace tactics

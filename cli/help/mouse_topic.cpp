@@ -15,24 +15,24 @@ namespace tactics {
 namespace {
 
 std::string in_hexadecimal(std::span<const std::uint8_t> bytes) {
-    std::string text;
+    std::string mouse_text;
     for (const std::uint8_t byte : bytes) {
         char digits[3];
         std::snprintf(digits, sizeof digits, "%02X", byte);
-        text += (text.empty() ? "" : " ") + std::string(digits);
+        mouse_text += (mouse_text.empty() ? "" : " ") + std::string(digits);
     }
-    return text;
+    return mouse_text;
 }
 
 std::string range_of(std::size_t first, std::size_t last) {
     return first == last ? "byte " + std::to_string(first) : "bytes " + std::to_string(first) + " to " + std::to_string(last);
 }
 
-std::string layout(std::span<const ReportField> fields) {
-    std::string text;
+std::string mouse_layout(std::span<const ReportField> fields) {
+    std::string mouse_text;
     for (const ReportField& field : fields)
-        text += "  " + range_of(field.first, field.last) + ": " + std::string(field.what) + "\n";
-    return text;
+        mouse_text += "  " + range_of(field.first, field.last) + ": " + std::string(field.what) + "\n";
+    return mouse_text;
 }
 
 // HID 1.11, 6.2.2: the kind of an item by its first byte, whose two lowest bits give its length.
@@ -53,38 +53,38 @@ std::string_view name_of_item(std::uint8_t first) {
 }
 
 std::string descriptor() {
-    std::string text;
+    std::string mouse_text;
     for (std::span<const std::uint8_t> rest(kMouseDescriptor); !rest.empty();) {
         const std::size_t size = std::min<std::size_t>(rest.size(), 1 + ((rest[0] & 3) == 3 ? 4 : rest[0] & 3));
-        text += "  " + in_hexadecimal(rest.first(size)) + ": " + std::string(name_of_item(rest[0])) + "\n";
+        mouse_text += "  " + in_hexadecimal(rest.first(size)) + ": " + std::string(name_of_item(rest[0])) + "\n";
         rest = rest.subspan(size);
     }
-    return text;
+    return mouse_text;
 }
 
 // Too long for one line; in udev rules a backslash continues the line.
 std::string rule() {
-    std::string text = udev_rule("0003:00001209:00000005");
-    const auto second = text.find("ATTRS{idProduct}");
-    if (second != std::string::npos) text.insert(second, "\\\n    ");
-    return "  " + text + "\n";
+    std::string mouse_text = udev_rule("0003:00001209:00000005");
+    const auto second = mouse_text.find("ATTRS{idProduct}");
+    if (second != std::string::npos) mouse_text.insert(second, "\\\n    ");
+    return "  " + mouse_text + "\n";
 }
 
 template <typename Presets>
 std::string names_of(const Presets& presets) {
-    std::string text;
+    std::string mouse_text;
     for (std::size_t i = 0; i < presets.size(); ++i)
-        text += (i == 0 ? "" : i + 1 < presets.size() ? ", " : " or ") + std::string(presets[i].name);
-    return text;
+        mouse_text += (i == 0 ? "" : i + 1 < presets.size() ? ", " : " or ") + std::string(presets[i].name);
+    return mouse_text;
 }
 
 std::string indented(const std::string& lines) {
-    std::string text = "  ";
+    std::string mouse_text = "  ";
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        text += lines[i];
-        if (lines[i] == '\n' && i + 1 < lines.size()) text += "  ";
+        mouse_text += lines[i];
+        if (lines[i] == '\n' && i + 1 < lines.size()) mouse_text += "  ";
     }
-    return text;
+    return mouse_text;
 }
 
 const std::string& hold() {
@@ -102,11 +102,11 @@ std::string reports_text() {
            "64 bytes, interval 1. Reports have no ids. tactics recognises the mouse by its\n"
            "report descriptor; its vendor and product numbers do not matter.\n\n"
            "Report to the computer, one every millisecond, whatever the computer sends:\n" +
-           layout(kMouseFields) +
+           mouse_layout(kMouseFields) +
            "All sensor counts are of that kind. x points to the right and y towards the\n"
            "hand, as on maps.\n\n"
            "Report from the computer:\n" +
-           layout(kForceFields) + "For example a force of 1.5 N for " + hold() + ":\n" + "  " + range_of(0, 7) + ": " +
+           mouse_layout(kForceFields) + "For example a force of 1.5 N for " + hold() + ":\n" + "  " + range_of(0, 7) + ": " +
            in_hexadecimal(bytes.first(8)) + "\n" + "  " + range_of(8, 61) + ": 00\n" + "  " + range_of(62, 63) + ": " +
            in_hexadecimal(bytes.last(2)) + "\n" +
            "\n"
@@ -160,11 +160,11 @@ std::string lever_file_text() {
            "Example: tactics play relief.png --device hid: --lever mouse.txt\n";
 }
 
-std::string text() { return reports_text() + duties_text() + permission_text() + lever_file_text(); }
+std::string mouse_text() { return reports_text() + duties_text() + permission_text() + lever_file_text(); }
 
 }  // namespace
 
 extern const Topic mouse_topic;
-const Topic mouse_topic{"mouse", "how to build a haptic mouse, and the file for play --lever", text};
+const Topic mouse_topic{"mouse", "how to build a haptic mouse, and the file for play --lever", mouse_text};
 
 }  // namespace tactics

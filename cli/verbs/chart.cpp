@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kChartFlags[] = {
     {"--output", "-o", "OUT",
      "where to write: FILE, whose ending chooses the format, or FORMAT:FILE, as in convert. May be given several times", true,
      "files formats"},
@@ -60,7 +60,7 @@ constexpr Flag kFlags[] = {
     {"--quiet", "-q", "", "nothing but errors", false, ""},
 };
 
-int run(const Given& given) {
+int run_chart(const Given& given) {
     if (given.words.size() != 1) throw Error(Fault::usage, "chart", phrase("name one file of figures, or - for standard input"));
     if (!given.has("--output")) throw Error(Fault::usage, "chart", phrase("say where to write it: -o chart.pdf"));
     Request request = plan_charts(plan_outputs({given.words[0]}, named_outputs(given), {}, real_disk()), given);
@@ -113,10 +113,10 @@ const Command chart_command{
         "tactics chart sales.csv --bars grouped --y 2023 --y 2024 -o sales.pdf -o sales.brf\n"
         "tactics chart results.csv --x \"dots a page\" --y F --group tool --label method --log-x -o chart.pdf -o chart.brf\n"
         "cut -d, -f2,5 measured.csv | tactics chart - --points -o points.svg --title \"Height and age\"",
-    .flags = kFlags,
+    .flags = kChartFlags,
     .offers = "files",
     .takes_kept = true,
-    .run = run,
+    .run = run_chart,
 };
 
 }  // namespace tactics

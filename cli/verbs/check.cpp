@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kAll = ~std::size_t{0};
 
-constexpr Flag kFlags[] = {
+constexpr Flag kCheckFlags[] = {
     {"--medium", "-m", "MEDIUM", "what the page is made on; it decides the limits. Default: swell", false, "media"},
     {"--paper", "-p", "PAPER", "paper of pictures, and of a drawing whose file gives no size", false, "papers"},
     {"--margin", "", "LENGTH", "margin that must stay free; default: the medium's own", false, ""},
@@ -55,13 +55,13 @@ constexpr Flag kFlags[] = {
     kAsDrawnFlag,
 };
 
-enum class Told { text, json, sarif, junit };
+enum class CheckTold { text, json, sarif, junit };
 
 struct Wanted {
     std::vector<std::string> files;
     PageWish page;
     std::vector<Demand> demands;
-    Told told = Told::text;
+    CheckTold told = CheckTold::text;
     std::size_t most = 10;
     std::string mark;
     const Format* mark_format = nullptr;
@@ -125,11 +125,11 @@ std::vector<Demand> demands_for(const Given& given, const Medium& medium,
     return demands;
 }
 
-Told told_value(const Given& given) {
-    constexpr Told kWays[] = {Told::text, Told::json, Told::sarif, Told::junit};
+CheckTold told_value(const Given& given) {
+    constexpr CheckTold kWays[] = {CheckTold::text, CheckTold::json, CheckTold::sarif, CheckTold::junit};
     if (given.has("--json") && given.value("--format", "json") != "json")
         throw Error(Fault::usage, "--json", phrase("give this or --format, not both"));
-    if (given.has("--json")) return Told::json;
+    if (given.has("--json")) return CheckTold::json;
     return kWays[choice_value(given, "--format", {"text", "json", "sarif", "junit"}).value_or(0)];
 }
 
@@ -162,7 +162,7 @@ Wanted plan_check(const Given& given) {
         wanted.page.margin = length_value(given, "--margin", 0);
     else if (!embossed)
         wanted.page.margin = kept.margin;
-    Given rest(kFlags);
+    Given rest(kCheckFlags);
     for (const auto name : {"--recipe", "--filter", "--detail", "--no-defaults"})
         for (const auto& value : given.all(name)) rest.add(name, value);
     const auto limits = take_limits(given, rest);
@@ -188,7 +188,7 @@ Wanted plan_check(const Given& given) {
     return wanted;
 }
 
-int run(const Given& given) {
+int run_check(const Given& given) {
     const Wanted wanted = plan_check(given);
     std::vector<Checked> all;
     int code = 0;
@@ -206,15 +206,15 @@ int run(const Given& given) {
             code = std::max(code, static_cast<int>(failure.fault));
         }
         broken = broken || count_of(checked).hard > 0;
-        if (wanted.told == Told::json) print_out(json_report(checked));
-        if (wanted.told == Told::text && failure.text.empty())
+        if (wanted.told == CheckTold::json) print_out(json_report(checked));
+        if (wanted.told == CheckTold::text && failure.text.empty())
             print_out(text_report(checked, wanted.most, wanted.mark_format != nullptr));
-        if (wanted.told != Told::sarif && wanted.told != Told::junit) continue;
+        if (wanted.told != CheckTold::sarif && wanted.told != CheckTold::junit) continue;
         checked.found.page = {};  // of many pages only the places are kept
         all.push_back(std::move(checked));
     }
-    if (wanted.told == Told::sarif) print_out(sarif_report(all));
-    if (wanted.told == Told::junit) print_out(junit_report(all));
+    if (wanted.told == CheckTold::sarif) print_out(sarif_report(all));
+    if (wanted.told == CheckTold::junit) print_out(junit_report(all));
     return code == 0 && wanted.strict && broken ? kRuleBroken : code;
 }
 
@@ -241,10 +241,10 @@ const Command check_command{
         "tactics check pages/*.pdf --strict --json\n"
         "tactics check page.svg --mark marked.svg --set gap.least=6mm\n"
         "tactics check photo.jpg --recipe photo --medium thermoform",
-    .flags = kFlags,
+    .flags = kCheckFlags,
     .offers = "files",
     .takes_kept = true,
-    .run = run,
+    .run = run_check,
 };
 
 }  // namespace tactics

@@ -21,7 +21,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kConvertFlags[] = {
     {"--output", "-o", "OUT",
      "where to write: FILE, whose ending chooses the format; FORMAT:FILE, such as pdf:- for standard output; or FOLDER/. May be "
      "given several times",
@@ -146,7 +146,7 @@ void check_braille(const Request& request, bool named) {
     if (named || request.title_from_name || !sheet.title.empty()) to_braille(sheet.title, sheet.braille_table);
 }
 
-int run(const Given& given) {
+int run_convert(const Given& given) {
     Request request = plan(given, real_disk());
     check_braille(request, given.has("--braille"));
     Folders folders;
@@ -206,10 +206,10 @@ const Command convert_command{
         "tactics convert photo.jpg -o page.png --filter \"sobel blur=0.5mm\" --filter threshold\n"
         "tactics convert book.pdf --text -o book.brf\n"
         "cat photo.jpg | tactics convert - -o pdf:- > page.pdf",
-    .flags = kFlags,
+    .flags = kConvertFlags,
     .offers = "files",
     .takes_kept = true,
-    .run = run,
+    .run = run_convert,
 };
 
 }  // namespace tactics

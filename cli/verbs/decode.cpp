@@ -21,7 +21,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kDecodeFlags[] = {
     {"--output", "-o", "OUT",
      "where to write: .csv for a recording; .png, .tif, .exr, .stl or .felt for heights. Without it, tactics only says what the "
      "file holds",
@@ -35,7 +35,7 @@ constexpr Flag kFlags[] = {
 };
 
 // The numbers of --part: none, or `count` of them that ascend in pairs.
-std::vector<double> part_of(const Given& given, std::size_t count, const Phrase& form) {
+std::vector<double> part_of_decode(const Given& given, std::size_t count, const Phrase& form) {
     std::vector<double> numbers;
     if (!given.has("--part")) return numbers;
     const std::string text = given.value("--part");
@@ -54,25 +54,25 @@ std::vector<double> part_of(const Given& given, std::size_t count, const Phrase&
 
 Phrase thousandths(double value) { return numeral(std::round(value / 0.001) * 0.001); }
 
-struct Told {
+struct DecodeTold {
     JsonAnswer object;
     Phrase line;
     std::string bytes;
 };
 
-Told told_ticks(const Container& container, const Given& given) {
+DecodeTold told_ticks(const Container& container, const Given& given) {
     const std::string output = given.value("--output");
     if (!output.empty() && !output.ends_with(".csv") && output != "-")
         throw Error(Fault::usage, "--output", phrase("\"{0}\" must end in .csv: it holds a recording", output.substr(0, 80)));
     const RecordingFacts facts = recording_facts(container);
-    const auto part = part_of(given, 2, phrase("FROM,TO in s, such as 2,5"));
+    const auto part = part_of_decode(given, 2, phrase("FROM,TO in s, such as 2,5"));
     const auto microseconds = [](double seconds) { return std::llround(std::clamp(seconds, -1e7, 1e7) * 1e6); };
     const Recording recording =
         part.empty() ? decode_recording(container) : decode_recording(container, microseconds(part[0]), microseconds(part[1]));
     if (recording.times.empty())
         throw Error(Fault::usage, "--part", phrase("there is no tick between {0} and {1} s", to_text(part[0]), to_text(part[1])));
     const double seconds = static_cast<double>(recording.times.back() - recording.times.front()) / 1e6;
-    Told told;
+    DecodeTold told;
     told.object.add("kind", "recording");
     told.object.add("ticks", static_cast<double>(recording.times.size()));
     told.object.add("seconds", seconds);
@@ -89,7 +89,7 @@ Told told_ticks(const Container& container, const Given& given) {
     return told;
 }
 
-Told told_heights(const Container& container, const Given& given) {
+DecodeTold told_heights(const Container& container, const Given& given) {
     const std::string output = given.value("--output");
     const Format* format = output.empty() ? nullptr : heights_format_of_path(output);
     if (!output.empty() && format == nullptr)
@@ -97,7 +97,7 @@ Told told_heights(const Container& container, const Given& given) {
                     phrase("\"{0}\" must end in .png, .tif, .exr, .felt or .stl: it holds heights", output.substr(0, 80)));
     const LevelMap facts = map_facts(container);
     LevelWindow window{0, 0, facts.columns, facts.rows};
-    if (const auto part = part_of(given, 4, phrase("LEFT,TOP,RIGHT,BOTTOM, such as 10mm,20mm,60mm,50mm")); !part.empty()) {
+    if (const auto part = part_of_decode(given, 4, phrase("LEFT,TOP,RIGHT,BOTTOM, such as 10mm,20mm,60mm,50mm")); !part.empty()) {
         const auto place = [&](double length, int most) {
             return static_cast<int>(std::lround(std::clamp(length / facts.pitch, 0.0, static_cast<double>(most))));
         };
@@ -111,7 +111,7 @@ Told told_heights(const Container& container, const Given& given) {
                                thousandths(facts.rows * facts.pitch)));
     }
     const LevelMap map = decode_levels(container, window, kMostHeights);
-    Told told;
+    DecodeTold told;
     told.object.add("kind", "heights");
     told.object.add("columns", map.columns);
     told.object.add("rows", map.rows);
@@ -134,7 +134,7 @@ Told told_heights(const Container& container, const Given& given) {
     return told;
 }
 
-int run(const Given& given) {
+int run_decode(const Given& given) {
     if (given.words.size() != 1) throw Error(Fault::usage, "decode", phrase("name one .felt file, or - for standard input"));
     const std::string input = given.words[0], output = given.value("--output");
     if (given.has("--output") && output.empty())
@@ -145,7 +145,8 @@ int run(const Given& given) {
     Source source = open_source(input);
     const std::string bytes = felt_bytes(source);
     const Container container(bytes, source.name);
-    Told told = container.kind() == ContainerKind::recording ? told_ticks(container, given) : told_heights(container, given);
+    DecodeTold told =
+        container.kind() == ContainerKind::recording ? told_ticks(container, given) : told_heights(container, given);
     if (!output.empty()) write_file(output, told.bytes);
     if (given.has("--json")) {
         told.object.add("input", input);
@@ -174,9 +175,9 @@ const Command decode_command{
         "tactics decode ticks.felt -o ticks.csv\n"
         "tactics decode ticks.felt --part 20,25 -o five-seconds.csv\n"
         "tactics decode terrain.felt --part 10mm,10mm,60mm,40mm -o corner.png",
-    .flags = kFlags,
+    .flags = kDecodeFlags,
     .offers = "files",
-    .run = run,
+    .run = run_decode,
 };
 
 }  // namespace tactics

@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kDefaultsFlags[] = {
     {"--json", "", "",
      "one JSON object per line for each choice: its name and, if it is kept, its value, its place and what it "
      "overrides",
@@ -94,7 +94,7 @@ void unset(const std::string& name) {
     write_file(file, after);
 }
 
-int run(const Given& given) {
+int run_defaults(const Given& given) {
     const auto& words = given.words;
     if (!words.empty() && given.has("--json"))
         throw Error(Fault::usage, "--json", phrase("it is for showing what is kept; leave it out, or leave out {0}", words[0]));
@@ -135,9 +135,9 @@ const Command defaults_command{
     .example =
         "tactics defaults\ntactics defaults set language de\ntactics defaults set paper letter\n"
         "tactics defaults set machine index-v4\ntactics defaults unset paper",
-    .flags = kFlags,
+    .flags = kDefaultsFlags,
     .offers = "set unset",
-    .run = run,
+    .run = run_defaults,
 };
 
 }  // namespace tactics

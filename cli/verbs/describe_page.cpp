@@ -18,7 +18,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kDescribePageFlags[] = {
     {"--output", "-o", "FILE", "write the description to this text file instead of standard output", false, "files"},
     kPdfPageFlag,
     kAllowFlag,
@@ -61,7 +61,7 @@ constexpr Flag kFlags[] = {
     {"--json", "", "", "one JSON object for each picture, with sizes and places in mm", false, ""},
 };
 
-std::string text_of(const Outcome& outcome) {
+std::string text_of_describe_page(const Outcome& outcome) {
     std::string text;
     for (const Page& page : outcome.layouts.front().shown) {
         if (!text.empty()) text += "\n";
@@ -76,14 +76,14 @@ std::string text_of(const Outcome& outcome) {
 }
 
 // The description of one picture; errors go to standard error.
-std::string alone(const Outcome& outcome) { return outcome.error.empty() ? text_of(outcome) : ""; }
+std::string alone(const Outcome& outcome) { return outcome.error.empty() ? text_of_describe_page(outcome) : ""; }
 
 // For several pictures: below its name, followed by an empty line.
 std::string among_others(const Outcome& outcome) {
-    return outcome.error.empty() ? outcome.input + ":\n" + text_of(outcome) + "\n" : "";
+    return outcome.error.empty() ? outcome.input + ":\n" + text_of_describe_page(outcome) + "\n" : "";
 }
 
-std::string in_json(const Outcome& outcome) {
+std::string describe_page_in_json(const Outcome& outcome) {
     JsonAnswer json;
     json.add("input", outcome.input);
     if (!outcome.error.empty()) {
@@ -123,12 +123,12 @@ std::vector<Item> plan_items(const Given& given) {
     return items;
 }
 
-int run(const Given& given) {
+int run_describe_page(const Given& given) {
     Request request = plan_pages(plan_items(given), given, real_disk());
     const Output& output = request.items.front().outputs.front();
     request.loudness = output.path.empty() ? Loudness::errors : Loudness::usual;
     if (given.has("--json"))
-        request.answer = in_json;
+        request.answer = describe_page_in_json;
     else if (output.path.empty())
         request.answer = request.items.size() > 1 ? among_others : alone;
     return run_batch(request);
@@ -155,10 +155,10 @@ const Command describe_command{
         "tactics describe photos/*.jpg > words.txt\n"
         "tactics convert photos/*.jpg -o words/ --to text\n"
         "tactics describe photo.jpg --json",
-    .flags = kFlags,
+    .flags = kDescribePageFlags,
     .offers = "files",
     .takes_kept = true,
-    .run = run,
+    .run = run_describe_page,
 };
 
 }  // namespace tactics

@@ -14,11 +14,11 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kDevicesFlags[] = {
     {"--json", "", "", "one JSON object per line: address, id, embosser, note", false, ""},
 };
 
-int run(const Given& given) {
+int run_devices(const Given& given) {
     if (!given.words.empty()) throw Error(Fault::usage, "devices", phrase("it takes no words; see tactics devices --help"));
     std::vector<AttachedDevice> devices = attached_devices("");
     const std::vector<AttachedDevice> queues = print_queues();
@@ -65,8 +65,8 @@ const Command devices_command{
         "(hid:, to which emboss does not send), then haptic mice and touch overlays with what to write for tactics play. "
         "Nothing is opened or sent.",
     .example = "tactics devices\ntactics devices --json",
-    .flags = kFlags,
-    .run = run,
+    .flags = kDevicesFlags,
+    .run = run_devices,
 };
 
 }  // namespace tactics

@@ -28,7 +28,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kEmbossFlags[] = {
     {"--to", "-t", "ADDRESS",
      "where to send: queue:NAME, tcp:HOST[:PORT], /dev/usb/lp0, usb: (the only USB printer; or usb:VID:PID[:SERIAL], "
      "usb:BUS-PORT), /dev/ttyUSB0@9600 (append ,xonxoff or ,none for a line without RTS and CTS), or a file; see tactics "
@@ -189,7 +189,7 @@ std::unique_ptr<Channel> open_channel(const Address& address, const Given& given
     return open_usblp(address.name);
 }
 
-std::string name_of(Ending ending) {
+std::string name_of_emboss(Ending ending) {
     switch (ending) {
         case Ending::done: return "done";
         case Ending::paper_out: return "paper-out";
@@ -275,10 +275,10 @@ Delivery deliver_to(const Address& address, const std::string& place, const Embo
     return delivery;
 }
 
-std::string json_of(const Delivery& delivery, const EmbossJob& job, const std::string& to) {
+std::string json_of_emboss(const Delivery& delivery, const EmbossJob& job, const std::string& to) {
     JsonAnswer json;
     json.add("to", to);
-    json.add("ending", name_of(delivery.ending));
+    json.add("ending", name_of_emboss(delivery.ending));
     json.add("accepted", static_cast<double>(delivery.accepted));
     json.add("bytes", static_cast<double>(job.bytes.size()));
     if (!job.pages.empty()) {
@@ -288,7 +288,7 @@ std::string json_of(const Delivery& delivery, const EmbossJob& job, const std::s
     return json.text() + "\n";
 }
 
-int run(const Given& given) {
+int run_emboss(const Given& given) {
     if (given.words.empty()) throw Error(Fault::usage, "emboss", phrase("name the files to send, in their order"));
     const std::string to = given.value("--to");
     const std::string place = to == "usb:" ? "usb" : to;  // a colon follows
@@ -309,7 +309,7 @@ int run(const Given& given) {
     } else {
         delivery = deliver_to(address, place, job, patience, given);
     }
-    if (given.has("--json")) print_out(json_of(delivery, job, to));
+    if (given.has("--json")) print_out(json_of_emboss(delivery, job, to));
     if (delivery.ending != Ending::done)
         say(phrase("tactics: {0}: {1}. {2}. What the machine punched of them only a look at its paper tells", place,
                    words_for(delivery.ending, delivery.why), accepted_line(job, delivery.accepted)));
@@ -342,10 +342,10 @@ const Command emboss_command{
         "tactics emboss chapter.brf figure.prn rest.brf --to /dev/usb/lp0 --embosser index-v4\n"
         "tactics emboss page.prn --to usb:1-2\n"
         "tactics emboss book.prn --to tcp:192.168.1.20 --embosser index-v4 --from-page 12",
-    .flags = kFlags,
+    .flags = kEmbossFlags,
     .offers = "files",
     .takes_kept = true,
-    .run = run,
+    .run = run_emboss,
 };
 
 }  // namespace tactics

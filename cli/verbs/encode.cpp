@@ -29,7 +29,7 @@ constexpr double kFloor = 0.01;  // N
 constexpr double kAllowance = 0.1;  // N mm
 constexpr double kMostShare = 0.5;
 
-constexpr Flag kFlags[] = {
+constexpr Flag kEncodeFlags[] = {
     {"--output", "-o", "OUT.felt", "where to write", false, "files"},
     {"--deadband", "", "SHARE",
      "of a recording: store a force only where the prediction misses it by more than this share (10%, at most 50%) and by more "
@@ -47,7 +47,7 @@ constexpr Flag kFlags[] = {
     {"--quiet", "-q", "", "nothing but errors", false, ""},
 };
 
-struct Plan {
+struct EncodePlan {
     std::string input, output;
     std::optional<DeviceSteps> device;
     std::string device_name;
@@ -67,13 +67,13 @@ double share_of(const Given& given) {
     return share;
 }
 
-Plan plan_encode(const Given& given) {
+EncodePlan plan_encode(const Given& given) {
     if (given.words.size() != 1)
         throw Error(Fault::usage, "encode",
                     phrase("name one recording (play writes it with --csv) or one file of heights; for example: tactics encode "
                            "ticks.csv -o ticks.felt"));
     if (!given.has("--output")) throw Error(Fault::usage, "encode", phrase("say where to write it: -o ticks.felt"));
-    Plan plan{given.words[0], given.value("--output"), {}, {}, {}};
+    EncodePlan plan{given.words[0], given.value("--output"), {}, {}, {}};
     const Disk disk = real_disk();
     if (plan.input != "-" && disk.identity(plan.input) == disk.identity(plan.output))
         throw Error(Fault::usage, "--output", phrase("{0} is the input; choose another name", plan.output));
@@ -95,8 +95,8 @@ Plan plan_encode(const Given& given) {
 
 Phrase in_steps(double value, double step) { return numeral(std::round(value / step) * step); }
 
-void finish(const Plan& plan, const Given& given, const std::string& bytes, const std::vector<Phrase>& notes, JsonAnswer object,
-            const Phrase& line) {
+void finish(const EncodePlan& plan, const Given& given, const std::string& bytes, const std::vector<Phrase>& notes,
+            JsonAnswer object, const Phrase& line) {
     write_file(plan.output, bytes);
     const std::string name = plan.input == "-" ? "standard input" : plan.input;
     if (given.has("--json")) {
@@ -111,7 +111,7 @@ void finish(const Plan& plan, const Given& given, const std::string& bytes, cons
     }
 }
 
-int encode_ticks(const Plan& plan, const Given& given, TickTable ticks) {
+int encode_ticks(const EncodePlan& plan, const Given& given, TickTable ticks) {
     const Recording truth = plan.device ? for_device(ticks.recording, *plan.device) : std::move(ticks.recording);
     const EncodedRecording encoded = encode_recording(truth, plan.band);
     const ForceLoss loss = loss_of(truth, decode_recording(Container(encoded.bytes, plan.output)), plan.band);
@@ -149,7 +149,7 @@ int encode_ticks(const Plan& plan, const Given& given, TickTable ticks) {
     return 0;
 }
 
-int encode_heights(const Plan& plan, const Given& given, Source& source) {
+int encode_heights(const EncodePlan& plan, const Given& given, Source& source) {
     if (plan.band.share > 0)
         throw Error(Fault::usage, "--deadband", phrase("it is about forces, and {0} holds none; leave it out", source.name));
     const HeightFile file = read_heights(source, {});
@@ -171,8 +171,8 @@ int encode_heights(const Plan& plan, const Given& given, Source& source) {
     return 0;
 }
 
-int run(const Given& given) {
-    const Plan plan = plan_encode(given);
+int run_encode(const Given& given) {
+    const EncodePlan plan = plan_encode(given);
     Source source = open_source(plan.input);
     if (auto ticks = ticks_in(source)) return encode_ticks(plan, given, std::move(*ticks));
     return encode_heights(plan, given, source);
@@ -199,9 +199,9 @@ const Command encode_command{
         "tactics encode ticks.csv -o ticks.felt --deadband 10%\n"
         "tactics encode ticks.csv -o ticks.felt --deadband 10% --predict hold --device omni --json\n"
         "tactics encode terrain.png -o terrain.felt --device omni",
-    .flags = kFlags,
+    .flags = kEncodeFlags,
     .offers = "files",
-    .run = run,
+    .run = run_encode,
 };
 
 }  // namespace tactics

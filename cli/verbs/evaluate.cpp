@@ -166,7 +166,7 @@ void give_out_charts(const StudyFindings& findings, const std::vector<ChartFile>
     }
 }
 
-int run(const Given& given) {
+int run_evaluate(const Given& given) {
     const EvaluateRequest request = plan_evaluation(given, real_disk());
     Telling telling(request.quiet);
     const StudyFindings findings = request.study->run(request, telling.watch());
@@ -200,7 +200,7 @@ const Command evaluate_command{
         "tactics evaluate photos/ --study needed -r photo",
     .flags = flags(),
     .offers = "folders",
-    .run = run,
+    .run = run_evaluate,
 };
 
 }  // namespace tactics

@@ -25,7 +25,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kMeasureFlags[] = {
     {"--media", "", "all|NAME,NAME...",
      "say what each of these carries: media, embossers, displays and height formats from tactics list, or mouse, omni, desktop, "
      "phantom",
@@ -102,7 +102,7 @@ int measure_voxels(const Given& given, const std::string& name, Source& source) 
     return 0;
 }
 
-int run(const Given& given) {
+int run_measure(const Given& given) {
     if (given.words.size() != 1)
         throw Error(Fault::usage, "measure",
                     phrase("name one file, or - for standard input; for example: tactics measure photo.jpg --media all"));
@@ -161,9 +161,9 @@ const Command measure_command{
         "tactics measure photo.jpg --recipe photo --media all --json\n"
         "tactics measure ticks.felt --media omni,desktop\n"
         "tactics measure terrain.tif --media omni,desktop --best --levels-of-detail",
-    .flags = kFlags,
+    .flags = kMeasureFlags,
     .offers = "files",
-    .run = run,
+    .run = run_measure,
 };
 
 }  // namespace tactics

@@ -21,7 +21,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kPlayFlags[] = {
     {"--device", "-d", "DEVICE",
      "the mouse: simulated, sensed (simulated, finding its place by imperfect sensors), recorded:FILE.csv (time_s,x_mm,y_mm per "
      "line; a first line may name the columns, including finger_mm, the finger's own height), hid: or hid:/dev/hidraw0; or an "
@@ -238,7 +238,7 @@ int play_map(const PlayPlan& plan, bool by_wall, bool quiet, bool json) {
     return 0;
 }
 
-int run(const Given& given) {
+int run_play(const Given& given) {
     const int axes = kind_of_device(given.value("--device", std::string(device_kinds().front()->name))).axes;
     if (axes == 3 || (axes == 0 && given.has("--arm"))) return play_on_arm(given);
     for (const std::string_view flag : arm_flags())
@@ -292,9 +292,9 @@ const Command play_command{
         "tactics play terrain.csv --z height --device arm --levels auto\n"
         "tactics play relief.png --device hid: --radius 4mm\n"
         "tactics play data.csv --device arm --guide start,follow --speak auto --tones way.wav",
-    .flags = kFlags,
+    .flags = kPlayFlags,
     .offers = "files",
-    .run = run,
+    .run = run_play,
 };
 
 }  // namespace tactics

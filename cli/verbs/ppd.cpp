@@ -36,11 +36,11 @@ std::string choice_block(const std::string& key, const std::string& words, const
     return text + "*CloseUI: *" + key + "\n\n";
 }
 
-constexpr Flag kFlags[] = {
+constexpr Flag kPpdFlags[] = {
     {"--filter", "", "PATH", "path of the program as a filter, if it is not installed in CUPS's own folder", false, "files"},
 };
 
-int run(const Given& given) {
+int run_ppd(const Given& given) {
     if (given.words.size() != 1) throw Error(Fault::usage, "ppd", phrase("name one embosser; see tactics list embossers"));
     print_out(ppd_of(find_embosser(given.words[0], "ppd"), given.value("--filter", kCupsFilterName)));
     return 0;
@@ -202,9 +202,9 @@ const Command ppd_command{
         "tactics ppd index-v4 > index-v4.ppd\n"
         "lpadmin -p Everest -E -v socket://192.168.1.20:9100 -P index-v4.ppd\n"
         "lp -d Everest -o TacticsPitch=2.0 photo.jpg",
-    .flags = kFlags,
+    .flags = kPpdFlags,
     .offers = "embossers",
-    .run = run,
+    .run = run_ppd,
 };
 
 }  // namespace tactics

@@ -23,7 +23,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kPreviewFlags[] = {
     {"--embosser", "-e", "NAME", "the machine that the bytes are for, from tactics list embossers or tactics list displays",
      false, "embossers displays"},
     {"--output", "-o", "FILE",
@@ -38,13 +38,13 @@ constexpr Flag kFlags[] = {
     {"--json", "", "", "one JSON object for each sheet: its dots in mm, and what the machine would not understand", false, ""},
 };
 
-struct Extent {
+struct PreviewExtent {
     double left = 0, right = 0, top = 0, bottom = 0;
 };
 
-Extent extent_of(const PunchedSheet& sheet) {
+PreviewExtent extent_of(const PunchedSheet& sheet) {
     const Point first = sheet.dots.front();
-    Extent extent{first.x, first.x, first.y, first.y};
+    PreviewExtent extent{first.x, first.x, first.y, first.y};
     for (const Point& dot : sheet.dots) {
         extent.left = std::min(extent.left, dot.x);
         extent.right = std::max(extent.right, dot.x);
@@ -56,9 +56,9 @@ Extent extent_of(const PunchedSheet& sheet) {
 
 Phrase mm(double value) { return numeral(std::round(value * 10) / 10); }
 
-Phrase told(const PunchedSheet& sheet, std::size_t number, double width, double height) {
+Phrase preview_told(const PunchedSheet& sheet, std::size_t number, double width, double height) {
     if (sheet.dots.empty()) return phrase("sheet {0}: no dots", std::to_string(number));
-    const Extent extent = extent_of(sheet);
+    const PreviewExtent extent = extent_of(sheet);
     const Phrase line = phrases(sheet.dots.size(), "sheet {1}: {0} dot, from {2} to {3} mm across and from {4} to {5} mm down",
                                 "sheet {1}: {0} dots, from {2} to {3} mm across and from {4} to {5} mm down",
                                 std::to_string(number), mm(extent.left), mm(extent.right), mm(extent.top), mm(extent.bottom));
@@ -67,8 +67,8 @@ Phrase told(const PunchedSheet& sheet, std::size_t number, double width, double 
     return line;
 }
 
-std::string json_of(const PunchedSheet& sheet, std::size_t number, double width, double height,
-                    const std::vector<Phrase>& notes) {
+std::string json_of_preview(const PunchedSheet& sheet, std::size_t number, double width, double height,
+                            const std::vector<Phrase>& notes) {
     JsonAnswer json;
     json.add("sheet", static_cast<double>(number));
     json.add("width_mm", width);
@@ -172,7 +172,7 @@ void write_pictures(const Preview& preview, const std::vector<PunchedSheet>& dra
     files.take_names();
 }
 
-int run(const Given& given) {
+int run_preview(const Given& given) {
     const Preview preview = plan_preview(given);
     Punched punched;
     {
@@ -194,13 +194,13 @@ int run(const Given& given) {
         const PunchedSheet& sheet = punched.sheets[i];
         std::string text;
         if (given.has("--json")) {
-            text = json_of(sheet, i + 1, width, height, punched.notes);
+            text = json_of_preview(sheet, i + 1, width, height, punched.notes);
         } else if (given.has("--unicode")) {
             if (i > 0) text = "\f";
             if (!sheet.apart.empty()) text += unicode_of(sheet.apart) + "\n";
             for (const std::string& line : unicode_of(sheet, pitch)) text += line + "\n";
         } else {
-            text = told(sheet, i + 1, width, height).in(user_language()) + "\n";
+            text = preview_told(sheet, i + 1, width, height).in(user_language()) + "\n";
             if (!sheet.apart.empty()) text += phrase("its line of text: {0}", unicode_of(sheet.apart)).in(user_language()) + "\n";
         }
         print_out(text);
@@ -225,10 +225,10 @@ const Command preview_command{
         "tactics convert photo.jpg -o index-v4:page.prn\n"
         "tactics preview page.prn --embosser index-v4 -o preview.png\n"
         "tactics preview page.prn --embosser index-v4 --unicode",
-    .flags = kFlags,
+    .flags = kPreviewFlags,
     .offers = "files",
     .takes_kept = true,
-    .run = run,
+    .run = run_preview,
 };
 
 }  // namespace tactics

@@ -19,7 +19,7 @@ namespace tactics {
 namespace {
 
 // CUPS shows the last of these beside the print job.
-std::string_view words_of(JobStep step) {
+std::string_view step_words(JobStep step) {
     switch (step) {
         case JobStep::reading: return "reading";
         case JobStep::drawing: return "drawing";
@@ -88,7 +88,7 @@ std::vector<Part> parts_of(const Source& source, const PrintedPages& pages, cons
 std::size_t emboss_part(const Part& part, const Source& source, const PrintedPages& pages, Job job, std::size_t sheets) {
     const std::string name = part.name_among(pages.all);
     const Watch watch{.goes_on = [&](JobStep step) {
-        say("INFO: " + std::string(words_of(step)) + " " + name);
+        say("INFO: " + std::string(step_words(step)) + " " + name);
         return true;
     }};
     std::vector<Phrase> notes;

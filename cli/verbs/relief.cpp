@@ -26,7 +26,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Flag kFlags[] = {
+constexpr Flag kReliefFlags[] = {
     {"--output", "-o", "OUT",
      "where to write; the ending chooses the format: .png (16 bits), .tif, .exr, .felt, .stl. May be given several times", true,
      "files"},
@@ -69,7 +69,7 @@ std::optional<double> length_of(const Given& given, std::string_view name, bool 
     return length;
 }
 
-constexpr std::string_view kTableFlags[] = {"--x", "--y", "--z", "--matrix", "--decimal", "--dates"};
+constexpr std::string_view kReliefTableFlags[] = {"--x", "--y", "--z", "--matrix", "--decimal", "--dates"};
 
 // The settings of formats that have options of their own here.
 constexpr SourceWords kOfTif = "only a .tif can hold either; leave it out";
@@ -95,21 +95,21 @@ HeightOutput output_of(const std::string& path) {
     return {path, format, Settings(format->options)};
 }
 
-struct Plan {
+struct ReliefPlan {
     std::string input;
     std::vector<HeightOutput> outputs;
     HeightWish wish;
     std::optional<MediumChannel> medium = {};  // that is to lose least
 };
 
-Plan plan_relief(const Given& given) {
+ReliefPlan plan_relief(const Given& given) {
     if (given.words.size() != 1)
         throw Error(Fault::usage, "relief", phrase("name one picture, height map or model, or - for standard input"));
     if (!given.has("--output")) throw Error(Fault::usage, "relief", phrase("say where to write it: -o relief.png"));
-    Plan plan{given.words[0],
-              {},
-              {length_of(given, "--pitch", true), length_of(given, "--width", true), length_of(given, "--low", false),
-               length_of(given, "--high", false), given.has("--invert")}};
+    ReliefPlan plan{given.words[0],
+                    {},
+                    {length_of(given, "--pitch", true), length_of(given, "--width", true), length_of(given, "--low", false),
+                     length_of(given, "--high", false), given.has("--invert")}};
     if (given.has("--for")) plan.medium = named_channel(given.value("--for"), "--for");
     const Disk disk = real_disk();
     for (const std::string& path : given.all("--output")) {
@@ -138,7 +138,7 @@ Plan plan_relief(const Given& given) {
 
 HeightFile heights_in(Source& source, const Given& given, const HeightWish& wish) {
     if (look_at(source) != Holds::table) {
-        for (const std::string_view flag : kTableFlags)
+        for (const std::string_view flag : kReliefTableFlags)
             if (given.has(flag))
                 throw Error(Fault::usage, flag, phrase("it is about a table, and {0} is none; leave it out", source.name));
         return read_heights(source, wish);
@@ -155,8 +155,8 @@ HeightFile heights_in(Source& source, const Given& given, const HeightWish& wish
     return file;
 }
 
-int run(const Given& given) {
-    const Plan plan = plan_relief(given);
+int run_relief(const Given& given) {
+    const ReliefPlan plan = plan_relief(given);
     const std::string name = plan.input == "-" ? "standard input" : plan.input;
     Source source = open_source(plan.input);
     source.allowed = allowed_formats(given);
@@ -224,9 +224,9 @@ const Command relief_command{
         "tactics relief terrain.csv --z height --width 120mm -o terrain.stl\n"
         "tactics relief terrain.png --for omni -o felt.png\n"
         "tactics relief page.height.png --json -o page.tif -o page.exr",
-    .flags = kFlags,
+    .flags = kReliefFlags,
     .offers = "files",
-    .run = run,
+    .run = run_relief,
 };
 
 }  // namespace tactics

@@ -33,7 +33,7 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-constexpr Flag kFlags[] = {
+constexpr Flag kShowFlags[] = {
     {"--on", "", "DISPLAY:PLACE",
      "the display: dot-pad:/dev/ttyUSB0, graphiti:/dev/ttyACM0; brlapi: for the screen reader's braille display, brlapi:HOST:0 "
      "for one on another machine; hid: for a braille display of the HID standard, hid:/dev/hidraw0 if there are several",
@@ -161,11 +161,11 @@ Next wait_for(Screen& screen, bool keyboard, std::optional<Clock::time_point> en
     }
 }
 
-Phrase told(const Given& given, const std::vector<Page>& parts, std::size_t part) {
+Phrase show_told(const Given& given, const std::vector<Page>& parts, std::size_t part) {
     return phrase("{0}: part {1} of {2}", given.value("--on"), std::to_string(part + 1), std::to_string(parts.size()));
 }
 
-std::string in_json(const Given& given, const DotSetting& size, std::size_t parts, std::size_t part, bool confirmed) {
+std::string show_in_json(const Given& given, const DotSetting& size, std::size_t parts, std::size_t part, bool confirmed) {
     JsonAnswer json;
     json.add("display", given.value("--on"));
     json.add("width_mm", size.width);
@@ -176,7 +176,7 @@ std::string in_json(const Given& given, const DotSetting& size, std::size_t part
     return json.text() + "\n";
 }
 
-int run(const Given& given) {
+int run_show(const Given& given) {
     if (given.words.size() != 1)
         throw Error(Fault::usage, "show",
                     phrase("name one picture; for example: tactics show photo.jpg --on dot-pad:/dev/ttyUSB0"));
@@ -199,11 +199,11 @@ int run(const Given& given) {
         say(phrase("Enter shows the next part, p the one before, q ends; a key of the display is as Enter"));
     for (bool first = true;; first = false) {
         const bool confirmed = screen->show(parts[part]);
-        if (given.has("--json") && first) print_out(in_json(given, size, parts.size(), part, confirmed));
+        if (given.has("--json") && first) print_out(show_in_json(given, size, parts.size(), part, confirmed));
         if (!confirmed)
             say(phrase("{0}: the display did not say that it shows it; feel whether it does, else switch it off and on again",
                        given.value("--on")));
-        if (!given.has("--quiet")) say(told(given, parts, part));
+        if (!given.has("--quiet")) say(show_told(given, parts, part));
         if (!stays) return 0;
         const Next next = wait_for(*screen, keyboard, end);
         if (next == Next::end || (next == Next::forward && part + 1 == parts.size())) return 0;
@@ -232,10 +232,10 @@ const Command show_command{
         "tactics show photo.jpg --on dot-pad:/dev/ttyUSB0 --title \"A bridge\"\n"
         "tactics show map.png --on brlapi: --zoom 3\n"
         "tactics show plan.svg --on graphiti:/dev/ttyACM0 --part 2",
-    .flags = kFlags,
+    .flags = kShowFlags,
     .offers = "files",
     .takes_kept = true,
-    .run = run,
+    .run = run_show,
 };
 
 }  // namespace tactics

@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostFiles = 100000;
 constexpr int kUsualCount = 10, kMostCount = 1000;
 
-constexpr Flag kFlags[] = {
+constexpr Flag kSimilarFlags[] = {
     {"--count", "-n", "N", "how many to list, the nearest first; default: 10", false, "5 10 20"},
     {"--any-way-up", "", "", "also compare the figure turned by quarters and as a mirror image", false, ""},
     kRecipeFlag,
@@ -50,7 +50,7 @@ constexpr Flag kFlags[] = {
     {"--json", "", "", "one JSON object per line, the nearest first", false, ""},
 };
 
-struct Plan {
+struct SimilarPlan {
     std::string figure;
     std::vector<std::string> files;  ///< to compare
     std::vector<Phrase> faults;      ///< of files that cannot be compared
@@ -60,7 +60,7 @@ struct Plan {
 };
 
 // Those below it, in the order of their names. Hidden ones are somebody else's.
-void add_files(Plan& plan, const std::string& folder) {
+void add_files(SimilarPlan& plan, const std::string& folder) {
     std::error_code fault;
     std::vector<std::string> files, folders;
     for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
@@ -79,13 +79,13 @@ void add_files(Plan& plan, const std::string& folder) {
     for (const std::string& inner : folders) add_files(plan, inner);
 }
 
-Plan plan_similar(const Given& given) {
+SimilarPlan plan_similar(const Given& given) {
     if (given.words.size() < 2)
         throw Error(
             Fault::usage, "similar",
             phrase("name a figure, and the folder or the files to look in; for example: tactics similar heart.png drawings/"));
     const Disk disk = real_disk();
-    Plan plan;
+    SimilarPlan plan;
     plan.figure = given.words[0];
     if (given.has("--count")) {
         const auto count = parse_number(given.value("--count"));
@@ -130,7 +130,7 @@ struct Comparisons {
     std::vector<Phrase> faults;
 };
 
-Comparisons compare_all(const Plan& plan, const Look& figure, bool quiet) {
+Comparisons compare_all(const SimilarPlan& plan, const Look& figure, bool quiet) {
     std::vector<std::optional<Likeness>> found(plan.files.size());
     std::vector<Failure> failures(plan.files.size());
     Progress progress(plan.files.size(), quiet ? ProgressWay::none : ProgressWay::automatic);
@@ -153,14 +153,14 @@ Comparisons compare_all(const Plan& plan, const Look& figure, bool quiet) {
     return comparisons;
 }
 
-Phrase words_of(const Alignment& alignment) {
+Phrase words_of_similar(const Alignment& alignment) {
     constexpr SourceWords kTurns[] = {"as it is", "turned a quarter", "upside down", "turned three quarters"};
     const Phrase turned = phrase(kTurns[alignment.quarter_turns]);
     if (!alignment.mirrored) return turned;
     return alignment.quarter_turns > 0 ? phrase("mirrored, {0}", turned) : phrase("mirrored");
 }
 
-std::string json_of(const Compared& one) {
+std::string json_of_similar(const Compared& one) {
     JsonAnswer json;
     json.add("file", one.file);
     json.add("share", one.likeness.share);
@@ -171,20 +171,20 @@ std::string json_of(const Compared& one) {
     return json.text();
 }
 
-std::string told(const std::vector<Compared>& nearest, bool any_way_up) {
+std::string similar_told(const std::vector<Compared>& nearest, bool any_way_up) {
     const auto said = [](const Phrase& words) { return words.in(user_language()); };
     std::vector<Row> rows = {{said(phrase("shared")), said(phrase("file"))}};
     if (any_way_up) rows.front().insert(rows.front().begin() + 1, said(phrase("lies")));
     for (const Compared& one : nearest) {
         Row row = {percent(one.likeness.share), one.file};
-        if (any_way_up) row.insert(row.begin() + 1, said(words_of(one.likeness.alignment)));
+        if (any_way_up) row.insert(row.begin() + 1, said(words_of_similar(one.likeness.alignment)));
         rows.push_back(std::move(row));
     }
     return aligned(std::move(rows));
 }
 
-int run(const Given& given) {
-    const Plan plan = plan_similar(given);
+int run_similar(const Given& given) {
+    const SimilarPlan plan = plan_similar(given);
     const bool json = given.has("--json"), quiet = given.has("--quiet");
     const Look figure = look_of_file(plan.figure, plan.drawing);
     Comparisons comparisons = compare_all(plan, figure, quiet || json);
@@ -195,9 +195,9 @@ int run(const Given& given) {
     if (comparisons.all.empty()) throw Error(Fault::failed, plan.figure, phrase("nothing could be compared with it"));
     comparisons.all.resize(std::min(comparisons.all.size(), plan.count));
     if (json)
-        for (const Compared& one : comparisons.all) print_out(json_of(one) + "\n");
+        for (const Compared& one : comparisons.all) print_out(json_of_similar(one) + "\n");
     else
-        print_out(told(comparisons.all, plan.any_way_up));
+        print_out(similar_told(comparisons.all, plan.any_way_up));
     return 0;
 }
 
@@ -218,9 +218,9 @@ const Command similar_command{
         "tactics similar heart.png drawings/\n"
         "tactics similar map.svg atlas/ more/*.svg --any-way-up --count 5\n"
         "tactics similar photo.jpg drawings/ --recipe photo --json",
-    .flags = kFlags,
+    .flags = kSimilarFlags,
     .offers = "files",
-    .run = run,
+    .run = run_similar,
 };
 
 }  // namespace tactics

@@ -9,7 +9,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kBrailleDisplayOptions[] = {
     {.name = "columns",
      .type = Option::Type::whole,
      .fallback = 40,
@@ -28,14 +28,14 @@ constexpr Option kOptions[] = {
 };
 
 // Each cell in the middle of its room.
-DotSetting dots(const Settings& settings) {
+DotSetting braille_display_dots(const Settings& settings) {
     const CellSize cell = kMarburgMedium;
     const int down = settings.choice("dots") == "8" ? 4 : 3;
     const Point first{(cell.cell_pitch - cell.dot_pitch) / 2, (cell.line_pitch - (down - 1) * cell.dot_pitch) / 2};
     return {cell, {first, 0, down}, settings.whole("columns") * cell.cell_pitch, settings.whole("lines") * cell.line_pitch};
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+std::string encode_pages_braille_display(std::span<const Page> pages, const Settings& settings) {
     const auto columns = static_cast<std::size_t>(settings.whole("columns")),
                lines = static_cast<std::size_t>(settings.whole("lines"));
     std::string text;
@@ -58,9 +58,9 @@ const Format braille_display_format{
     .summary = "Unicode braille text in the size of a braille display, to which show sends it",
     .medium = "embosser",
     .paper = "a5",
-    .options = kOptions,
-    .encode_pages = encode_pages,
-    .dots = dots,
+    .options = kBrailleDisplayOptions,
+    .encode_pages = encode_pages_braille_display,
+    .dots = braille_display_dots,
 };
 
 }  // namespace tactics

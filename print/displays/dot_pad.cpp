@@ -22,7 +22,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kDotPadOptions[] = {
     {.name = "columns",
      .type = Option::Type::whole,
      .fallback = 60,
@@ -59,7 +59,7 @@ constexpr Option kOptions[] = {
      .summary = "number of the uppermost row of pins, after the lines of text"},
 };
 
-constexpr ProtocolFact kFacts[] = {
+constexpr ProtocolFact kDotPadFacts[] = {
     {"packets with a checksum, A5h XOR all bytes from the destination on; command 0200h carries a zero, then the cells of the "
      "row given as the destination",
      "BRLTTY, driver DotPad", Confidence::good},
@@ -127,13 +127,13 @@ char to_own_bits(std::uint8_t cell) {
     return static_cast<char>((cell & 0x07) | (cell & 0x40) >> 3 | (cell & 0x38) << 1 | (cell & 0x80));
 }
 
-DotSetting dots(const Settings& settings) {
+DotSetting dot_pad_dots(const Settings& settings) {
     DotSetting set = display_pins(settings.number("pitch"), settings.whole("columns"), settings.whole("rows"));
     set.title_cells = settings.whole("text");
     return set;
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+std::string encode_pages_dot_pad(std::span<const Page> pages, const Settings& settings) {
     constexpr std::uint8_t kBits[4][2] = {{0x01, 0x10}, {0x02, 0x20}, {0x04, 0x40}, {0x08, 0x80}};
     const int columns = settings.whole("columns"), rows = settings.whole("rows"), text = settings.whole("text");
     std::string bytes;
@@ -182,7 +182,7 @@ PinAnswer::Kind learn(std::string_view board, Settings& settings) {
     return PinAnswer::Kind::told;
 }
 
-std::optional<PinAnswer> next(std::string& heard, Settings& settings) {
+std::optional<PinAnswer> dot_pad_next(std::string& heard, Settings& settings) {
     const auto packet = take_packet(heard);
     if (!packet) return std::nullopt;
     const auto answer = [&](PinAnswer::Kind kind) { return PinAnswer{kind, packet->row}; };
@@ -204,7 +204,7 @@ std::optional<PinAnswer> next(std::string& heard, Settings& settings) {
     }
 }
 
-std::size_t message(std::string_view bytes) {
+std::size_t dot_pad_message(std::string_view bytes) {
     return bytes.size() < kHead
                ? bytes.size()
                : std::min(bytes.size(), kHead + static_cast<std::size_t>(byte_at(bytes, 2) * 256 + byte_at(bytes, 3)));
@@ -212,25 +212,29 @@ std::size_t message(std::string_view bytes) {
 
 int row(std::string_view bytes) { return bytes.size() <= kHead ? -1 : byte_at(bytes, kHead); }
 
-constexpr char kQuestion[] = {'\xAA',
-                              '\x55',
-                              0,
-                              5,
-                              0,
-                              kAskBoard >> 8,
-                              kAskBoard & 0xFF,
-                              0,
-                              static_cast<char>(0xA5 ^ (kAskBoard >> 8) ^ (kAskBoard & 0xFF))};
+constexpr char kDotPadQuestion[] = {'\xAA',
+                                    '\x55',
+                                    0,
+                                    5,
+                                    0,
+                                    kAskBoard >> 8,
+                                    kAskBoard & 0xFF,
+                                    0,
+                                    static_cast<char>(0xA5 ^ (kAskBoard >> 8) ^ (kAskBoard & 0xFF))};
 
-constexpr PinDisplay kDisplay{
-    .question = {kQuestion, sizeof kQuestion}, .farewell = {}, .thanks = {}, .next = next, .message = message, .row = row};
+constexpr PinDisplay kDotPadDisplay{.question = {kDotPadQuestion, sizeof kDotPadQuestion},
+                                    .farewell = {},
+                                    .thanks = {},
+                                    .next = dot_pad_next,
+                                    .message = dot_pad_message,
+                                    .row = row};
 
-constexpr Embosser kEmbosser{
+constexpr Embosser kDotPadEmbosser{
     .models = "Dot Pad 320, 832 and others that report their size",
     .called = "dot-pad-320 dot-pad-832",
     .punch = punch_dot_pad,
-    .facts = kFacts,
-    .display = &kDisplay,
+    .facts = kDotPadFacts,
+    .display = &kDotPadDisplay,
 };
 
 }  // namespace
@@ -241,10 +245,10 @@ const Format dot_pad_format{
     .summary = "Dot Pad: 60 x 40 pins, and the title on its line of braille",
     .medium = "embosser",
     .paper = "a5",
-    .options = kOptions,
-    .encode_pages = encode_pages,
-    .embosser = &kEmbosser,
-    .dots = dots,
+    .options = kDotPadOptions,
+    .encode_pages = encode_pages_dot_pad,
+    .embosser = &kDotPadEmbosser,
+    .dots = dot_pad_dots,
 };
 
 }  // namespace tactics

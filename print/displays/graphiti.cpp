@@ -27,7 +27,7 @@ constexpr Option lower_pins(std::string_view name, std::string_view summary) {
     return {.name = name, .type = Option::Type::whole, .fallback = 0, .min = 0, .max = kHighest, .summary = summary};
 }
 
-constexpr Option kOptions[] = {
+constexpr Option kGraphitiOptions[] = {
     {.name = "height",
      .type = Option::Type::whole,
      .fallback = kHighest,
@@ -46,7 +46,7 @@ constexpr Option kOptions[] = {
      .summary = "distance from pin to pin; all pins are used, so this only scales what is given in mm"},
 };
 
-constexpr ProtocolFact kFacts[] = {
+constexpr ProtocolFact kGraphitiFacts[] = {
     {"ESC, command, data with each ESC doubled, checksum; command 15h shows all pins, row by row from the top, each with a "
      "height of 0 to 4 and a blink rate",
      "Orbit Research, Graphiti API library", Confidence::good},
@@ -71,7 +71,7 @@ std::string message_of(std::string_view data) {
     return kEscape + std::string(data) + twice_escaped({std::string(1, static_cast<char>(-sum))});
 }
 
-DotSetting dots(const Settings& settings) {
+DotSetting graphiti_dots(const Settings& settings) {
     DotSetting pins = display_pins(settings.number("pitch"), kColumns, kRows);
     pins.levels = settings.whole("height") + 1;
     return pins;
@@ -83,8 +83,8 @@ char height_of(LineKind kind, const KindHeights& chosen, const Settings& setting
     return static_cast<char>(wished > 0 ? wished : std::max(1L, std::lround(full * chosen.share(kind))));
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
-    const KindHeights chosen = kind_heights(pages, dots(settings).levels - 1);
+std::string encode_pages_graphiti(std::span<const Page> pages, const Settings& settings) {
+    const KindHeights chosen = kind_heights(pages, graphiti_dots(settings).levels - 1);
     std::string bytes;
     for (const Page& page : pages) {
         const Dots kinds = kinds_on_bed(page);
@@ -99,13 +99,13 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
 }
 
 // Its messages have no length; those of encode are one for each page, all of one size, as no height is an ESC.
-std::size_t message(std::string_view bytes) {
-    const std::size_t next = bytes.find(std::string{kEscape, kUpdate}, 1);
-    return std::min(next, bytes.size());
+std::size_t graphiti_message(std::string_view bytes) {
+    const std::size_t graphiti_next = bytes.find(std::string{kEscape, kUpdate}, 1);
+    return std::min(graphiti_next, bytes.size());
 }
 
 // To tell of its keys: what answers that is one.
-constexpr char kQuestion[] = {kEscape, kKeys, 1, static_cast<char>(-(kKeys + 1))};
+constexpr char kGraphitiQuestion[] = {kEscape, kKeys, 1, static_cast<char>(-(kKeys + 1))};
 constexpr char kFarewell[] = {kEscape, kKeys, 0, static_cast<char>(-kKeys)};
 constexpr char kThanks[] = {kEscape, 0x51, static_cast<char>(-0x51)};
 
@@ -135,7 +135,7 @@ std::optional<std::string> take_answer(std::string& heard) {
     return std::nullopt;
 }
 
-std::optional<PinAnswer> next(std::string& heard, Settings&) {
+std::optional<PinAnswer> graphiti_next(std::string& heard, Settings&) {
     const auto answer = take_answer(heard);
     if (!answer) return std::nullopt;
     const std::string& bytes = *answer;
@@ -147,19 +147,19 @@ std::optional<PinAnswer> next(std::string& heard, Settings&) {
     return PinAnswer{bytes[1] == 0 && bytes[2] == 0 ? PinAnswer::Kind::keys_up : PinAnswer::Kind::keys_down};
 }
 
-constexpr PinDisplay kDisplay{.question = {kQuestion, sizeof kQuestion},
-                              .farewell = {kFarewell, sizeof kFarewell},
-                              .thanks = {kThanks, sizeof kThanks},
-                              .next = next,
-                              .message = message,
-                              .row = [](std::string_view) { return -1; }};
+constexpr PinDisplay kGraphitiDisplay{.question = {kGraphitiQuestion, sizeof kGraphitiQuestion},
+                                      .farewell = {kFarewell, sizeof kFarewell},
+                                      .thanks = {kThanks, sizeof kThanks},
+                                      .next = graphiti_next,
+                                      .message = graphiti_message,
+                                      .row = [](std::string_view) { return -1; }};
 
-constexpr Embosser kEmbosser{
+constexpr Embosser kGraphitiEmbosser{
     .models = "Graphiti, Graphiti Plus",
     .called = "graphiti-plus",
     .punch = punch_graphiti,
-    .facts = kFacts,
-    .display = &kDisplay,
+    .facts = kGraphitiFacts,
+    .display = &kGraphitiDisplay,
 };
 
 }  // namespace
@@ -170,10 +170,10 @@ const Format graphiti_format{
     .summary = "Graphiti: 60 x 40 pins, lines high, axes, grids and patterns lower",
     .medium = "embosser",
     .paper = "a5",
-    .options = kOptions,
-    .encode_pages = encode_pages,
-    .embosser = &kEmbosser,
-    .dots = dots,
+    .options = kGraphitiOptions,
+    .encode_pages = encode_pages_graphiti,
+    .embosser = &kGraphitiEmbosser,
+    .dots = graphiti_dots,
 };
 
 }  // namespace tactics

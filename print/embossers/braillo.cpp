@@ -14,7 +14,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kBrailloOptions[] = {
     {.name = "firmware",
      .type = Option::Type::choice,
      .fallback = 0,
@@ -26,7 +26,7 @@ constexpr Option kOptions[] = {
     kSides,
 };
 
-constexpr ProtocolFact kFacts[] = {
+constexpr ProtocolFact kBrailloFacts[] = {
     {"firmware 17 and newer: ESC S1 form feeds, ESC C0 one side and C1 both, ESC J0 6 dots, ESC A nn sheet length in half "
      "inches (08 to 28), ESC B nn cells per line (10 to 42), ESC H0 no z-fold, ESC N0 single lines, ESC R0 all lines",
      "dotify 1.0.9 AbstractBraillo200Embosser; libembosser 1.4.3 Braillo200DocumentHandler (the same in another order); ESC R "
@@ -51,13 +51,13 @@ constexpr ProtocolFact kFacts[] = {
      "dotify 1.0.9 BrailloEmbosserProvider; libembosser", Confidence::medium},
 };
 
-constexpr CellSize kCell{2.5, 6.03, 10.0, 1.6};
+constexpr CellSize kBrailloCell{2.5, 6.03, 10.0, 1.6};
 
-DotSetting dots(const Settings&) { return {kCell, DotBed{{6.8, 6.8}, 0, 3}}; }
+DotSetting braillo_dots(const Settings&) { return {kBrailloCell, DotBed{{6.8, 6.8}, 0, 3}}; }
 
 std::string two_digits(int number) { return std::string(number < 10 ? "0" : "") + std::to_string(number); }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+std::string encode_pages_braillo(std::span<const Page> pages, const Settings& settings) {
     const auto firmware = settings.choice("firmware");
     const int fewest_cells = firmware == "17" ? 10 : 27, least_halves = firmware == "11" ? 20 : 8;
     const Page& page = pages.front();
@@ -92,14 +92,14 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     return text_job(pages, job);
 }
 
-constexpr Embosser kEmbosser{
+constexpr Embosser kBrailloEmbosser{
     .models = "Braillo 200, 270, 400, 400 S, 400 SR, 600, 600 SR",
     .called = "braillo-200 braillo-270 braillo-400 braillo-400-s braillo-400-sr braillo-600 braillo-600-sr",
     .known_by = "braillo",
     .punch = punch_braillo,
     .widest = 267,
     .longest = 356,
-    .facts = kFacts,
+    .facts = kBrailloFacts,
 };
 
 }  // namespace
@@ -110,10 +110,10 @@ const Format braillo_format{
     .summary = "Braillo 200, 270, 400 and 600, in cells",
     .medium = "embosser",
     .paper = "a4",
-    .options = kOptions,
-    .encode_pages = encode_pages,
-    .embosser = &kEmbosser,
-    .dots = dots,
+    .options = kBrailloOptions,
+    .encode_pages = encode_pages_braillo,
+    .embosser = &kBrailloEmbosser,
+    .dots = braillo_dots,
 };
 
 }  // namespace tactics

@@ -14,9 +14,9 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {kSides};
+constexpr Option kCidatOptions[] = {kSides};
 
-constexpr ProtocolFact kFacts[] = {
+constexpr ProtocolFact kCidatFacts[] = {
     {"ESC ) is transparent mode: each byte is a cell, with dot 1 as its lowest bit; 1Bh is sent twice; ESC LF ends a line, ESC "
      "FF a page",
      "dotify 1.0.9 CidatTableProvider, CidatLineBreaks, CidatPageBreaks", Confidence::medium},
@@ -26,13 +26,13 @@ constexpr ProtocolFact kFacts[] = {
      "dotify 1.0.9 ImpactoEmbosser", Confidence::medium},
 };
 
-constexpr CellSize kCell{2.5, 6.35, 10.16, 1.6};
+constexpr CellSize kCidatCell{2.5, 6.35, 10.16, 1.6};
 
-DotSetting dots(const Settings&) { return {kCell, DotBed{{6.8, 6.8}, 0, 3}}; }
+DotSetting cidat_dots(const Settings&) { return {kCidatCell, DotBed{{6.8, 6.8}, 0, 3}}; }
 
-std::string letter(std::uint8_t cell) { return cell == 0x1b ? "\x1b\x1b" : std::string(1, static_cast<char>(cell)); }
+std::string cidat_letter(std::uint8_t cell) { return cell == 0x1b ? "\x1b\x1b" : std::string(1, static_cast<char>(cell)); }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+std::string encode_pages_cidat(std::span<const Page> pages, const Settings& settings) {
     const Page& page = pages.front();
     const int inches = static_cast<int>(std::ceil(page.height / 25.4 - 0.05));
     const int cells = cells_across(page), lines = lines_down(page);
@@ -52,18 +52,18 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     job.line_end = "\x1b\n";
     job.page_end = job.blank_page_end = "\x1b\f";
     job.end = "\x1bT";
-    job.letter = letter;
+    job.letter = cidat_letter;
     return text_job(pages, job);
 }
 
-constexpr Embosser kEmbosser{
+constexpr Embosser kCidatEmbosser{
     .models = "CIDAT Impacto 600, Impacto Texto",
     .called = "impacto-600 impacto-texto impacto",
     .known_by = "cidat impacto",
     .punch = punch_cidat,
     .widest = 281,  // 42 cells
     .longest = 330,
-    .facts = kFacts,
+    .facts = kCidatFacts,
 };
 
 }  // namespace
@@ -74,10 +74,10 @@ const Format cidat_format{
     .summary = "CIDAT Impacto, in cells",
     .medium = "embosser",
     .paper = "11x11.5",
-    .options = kOptions,
-    .encode_pages = encode_pages,
-    .embosser = &kEmbosser,
-    .dots = dots,
+    .options = kCidatOptions,
+    .encode_pages = encode_pages_cidat,
+    .embosser = &kCidatEmbosser,
+    .dots = cidat_dots,
 };
 
 }  // namespace tactics

@@ -45,7 +45,7 @@ constexpr Model kModels[] = {
     {"trident", 45, true, "\r\n", "\x1a"},
 };
 
-constexpr Option kOptions[] = {
+constexpr Option kEnablingOptions[] = {
     {.name = "model",
      .type = Option::Type::choice,
      .fallback = 0,
@@ -73,7 +73,7 @@ constexpr Option kOptions[] = {
     kSides,
 };
 
-constexpr ProtocolFact kFacts[] = {
+constexpr ProtocolFact kEnablingFacts[] = {
     {"ESC A, K, W, i, s, L, R, T, Q set tables, 6 dots, wrapping, sides, size of the cell, margin, cells, inches and lines; a "
      "number n is the letter 40h + n, up to 59",
      "libembosser 1.4.3 EnablingTechnologiesDocumentHandler", Confidence::medium},
@@ -101,7 +101,7 @@ const Model& model_of(const Settings& settings) {
 }
 
 // A page goes as far to the right as the machine has cells, however wide the sheet is.
-DotSetting dots(const Settings& settings) {
+DotSetting enabling_dots(const Settings& settings) {
     const CellSize cell = settings.choice("cell") == "nls" ? CellSize{2.34, 6.096, 10.16, 1.44} : kMarburgMedium;
     DotSetting set{cell, DotBed{{cell.dot / 2 + 6, cell.dot / 2 + 6}, 0, 3}};
     set.reach = set.bed.first.x + (model_of(settings).cells - 1) * cell.cell_pitch + cell.dot_pitch + cell.dot / 2;
@@ -161,7 +161,7 @@ void check_cells(std::span<const Page> pages, const Model& model) {
     }
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+std::string encode_pages_enabling(std::span<const Page> pages, const Settings& settings) {
     const Page& page = pages.front();
     const Model& model = model_of(settings);
     const bool both = on_both(settings), control = settings.choice("commands") == "control";
@@ -209,7 +209,7 @@ constexpr ModelSettings kByModel[] = {
     {"trident", "model=trident"},
 };
 
-constexpr Embosser kEmbosser{
+constexpr Embosser kEnablingEmbosser{
     .models = "Enabling Technologies Romeo, Juliet, Thomas, Marathon, ET, BookMaker, Braille Express, Phoenix, Cyclone, Trident",
     .called =
         "romeo romeo-attache romeo-25 romeo-pro-50 juliet juliet-pro juliet-pro-60 juliet-classic thomas "
@@ -221,7 +221,7 @@ constexpr Embosser kEmbosser{
     .widest_of = [](const Settings& settings) { return model_of(settings).widest; },
     .longest = 356,
     .paper_of = [](const Settings& settings) { return model_of(settings).paper; },
-    .facts = kFacts,
+    .facts = kEnablingFacts,
 };
 
 }  // namespace
@@ -232,10 +232,10 @@ const Format enabling_format{
     .summary = "Enabling Technologies: Romeo, Juliet, ET, Phoenix and others, in cells",
     .medium = "embosser",
     .paper = "11x11.5",
-    .options = kOptions,
-    .encode_pages = encode_pages,
-    .embosser = &kEmbosser,
-    .dots = dots,
+    .options = kEnablingOptions,
+    .encode_pages = encode_pages_enabling,
+    .embosser = &kEnablingEmbosser,
+    .dots = enabling_dots,
 };
 
 }  // namespace tactics

@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kGenericOptions[] = {
     {.name = "dots",
      .type = Option::Type::choice,
      .fallback = 0,
@@ -57,14 +57,14 @@ constexpr Option kOptions[] = {
      .summary = "distance from the sheet's top edge to its first dot"},
 };
 
-constexpr ProtocolFact kFacts[] = {
+constexpr ProtocolFact kGenericFacts[] = {
     {"each cell is one letter of North American Braille Computer Code (BRF); lines end with CR LF, pages with FF",
      "cups-filters textbrftoindexv3; libembosser unicodeToAscii", Confidence::good},
     {"8 dots are sent as UTF-8 of U+2800 to U+28FF", "cups-filters imagetoubrl, for machines and displays that take it",
      Confidence::uncertain},
 };
 
-DotSetting dots(const Settings& settings) {
+DotSetting generic_dots(const Settings& settings) {
     const bool eight = settings.choice("dots") == "8";
     CellSize cell;
     cell.dot_pitch = settings.number("dot");
@@ -73,16 +73,16 @@ DotSetting dots(const Settings& settings) {
     return {cell, DotBed{{settings.number("left"), settings.number("top")}, 0, eight ? 4 : 3}};
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+std::string encode_pages_generic(std::span<const Page> pages, const Settings& settings) {
     TextJob job;
     job.letter = settings.choice("dots") == "8" ? unicode_letter : nabcc_letter;
     return text_job(pages, job);
 }
 
-constexpr Embosser kEmbosser{
+constexpr Embosser kGenericEmbosser{
     .models = "any machine that takes BRF or Unicode braille",
     .punch = punch_generic,
-    .facts = kFacts,
+    .facts = kGenericFacts,
 };
 
 }  // namespace
@@ -93,10 +93,10 @@ const Format generic_format{
     .summary = "any embosser that takes braille as text; set its distances between dots, cells and lines",
     .medium = "embosser",
     .paper = "11x11.5",
-    .options = kOptions,
-    .encode_pages = encode_pages,
-    .embosser = &kEmbosser,
-    .dots = dots,
+    .options = kGenericOptions,
+    .encode_pages = encode_pages_generic,
+    .embosser = &kGenericEmbosser,
+    .dots = generic_dots,
 };
 
 }  // namespace tactics

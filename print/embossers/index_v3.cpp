@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-constexpr ProtocolFact kFacts[] = {
+constexpr ProtocolFact kIndexV3Facts[] = {
     kFourDotFact,
     kFourDotSetUpFact,
     kJobEndFact,
@@ -29,9 +29,9 @@ constexpr ProtocolFact kFacts[] = {
      Confidence::medium},
 };
 
-DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("pitch"), kFirstDotV3); }
+DotSetting index_v3_dots(const Settings& settings) { return equal_dots(settings.choice("pitch"), kFirstDotV3); }
 
-constexpr Embosser kEmbosser{
+constexpr Embosser kIndexV3Embosser{
     .models = "Index Basic, Everest, 4x4 PRO, 4-Waves V3",
     .called = "basic-v3 basic-d-v3 everest-v3 everest-d-v3 4x4-pro 4x4-pro-v3 4-waves 4-waves-v3",
     .known_by = "index",
@@ -39,7 +39,7 @@ constexpr Embosser kEmbosser{
     .punch = punch_index_v3,
     .widest = 325,
     .longest = 432,
-    .facts = kFacts,
+    .facts = kIndexV3Facts,
     .text = &index_v3_text,
 };
 
@@ -53,8 +53,8 @@ const Format index_v3_format{
     .paper = "a4",
     .options = kFourDotOptions,
     .encode_pages = four_dot_job_v3,
-    .embosser = &kEmbosser,
-    .dots = dots,
+    .embosser = &kIndexV3Embosser,
+    .dots = index_v3_dots,
 };
 
 }  // namespace tactics

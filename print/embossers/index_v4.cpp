@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-constexpr ProtocolFact kFacts[] = {
+constexpr ProtocolFact kIndexV4Facts[] = {
     kFourDotFact,
     kFourDotSetUpFact,
     kJobEndFact,
@@ -27,9 +27,9 @@ constexpr ProtocolFact kFacts[] = {
      Confidence::good},
 };
 
-DotSetting dots(const Settings& settings) { return equal_dots(settings.choice("pitch"), kFirstDotV4); }
+DotSetting index_v4_dots(const Settings& settings) { return equal_dots(settings.choice("pitch"), kFirstDotV4); }
 
-constexpr Embosser kEmbosser{
+constexpr Embosser kIndexV4Embosser{
     .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",
     .called =
         "basic-d basic everest-d everest fanfold-d fanfold braillebox basic-d-v4 basic-d-v5 basic-v4 basic-v5 "
@@ -40,7 +40,7 @@ constexpr Embosser kEmbosser{
     .punch = punch_index_v4,
     .widest = 325,
     .longest = 590,
-    .facts = kFacts,
+    .facts = kIndexV4Facts,
     .text = &index_v4_text,
 };
 
@@ -54,8 +54,8 @@ const Format index_v4_format{
     .paper = "a4",
     .options = kFourDotOptionsV4,
     .encode_pages = four_dot_job_v4,
-    .embosser = &kEmbosser,
-    .dots = dots,
+    .embosser = &kIndexV4Embosser,
+    .dots = index_v4_dots,
 };
 
 }  // namespace tactics

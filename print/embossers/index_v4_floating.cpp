@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kIndexV4FloatingOptions[] = {
     {.name = "spacing",
      .type = Option::Type::length,
      .fallback = 2,
@@ -56,7 +56,7 @@ constexpr Option kOptions[] = {
      .summary = "number of copies of all pages"},
 };
 
-constexpr ProtocolFact kFacts[] = {
+constexpr ProtocolFact kIndexV4FloatingFacts[] = {
     {"ESC F ; LF begins an area of floating dots; each line is one dot, x:y in mm with two decimals; a line with ; ends the "
      "area",
      "brailleplot 63abd73 FloatingDotAreaBuilder, after Index's Interface Protocol V5 and V4 of 2016-05-13",
@@ -85,7 +85,7 @@ std::string place(double mm) {
     return text;
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+std::string encode_pages_index_v4_floating(std::span<const Page> pages, const Settings& settings) {
     std::string bytes = index_set_up(pages.front(), settings, IndexSeries::v4, "");
     const double left = settings.number("left"), top = settings.number("top");
     for (const Page& page : pages) {
@@ -102,14 +102,14 @@ std::string encode_pages(std::span<const Page> pages, const Settings& settings) 
     return index_job(bytes + '\x1a');
 }
 
-constexpr Embosser kEmbosser{
+constexpr Embosser kIndexV4FloatingEmbosser{
     .models = "Index Basic-D, Everest-D, FanFold-D, BrailleBox V4 and V5; APH PageBlaster; Enabling Romeo 60, Juliet 120",
     .known_by = "index",
     .packet = kIndexPacket,
     .punch = punch_index_floating,
     .widest = 325,
     .longest = 590,
-    .facts = kFacts,
+    .facts = kIndexV4FloatingFacts,
     .text = &index_v4_text,
 };
 
@@ -121,9 +121,9 @@ const Format index_v4_floating_format{
     .summary = "Index V4 and V5 with floating dots, which lie exactly on lines and curves",
     .medium = "floating-dots",
     .paper = "a4",
-    .options = kOptions,
-    .encode_pages = encode_pages,
-    .embosser = &kEmbosser,
+    .options = kIndexV4FloatingOptions,
+    .encode_pages = encode_pages_index_v4_floating,
+    .embosser = &kIndexV4FloatingEmbosser,
 };
 
 }  // namespace tactics

@@ -9,7 +9,7 @@ namespace tactics {
 
 namespace {
 
-constexpr ProtocolFact kFacts[] = {
+constexpr ProtocolFact kMountbattenFacts[] = {
     {"{man} keeps lines as they are sent, {bc 1} selects North American Braille Computer Code, {lm 0} {rm 0} {tm 0} are "
      "margins, {np} ends a line",
      "dotify 1.0.9 MountbattenEmbosser", Confidence::medium},
@@ -22,33 +22,33 @@ constexpr ProtocolFact kFacts[] = {
     {"sheets are fed by hand, one per page; a form feed after the last line ends a page", "dotify 1.0.9", Confidence::medium},
 };
 
-constexpr CellSize kCell{2.5, 5.9, 10.1, 1.6};
+constexpr CellSize kMountbattenCell{2.5, 5.9, 10.1, 1.6};
 
-DotSetting dots(const Settings&) { return {kCell, DotBed{{15.8, 15.8}, 0, 3}}; }
+DotSetting mountbatten_dots(const Settings&) { return {kMountbattenCell, DotBed{{15.8, 15.8}, 0, 3}}; }
 
 // Braces begin and end commands, and stand for no cell.
-std::string letter(std::uint8_t cell) {
+std::string mountbatten_letter(std::uint8_t cell) {
     const char large = nabcc_letter(cell)[0];
     return {large >= 'A' && large <= 'Z' ? static_cast<char>(large - 'A' + 'a') : large};
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings&) {
+std::string encode_pages_mountbatten(std::span<const Page> pages, const Settings&) {
     TextJob job;
     job.begin = "{man}{bc 1}{lm 0}{rm 0}{tm 0}";
     job.line_end = "{np}";
     job.page_end = "\f";
-    job.letter = letter;
+    job.letter = mountbatten_letter;
     return text_job(pages, job);
 }
 
-constexpr Embosser kEmbosser{
+constexpr Embosser kMountbattenEmbosser{
     .models = "Harpo Mountbatten",
     .called = "harpo-mountbatten",
     .known_by = "mountbatten harpo",
     .punch = punch_mountbatten,
     .widest = 330,
     .longest = 382,
-    .facts = kFacts,
+    .facts = kMountbattenFacts,
 };
 
 }  // namespace
@@ -59,9 +59,9 @@ const Format mountbatten_format{
     .summary = "Harpo Mountbatten, in cells",
     .medium = "embosser",
     .paper = "a4",
-    .encode_pages = encode_pages,
-    .embosser = &kEmbosser,
-    .dots = dots,
+    .encode_pages = encode_pages_mountbatten,
+    .embosser = &kMountbattenEmbosser,
+    .dots = mountbatten_dots,
 };
 
 }  // namespace tactics

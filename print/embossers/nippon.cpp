@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr ProtocolFact kFacts[] = {
+constexpr ProtocolFact kNipponFacts[] = {
     {"a job is 01h 00h 00h, its pages with 0Ch between them, and 03h; a page is 02h 01h, the number of its lines, and the "
      "lines; a line is a byte that counts its letters and the CR LF after them, then the letters, then CR LF",
      "libembosser 1.4.3 PEF2Nippon and its tests; no second source was found, and libembosser itself offers no machine for it",
@@ -26,9 +26,9 @@ constexpr ProtocolFact kFacts[] = {
     {"cells are 6 mm wide, lines 10 mm high", "this project: Marburg Medium", Confidence::uncertain},
 };
 
-constexpr Option kOptions[] = {kSides};
+constexpr Option kNipponOptions[] = {kSides};
 
-DotSetting dots(const Settings&) { return {kMarburgMedium, DotBed{{6.8, 6.8}, 0, 3}}; }
+DotSetting nippon_dots(const Settings&) { return {kMarburgMedium, DotBed{{6.8, 6.8}, 0, 3}}; }
 
 constexpr std::size_t kMost = 255;  // that a byte counts
 
@@ -47,19 +47,19 @@ std::string bytes_of(const Page& page) {
     return bytes;
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+std::string encode_pages_nippon(std::span<const Page> pages, const Settings& settings) {
     std::string bytes("\x01\0\0"sv);
     for (const Page& page : pages) bytes += (&page == pages.data() ? "" : "\f") + bytes_of(page);
     if (on_both(settings) && pages.size() % 2 != 0) bytes += "\f\x02\x01\0"sv;
     return bytes + "\x03";
 }
 
-constexpr Embosser kEmbosser{
+constexpr Embosser kNipponEmbosser{
     .models = "Nippon Telesoft",
     .called = "nippon-telesoft",
     .known_by = "nippon",
     .punch = punch_nippon,
-    .facts = kFacts,
+    .facts = kNipponFacts,
 };
 
 }  // namespace
@@ -70,10 +70,10 @@ const Format nippon_format{
     .summary = "Nippon Telesoft, in cells",
     .medium = "embosser",
     .paper = "a4",
-    .options = kOptions,
-    .encode_pages = encode_pages,
-    .embosser = &kEmbosser,
-    .dots = dots,
+    .options = kNipponOptions,
+    .encode_pages = encode_pages_nippon,
+    .embosser = &kNipponEmbosser,
+    .dots = nippon_dots,
 };
 
 }  // namespace tactics

@@ -25,7 +25,7 @@ constexpr Option lower_dots(std::string_view name, std::string_view summary) {
         .name = name, .type = Option::Type::number, .fallback = 0, .min = 0, .max = 100, .unit = "percent", .summary = summary};
 }
 
-constexpr Option kOptions[] = {
+constexpr Option kViewplusOptions[] = {
     lower_dots("pattern",
                "height of the dots of patterns; drawn lines and braille have the full height. 0: full or half, by which kinds of "
                "lines there are"),
@@ -33,7 +33,7 @@ constexpr Option kOptions[] = {
     lower_dots("grid", "height of the dots of grid lines; 0: likewise; at least 10"),
 };
 
-constexpr ProtocolFact kFacts[] = {
+constexpr ProtocolFact kViewplusFacts[] = {
     {"dots stand 1/20 inch apart", "libembosser; ViewPlus's product pages", Confidence::good},
     {"the darker a dot, the higher it is", "ViewPlus's driver, at second hand", Confidence::medium},
     {"cells are 6.35 mm wide, lines 10.16 mm: 5 and 8 dots", "libembosser", Confidence::medium},
@@ -41,7 +41,7 @@ constexpr ProtocolFact kFacts[] = {
 };
 
 // We know no source for its number of dot heights; we send down, half and full.
-DotSetting dots(const Settings&) {
+DotSetting viewplus_dots(const Settings&) {
     return {.cell = {2 * kPitch, 5 * kPitch, 8 * kPitch, 1.5}, .bed = DotBed{{kPitch / 2, kPitch / 2}, kPitch, 3}, .levels = 3};
 }
 
@@ -53,7 +53,7 @@ std::uint8_t grey_of(LineKind kind, const KindHeights& chosen, const Settings& s
 }
 
 std::string encode(const Page& page, const Settings& settings) {
-    const KindHeights chosen = kind_heights({&page, 1}, dots(settings).levels - 1);
+    const KindHeights chosen = kind_heights({&page, 1}, viewplus_dots(settings).levels - 1);
     const Dots kinds = kinds_on_bed(page);
     const auto pixels = [](double mm) { return static_cast<int>(std::floor(mm / kPitch + 1e-6)); };
     const int width = pixels(page.width), height = pixels(page.height);
@@ -70,13 +70,13 @@ std::string encode(const Page& page, const Settings& settings) {
     return png.finish();
 }
 
-constexpr Embosser kEmbosser{
+constexpr Embosser kViewplusEmbosser{
     .models = "ViewPlus Columbia, Delta, Elite, EmBraille, Max, Premier, Rogue, SpotDot; APH PixBlaster",
     .called = "columbia delta elite embraille max premier rogue spotdot pixblaster tiger",
     .known_by = "viewplus tiger emprint pixblaster",
     .punch = punch_viewplus,
     .widest = 432,
-    .facts = kFacts,
+    .facts = kViewplusFacts,
 };
 
 }  // namespace
@@ -87,10 +87,10 @@ const Format viewplus_format{
     .summary = "ViewPlus: a grey PNG at 20 dots per inch, to be printed at its own size by the ViewPlus driver",
     .medium = "embosser",
     .paper = "letter",
-    .options = kOptions,
+    .options = kViewplusOptions,
     .encode_page = encode,
-    .embosser = &kEmbosser,
-    .dots = dots,
+    .embosser = &kViewplusEmbosser,
+    .dots = viewplus_dots,
 };
 
 }  // namespace tactics

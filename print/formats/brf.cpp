@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-std::string encode_pages(std::span<const Page> pages, const Settings&) {
+std::string encode_pages_brf(std::span<const Page> pages, const Settings&) {
     TextJob job;
     job.letter = nabcc_letter;
     return text_job(pages, job);
@@ -27,7 +27,7 @@ const Format brf_format{
     .extensions = "brf",
     .medium = "embosser",
     .paper = "11x11.5",
-    .encode_pages = encode_pages,
+    .encode_pages = encode_pages_brf,
     .six_dots = true,
 };
 

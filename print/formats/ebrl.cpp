@@ -30,7 +30,7 @@ namespace {
 
 // A package must name them (5.3.3.4, 5, 9, 10 and 11; the day of its last change EPUB 3.3, 5.5.4, too), and only the user knows
 // them. Missing data are left out: no name or date is better than a wrong one under which libraries file the book.
-constexpr Option kOptions[] = {
+constexpr Option kEbrlOptions[] = {
     {.name = "creator", .type = Option::Type::words, .summary = "author or artist of the work that is drawn"},
     {.name = "producer", .type = Option::Type::words, .summary = "person or institution that made the tactile edition"},
     {.name = "date",
@@ -308,12 +308,12 @@ std::string braille_volume(const Words& words) {
     return text;
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+std::string encode_pages_ebrl(std::span<const Page> pages, const Settings& settings) {
     // The back of a drawing that is left blank is no page of a book without sheets.
     if (pages.size() > 1 && std::any_of(pages.begin(), pages.end(), is_blank)) {
         std::vector<Page> kept;
         std::copy_if(pages.begin(), pages.end(), std::back_inserter(kept), [](const Page& page) { return !is_blank(page); });
-        if (!kept.empty()) return encode_pages(kept, settings);
+        if (!kept.empty()) return encode_pages_ebrl(kept, settings);
     }
     const Words words = words_of(pages);
     const auto in_format = [&](std::string_view name) {
@@ -353,8 +353,8 @@ const Format ebrl_format{
     .extensions = "ebrl",
     .medium = "swell",
     .paper = "a4",
-    .options = kOptions,
-    .encode_pages = encode_pages,
+    .options = kEbrlOptions,
+    .encode_pages = encode_pages_ebrl,
     .untold = untold,
 };
 

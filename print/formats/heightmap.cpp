@@ -11,9 +11,9 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {kReliefPitch, kReliefHeight, kReliefProfile, kReliefAxes, kReliefGrid};
+constexpr Option kHeightmapOptions[] = {kReliefPitch, kReliefHeight, kReliefProfile, kReliefAxes, kReliefGrid};
 
-constexpr Option kTiffOptions[] = {
+constexpr Option kHeightmapTiffOptions[] = {
     kReliefPitch,
     kReliefHeight,
     kReliefProfile,
@@ -47,7 +47,7 @@ const Format heightmap_format{
     .extensions = "height.png",
     .medium = "swell",
     .paper = "a4",
-    .options = kOptions,
+    .options = kHeightmapOptions,
     .encode_heights = encode_png,
 };
 
@@ -58,7 +58,7 @@ const Format heightmap_tiff_format{
     .extensions = "height.tiff height.tif",
     .medium = "swell",
     .paper = "a4",
-    .options = kTiffOptions,
+    .options = kHeightmapTiffOptions,
     .encode_heights = encode_tiff,
 };
 
@@ -69,7 +69,7 @@ const Format heightmap_exr_format{
     .extensions = "height.exr",
     .medium = "swell",
     .paper = "a4",
-    .options = kOptions,
+    .options = kHeightmapOptions,
     .encode_heights = encode_exr,
 };
 
@@ -80,7 +80,7 @@ const Format felt_format{
     .extensions = "height.felt felt",
     .medium = "swell",
     .paper = "a4",
-    .options = kOptions,
+    .options = kHeightmapOptions,
     .encode_heights = encode_felt,
 };
 

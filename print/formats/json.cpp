@@ -7,7 +7,7 @@ namespace tactics {
 
 namespace {
 
-std::string encode_pages(std::span<const Page> pages, const Settings&) {
+std::string encode_pages_json(std::span<const Page> pages, const Settings&) {
     std::vector<std::string> all;
     for (const Page& page : pages) {
         JsonObject json;
@@ -28,7 +28,7 @@ const Format json_format{
     .extensions = "json",
     .medium = "swell",
     .paper = "a4",
-    .encode_pages = encode_pages,
+    .encode_pages = encode_pages_json,
 };
 
 }  // namespace tactics

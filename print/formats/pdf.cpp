@@ -147,7 +147,7 @@ private:
     std::map<char32_t, unsigned> codes_;
 };
 
-void append_picture(std::string& text, const Rect& place) {
+void append_picture_pdf(std::string& text, const Rect& place) {
     // A picture fills the unit square with its top at 1, and y runs down here.
     text += "q ";
     append_whole(text, to_steps(place.width));
@@ -190,7 +190,7 @@ std::size_t title_lines(const Page& page) {
 
 // Braille that repeats the print is left out of the structure; otherwise it would be read twice. Without print it is included as
 // braille, because nothing else on the page has its words.
-void append_braille(std::string& content, const Page& page, Tags& tags) {
+void append_braille_pdf(std::string& content, const Page& page, Tags& tags) {
     const std::size_t headings = page.print.empty() ? title_lines(page) : 0;
     for (std::size_t i = 0; i < page.braille.size(); ++i) {
         const BrailleLine& line = page.braille[i];
@@ -212,7 +212,7 @@ std::string add_content(const Page& page, PdfFile& file, Tags& tags) {
     const PdfFont font(page);
     std::string resources, content = page_matrix(page) + " cm\n";
     // The writing stands at the top and is read first.
-    append_braille(content, page, tags);
+    append_braille_pdf(content, page, tags);
     if (!font.empty()) {
         resources += "/Font << /F " + PdfFile::reference(font.add_to(file)) + " >> ";
         font.append_print(content, page, tags);
@@ -226,7 +226,7 @@ std::string add_content(const Page& page, PdfFile& file, Tags& tags) {
                                               columns + " /Rows " + rows + " >>\n",
                                           group4_of(picture));
         resources += "/XObject << /P " + PdfFile::reference(image) + " >> ";
-        append_picture(content, picture.place);
+        append_picture_pdf(content, picture.place);
     }
     content += ink_of(page) + "EMC\n";
     const int drawn = file.add_deflated(content);
@@ -333,7 +333,7 @@ private:
     std::string language_;
 };
 
-std::string encode_pages(std::span<const Page> all, const Settings&) {
+std::string encode_pages_pdf(std::span<const Page> all, const Settings&) {
     PdfPages file;
     file.add_pages(all);
     return file.finish_as(all.front());
@@ -350,7 +350,7 @@ const Format pdf_format{
     .extensions = "pdf",
     .medium = "swell",
     .paper = "a4",
-    .encode_pages = encode_pages,
+    .encode_pages = encode_pages_pdf,
     .open_book = open_book,
 };
 

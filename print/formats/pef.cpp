@@ -28,7 +28,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kPefOptions[] = {
     {.name = "dots",
      .type = Option::Type::choice,
      .fallback = 0,
@@ -47,7 +47,9 @@ constexpr Option kOptions[] = {
     kSides,
 };
 
-DotSetting dots(const Settings& settings) { return {kMarburgMedium, {{6.8, 6.8}, 0, settings.choice("dots") == "8" ? 4 : 3}}; }
+DotSetting pef_dots(const Settings& settings) {
+    return {kMarburgMedium, {{6.8, 6.8}, 0, settings.choice("dots") == "8" ? 4 : 3}};
+}
 
 // A document needs a unique identifier, and our files use neither clock nor randomness.
 std::string identifier_of(std::string_view text) {
@@ -101,7 +103,7 @@ std::string picture_of(const CellRows& rows, Lines lines, const CellSize& cell) 
     return png.finish();
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+std::string encode_pages_pef(std::span<const Page> pages, const Settings& settings) {
     const bool with_pictures = settings.choice("graphic") == "image";
     std::string body, images;
     int pictures = 0;
@@ -169,9 +171,9 @@ const Format pef_format{
     .extensions = "pef",
     .medium = "embosser",
     .paper = "11x11.5",
-    .options = kOptions,
-    .encode_pages = encode_pages,
-    .dots = dots,
+    .options = kPefOptions,
+    .encode_pages = encode_pages_pef,
+    .dots = pef_dots,
 };
 
 }  // namespace tactics

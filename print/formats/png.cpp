@@ -9,7 +9,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kPngOptions[] = {
     {.name = "dpi",
      .type = Option::Type::number,
      .fallback = 300,
@@ -33,7 +33,7 @@ constexpr Option kOptions[] = {
      .summary = "exact height, if a width is given; 0: from the shape of the page"},
 };
 
-std::string encode(const Page& page, const Settings& settings) {
+std::string encode_png(const Page& page, const Settings& settings) {
     const int width = settings.whole("width"), height = settings.whole("height");
     const PixelSize size = width > 0 ? pixels_across(page, width, height, "png") : pixels_at(page, settings.number("dpi"), "png");
     OneBitPng png(size.width, size.height, size.width / page.width * 1000, size.height / page.height * 1000);
@@ -50,8 +50,8 @@ const Format png_format{
     .extensions = "png",
     .medium = "swell",
     .paper = "a4",
-    .options = kOptions,
-    .encode_page = encode,
+    .options = kPngOptions,
+    .encode_page = encode_png,
 };
 
 }  // namespace tactics

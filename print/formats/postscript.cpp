@@ -49,7 +49,7 @@ std::string to_ascii85(const std::string& bytes) {
     return text + "~>\n";
 }
 
-void append_picture(std::string& text, const Bitmap& picture) {
+void append_picture_postscript(std::string& text, const Bitmap& picture) {
     const auto size = std::to_string(picture.width) + " " + std::to_string(picture.height);
     text += "gsave\n";
     append_whole(text, to_steps(picture.place.left));
@@ -68,7 +68,7 @@ void append_picture(std::string& text, const Bitmap& picture) {
 }
 
 // As outlines, so that no printer needs the font.
-void append_print(std::string& text, const Page& page) {
+void append_print_postscript(std::string& text, const Page& page) {
     const auto letters = letters_of(page);
     for (const PrintLine& line : page.print) {
         text += "gsave\n";
@@ -90,7 +90,7 @@ void append_print(std::string& text, const Page& page) {
     }
 }
 
-std::string encode_pages(std::span<const Page> all, const Settings&) {
+std::string encode_pages_postscript(std::span<const Page> all, const Settings&) {
     const Page& page = all.front();  // which speaks for the document
     std::string width, height;
     append_number(width, page.width / kMmPerPoint, 4);
@@ -119,10 +119,10 @@ std::string encode_pages(std::span<const Page> all, const Settings&) {
                 "\n"
                 "%%BeginPageSetup\n/saved save def 0 setgray [" +
                 page_matrix(each) + "] concat\n%%EndPageSetup\n";
-        if (each.picture) append_picture(text, *each.picture);
+        if (each.picture) append_picture_postscript(text, *each.picture);
         text += ink_of(each);
         for (const BrailleLine& line : each.braille) text += ink_of(line, each);
-        append_print(text, each);
+        append_print_postscript(text, each);
         text += "saved restore showpage\n";
     }
     return text + "%%Trailer\n%%EOF\n";
@@ -137,7 +137,7 @@ const Format postscript_format{
     .extensions = "ps",
     .medium = "swell",
     .paper = "a4",
-    .encode_pages = encode_pages,
+    .encode_pages = encode_pages_postscript,
 };
 
 }  // namespace tactics

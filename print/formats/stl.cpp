@@ -13,11 +13,11 @@ constexpr Option coarser(Option pitch) {
     return pitch;
 }
 
-constexpr Option kOptions[] = {
+constexpr Option kStlOptions[] = {
     coarser(kReliefPitch), kReliefHeight, kReliefProfile, kReliefAxes, kReliefGrid, kPlateBase,
 };
 
-std::string encode(const HeightSheet& sheet, const HeightRows& rows, const Settings& settings) {
+std::string encode_stl(const HeightSheet& sheet, const HeightRows& rows, const Settings& settings) {
     return height_stl(sheet, rows, settings.number("base"), "stl");
 }
 
@@ -30,8 +30,8 @@ const Format stl_format{
     .extensions = "stl",
     .medium = "swell",
     .paper = "a4",
-    .options = kOptions,
-    .encode_heights = encode,
+    .options = kStlOptions,
+    .encode_heights = encode_stl,
 };
 
 }  // namespace tactics

@@ -142,7 +142,7 @@ std::string braille_start(const PageName* name, int words, const Page& page) {
     return text + ">\n";
 }
 
-void append_braille(std::string& text, const Page& page, bool title) {
+void append_braille_svg(std::string& text, const Page& page, bool title) {
     const std::vector<const PageName*> names = names_of_lines(page);
     for (std::size_t i = 0; i < page.braille.size();) {
         const int words = page.braille[i].words;
@@ -195,7 +195,7 @@ std::string text_element(int words, Point baseline, double size, std::string_vie
     return text + ">" + escaped(said) + "</text>\n";
 }
 
-void append_print(std::string& text, const Page& page, bool title) {
+void append_print_svg(std::string& text, const Page& page, bool title) {
     for (std::size_t i = 0; i < page.print.size(); ++i) {
         const PrintLine& line = page.print[i];
         if (is_title(line.words, page) == title)
@@ -247,8 +247,8 @@ std::string layer_group(const marks::PageLayer& layer, const Page& page, const D
     append_strokes(text, page, description, layer.name);
     const bool title = layer.name == marks::kTitleLayer, braille = title || layer.name == marks::kBraille,
                print = title || layer.name == marks::kWordsLayer;
-    if (braille) append_braille(text, page, title);
-    if (print) append_print(text, page, title);
+    if (braille) append_braille_svg(text, page, title);
+    if (print) append_print_svg(text, page, title);
     if (layer.name == marks::kWordsLayer) append_unprinted(text, page);
     std::string start = "<g id=\"layer-" + std::string(layer.name) + "\" inkscape:groupmode=\"layer\" inkscape:label=\"" +
                         std::string(layer.label) + '"';
@@ -284,7 +284,7 @@ std::string regions_group(const Page& page, const Description& description) {
     return number > 0 ? text + "</g>\n" : "";
 }
 
-std::string encode(const Page& page, const Settings&) {
+std::string encode_svg(const Page& page, const Settings&) {
     const Description description = describe(page);
     std::string width, height;
     append_number(width, page.width, 4);
@@ -317,7 +317,7 @@ const Format svg_format{
     .extensions = "svg",
     .medium = "swell",
     .paper = "a4",
-    .encode_page = encode,
+    .encode_page = encode_svg,
 };
 
 }  // namespace tactics

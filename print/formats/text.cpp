@@ -14,7 +14,7 @@ std::string said(const Page& page) {
     return text;
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings&) {
+std::string encode_pages_text(std::span<const Page> pages, const Settings&) {
     std::string text;
     for (const Page& page : pages) text += (text.empty() ? "" : "\f") + said(page);
     return text;
@@ -29,7 +29,7 @@ const Format text_format{
     .extensions = "txt",
     .medium = "swell",
     .paper = "a4",
-    .encode_pages = encode_pages,
+    .encode_pages = encode_pages_text,
 };
 
 }  // namespace tactics

@@ -9,7 +9,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kTiffOptions[] = {
     {.name = "dpi",
      .type = Option::Type::number,
      .fallback = 300,
@@ -19,7 +19,7 @@ constexpr Option kOptions[] = {
      .summary = "pixels per inch of paper"},
 };
 
-std::string encode_pages(std::span<const Page> pages, const Settings& settings) {
+std::string encode_pages_tiff(std::span<const Page> pages, const Settings& settings) {
     const Page& first = pages.front();
     const PixelSize size = pixels_at(first, settings.number("dpi"), "tiff");
     constexpr int kRowsPerStrip = 1024;  // a reader needs to hold no more than this at once
@@ -42,8 +42,8 @@ const Format tiff_format{
     .extensions = "tiff tif",
     .medium = "swell",
     .paper = "a4",
-    .options = kOptions,
-    .encode_pages = encode_pages,
+    .options = kTiffOptions,
+    .encode_pages = encode_pages_tiff,
 };
 
 }  // namespace tactics

@@ -12,7 +12,7 @@ namespace tactics {
 
 namespace {
 
-constexpr Option kOptions[] = {
+constexpr Option kUbrlOptions[] = {
     {.name = "dots",
      .type = Option::Type::choice,
      .fallback = 0,
@@ -31,12 +31,12 @@ constexpr Option kOptions[] = {
      .choices = "cells 1.6 2.0 2.5"},
 };
 
-DotSetting dots(const Settings& settings) {
+DotSetting ubrl_dots(const Settings& settings) {
     if (const std::string_view pitch = settings.choice("pitch"); pitch != "cells") return equal_dots(pitch, {5.8, 5.8});
     return {kMarburgMedium, {{6.8, 6.8}, 0, settings.choice("dots") == "8" ? 4 : 3}};
 }
 
-std::string encode_pages(std::span<const Page> pages, const Settings&) {
+std::string encode_pages_ubrl(std::span<const Page> pages, const Settings&) {
     TextJob job;
     job.line_end = "\n";
     job.page_end = "\n\f";
@@ -53,9 +53,9 @@ const Format ubrl_format{
     .extensions = "ubrl",
     .medium = "embosser",
     .paper = "11x11.5",
-    .options = kOptions,
-    .encode_pages = encode_pages,
-    .dots = dots,
+    .options = kUbrlOptions,
+    .encode_pages = encode_pages_ubrl,
+    .dots = ubrl_dots,
 };
 
 }  // namespace tactics

@@ -19,7 +19,7 @@ bool begins_so(std::span<const unsigned char> head) {
     return std::string_view(reinterpret_cast<const char*>(head.data()), head.size()).starts_with(kContainerMagic);
 }
 
-PictureInfo inspect(Source& source) {
+PictureInfo inspect_felt_file(Source& source) {
     const std::string bytes = felt_bytes(source);
     const LevelMap map = map_facts(Container(bytes, source.name));
     check_whole_size(source.name, "a .felt file", map.columns, map.rows);
@@ -27,7 +27,7 @@ PictureInfo inspect(Source& source) {
 }
 
 // Low is black, high is white.
-Image read(Source& source, const ReadRequest& request) {
+Image read_felt_file(Source& source, const ReadRequest& request) {
     const LevelMap map = read_levels(source, kMaxWholePixels);
     RowReceiver<std::uint8_t> rows({{map.columns, map.rows}}, request);
     const auto width = static_cast<std::size_t>(map.columns);
@@ -78,8 +78,8 @@ const Reader felt_reader{
     .summary = "heights as convert, relief and encode pack them (tactics help felt)",
     .extensions = "felt",
     .recognises = begins_so,
-    .inspect = inspect,
-    .read = read,
+    .inspect = inspect_felt_file,
+    .read = read_felt_file,
 };
 
 }  // namespace tactics

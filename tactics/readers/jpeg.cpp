@@ -225,11 +225,11 @@ void cmyk_to_rgb(const JSAMPLE* cmyk, std::uint8_t* rgb, std::size_t width, bool
         for (int c = 0; c < 3; ++c) *rgb++ = static_cast<std::uint8_t>(((cmyk[c] ^ flip) * (cmyk[3] ^ flip) + 127u) / 255u);
 }
 
-bool recognises(std::span<const unsigned char> head) {
+bool recognises_jpeg(std::span<const unsigned char> head) {
     return head.size() >= 3 && head[0] == 0xFF && head[1] == 0xD8 && head[2] == 0xFF;
 }
 
-PictureInfo inspect(Source& source) {
+PictureInfo inspect_jpeg(Source& source) {
     Decoder decoder(source);
     decoder.open();
     PictureInfo facts{"JPEG", static_cast<int>(decoder.info.image_width), static_cast<int>(decoder.info.image_height)};
@@ -237,7 +237,7 @@ PictureInfo inspect(Source& source) {
     return facts;
 }
 
-Image read(Source& source, const ReadRequest& request) {
+Image read_jpeg(Source& source, const ReadRequest& request) {
     Decoder decoder(source);
     decoder.open();
     auto& info = decoder.info;
@@ -277,9 +277,9 @@ const Reader jpeg_reader{
     .name = "JPEG",
     .summary = "photographs; EXIF orientation, grey, colour and CMYK, progressive up to 120 million pixels",
     .extensions = "jpg jpeg jpe jfif",
-    .recognises = recognises,
-    .inspect = inspect,
-    .read = read,
+    .recognises = recognises_jpeg,
+    .inspect = inspect_jpeg,
+    .read = read_jpeg,
 };
 
 }  // namespace tactics

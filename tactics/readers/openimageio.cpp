@@ -25,7 +25,7 @@ namespace {
 using namespace std::string_view_literals;
 
 // The first bytes of a format, its common name and its name in OpenImageIO, and whether it is decoded whole.
-struct Form {
+struct OpenimageioForm {
     std::string_view name;
     const char* plugin;
     std::size_t at;
@@ -33,7 +33,7 @@ struct Form {
     bool whole = false;
 };
 
-constexpr Form kForms[] = {
+constexpr OpenimageioForm kOpenimageioForms[] = {
     {"WebP", "webp", 8, "WEBP", true},         {"GIF", "gif", 0, "GIF87a", true},
     {"GIF", "gif", 0, "GIF89a", true},         {"BMP", "bmp", 0, "BM"},
     {"EXR", "openexr", 0, "\x76\x2F\x31\x01"}, {"HDR", "hdr", 0, "#?"},
@@ -42,19 +42,19 @@ constexpr Form kForms[] = {
     {"AVIF", "heif", 4, "ftypavif", true},     {"ICO", "ico", 0, "\0\0\1\0"sv, true},
 };
 // These have readers of their own and come here only for comparison.
-constexpr Form kOwnForms[] = {
+constexpr OpenimageioForm kOwnForms[] = {
     {"JPEG", "jpeg", 0, "\xFF\xD8"},
     {"PNG", "png", 0, "\x89PNG"},
     {"TIFF", "tiff", 0, "II*\0"sv},
     {"TIFF", "tiff", 0, "MM\0*"sv},
 };
 constexpr std::size_t kMostWord = 1000;  // bytes of one that a file has
-constexpr Form kPnm{"PNM", "pnm", 0, {}, false};
-constexpr Form kTarga{"TGA", "targa", 0, {}, true};
+constexpr OpenimageioForm kPnm{"PNM", "pnm", 0, {}, false};
+constexpr OpenimageioForm kTarga{"TGA", "targa", 0, {}, true};
 
 using Bytes = std::span<const unsigned char>;
 
-long long number_at(Bytes head, std::size_t at, std::size_t size, bool big_endian = false) {
+long long openimageio_number_at(Bytes head, std::size_t at, std::size_t size, bool big_endian = false) {
     long long value = 0;
     for (std::size_t i = 0; i < size && at + size <= head.size(); ++i)
         value = value << 8 | head[at + (big_endian ? i : size - 1 - i)];
@@ -73,63 +73,63 @@ bool is_targa(Bytes head) {
     const int map = head[1], type = head[2] & 7, bits = head[16];
     const bool palette = type == 1;
     if (map > 1 || (head[2] & ~11) != 0 || type < 1 || type > 3 || (palette && map != 1)) return false;
-    if (map == 0 && number_at(head, 3, 4) != 0) return false;
+    if (map == 0 && openimageio_number_at(head, 3, 4) != 0) return false;
     if (map == 1 && head[7] != 15 && head[7] != 16 && head[7] != 24 && head[7] != 32) return false;
     const bool deep = bits == 15 || bits == 16 || bits == 24 || bits == 32;
-    return (type == 2 ? deep : bits == 8 || bits == 16) && number_at(head, 12, 2) > 0 && number_at(head, 14, 2) > 0 &&
-           (head[17] & 0xC0) == 0;
+    return (type == 2 ? deep : bits == 8 || bits == 16) && openimageio_number_at(head, 12, 2) > 0 &&
+           openimageio_number_at(head, 14, 2) > 0 && (head[17] & 0xC0) == 0;
 }
 
-const Form* form_in(std::span<const Form> forms, Bytes head) {
+const OpenimageioForm* form_in(std::span<const OpenimageioForm> forms, Bytes head) {
     const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
-    for (const Form& form : forms)
+    for (const OpenimageioForm& form : forms)
         if (text.size() > form.at && text.substr(form.at, form.bytes.size()) == form.bytes) return &form;
     return nullptr;
 }
 
-const Form* form_of(Bytes head) {
-    if (const Form* form = form_in(kForms, head)) return form;
+const OpenimageioForm* form_of_openimageio(Bytes head) {
+    if (const OpenimageioForm* form = form_in(kOpenimageioForms, head)) return form;
     if (is_pnm(head)) return &kPnm;
     return is_targa(head) ? &kTarga : nullptr;
 }
 
 // Some plugins ask for the memory of the whole picture as soon as they open it, so its size is looked up here first.
-void check_claim(const std::string& name, const Form& form, Bytes head) {
+void check_claim(const std::string& name, const OpenimageioForm& form, Bytes head) {
     long long width = 1, height = 1;
     if (form.name == "GIF") {
-        width = number_at(head, 6, 2);
-        height = number_at(head, 8, 2);
+        width = openimageio_number_at(head, 6, 2);
+        height = openimageio_number_at(head, 8, 2);
     } else if (form.name == "WebP") {
         // https://developers.google.com/speed/webp/docs/riff_container: extended, lossless, lossy
         const std::string_view kind(reinterpret_cast<const char*>(head.data()) + 12, 4);
-        const long long bits = number_at(head, 21, 4);
-        width = kind == "VP8X"   ? number_at(head, 24, 3) + 1
+        const long long bits = openimageio_number_at(head, 21, 4);
+        width = kind == "VP8X"   ? openimageio_number_at(head, 24, 3) + 1
                 : kind == "VP8L" ? (bits & 0x3FFF) + 1
-                                 : number_at(head, 26, 2) & 0x3FFF;
-        height = kind == "VP8X"   ? number_at(head, 27, 3) + 1
+                                 : openimageio_number_at(head, 26, 2) & 0x3FFF;
+        height = kind == "VP8X"   ? openimageio_number_at(head, 27, 3) + 1
                  : kind == "VP8L" ? (bits >> 14 & 0x3FFF) + 1
-                                  : number_at(head, 28, 2) & 0x3FFF;
+                                  : openimageio_number_at(head, 28, 2) & 0x3FFF;
     } else if (form.name == "PSD") {
-        width = number_at(head, 18, 4, true);
-        height = number_at(head, 14, 4, true);
+        width = openimageio_number_at(head, 18, 4, true);
+        height = openimageio_number_at(head, 14, 4, true);
     } else if (form.name == "TGA") {
-        width = number_at(head, 12, 2);
-        height = number_at(head, 14, 2);
+        width = openimageio_number_at(head, 12, 2);
+        height = openimageio_number_at(head, 14, 2);
     }
     check_claimed_size(name, width, height);
     if (form.whole) check_whole_size(name, form.name, width, height);
 }
 
 // The length that the file claims, or 0. Some writers store nonsense there, so it only explains a failure.
-long long claimed_bytes(const Form& form, Bytes head) {
-    if (form.name == "BMP") return number_at(head, 2, 4);
-    if (form.name == "WebP") return number_at(head, 4, 4) + 8;
+long long claimed_bytes(const OpenimageioForm& form, Bytes head) {
+    if (form.name == "BMP") return openimageio_number_at(head, 2, 4);
+    if (form.name == "WebP") return openimageio_number_at(head, 4, 4) + 8;
     // Its header and colours (Adobe Photoshop File Formats Specification), whose memory the plugin asks for unseen.
-    if (form.name == "PSD") return 30 + number_at(head, 26, 4, true);
+    if (form.name == "PSD") return 30 + openimageio_number_at(head, 26, 4, true);
     return 0;
 }
 
-long long size_of(std::FILE* file) {
+long long size_of_openimageio(std::FILE* file) {
     if (std::fseek(file, 0, SEEK_END) != 0) return 0;
     return std::ftell(file);
 }
@@ -140,12 +140,12 @@ public:
         std::array<unsigned char, 64> buffer{};  // zeros after a shorter file
         std::rewind(source.file.get());
         const auto size = std::fread(buffer.data(), 1, buffer.size(), source.file.get());
-        const Form* form = form_of(Bytes(buffer).first(size));
+        const OpenimageioForm* form = form_of_openimageio(Bytes(buffer).first(size));
         if (form == nullptr) form = form_in(kOwnForms, buffer);
         if (form == nullptr) throw std::logic_error("openimageio: read what it does not recognise");
         form_ = *form;
         check_asked_for(source);
-        cut_ = claimed_bytes(form_, buffer) > size_of(source.file.get());
+        cut_ = claimed_bytes(form_, buffer) > size_of_openimageio(source.file.get());
         constexpr std::size_t kHeader = 30;  // of what tells its length: BMP (26 at least), WebP
         const bool trusted = form_.name == "PSD";
         if (cut_ && size < kHeader && !trusted) throw_cut();
@@ -269,18 +269,18 @@ private:
     }
 
     std::string name_;
-    Form form_{};
+    OpenimageioForm form_{};
     bool cut_ = false;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy_{nullptr, &std::fclose};
     std::optional<CagedAnswer> answer_;
     caged::Facts facts_;
 };
 
-bool recognises(Bytes head) { return form_of(head) != nullptr; }
+bool recognises_openimageio(Bytes head) { return form_of_openimageio(head) != nullptr; }
 
-PictureInfo inspect(Source& source) { return Picture(source, "inspect").info(); }
+PictureInfo inspect_openimageio(Source& source) { return Picture(source, "inspect").info(); }
 
-Image read(Source& source, const ReadRequest& request) {
+Image read_openimageio(Source& source, const ReadRequest& request) {
     Picture picture(source, "read");
     return picture.linear() ? picture.read<float>(request) : picture.read<std::uint8_t>(request);
 }
@@ -301,9 +301,9 @@ const Reader openimageio_reader{
         "the rest: WebP, GIF (first frame), BMP, PNM, HEIC, AVIF, TGA; EXR and HDR, where the value 1 is white, or the 99th "
         "percentile if that would be far too dark or bright; PSD and ICO if allowed",
     .extensions = "webp gif bmp dib pbm pgm ppm pnm pfm exr hdr heic heif avif psd tga ico",
-    .recognises = recognises,
-    .inspect = inspect,
-    .read = read,
+    .recognises = recognises_openimageio,
+    .inspect = inspect_openimageio,
+    .read = read_openimageio,
 };
 
 }  // namespace tactics

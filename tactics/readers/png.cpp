@@ -12,12 +12,12 @@ namespace tactics {
 
 namespace {
 
-bool recognises(std::span<const unsigned char> head) {
+bool recognises_png(std::span<const unsigned char> head) {
     constexpr std::array<unsigned char, 8> kSignature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
     return head.size() >= kSignature.size() && std::equal(kSignature.begin(), kSignature.end(), head.begin());
 }
 
-PictureInfo inspect(Source& source) {
+PictureInfo inspect_png(Source& source) {
     PngDecoder decoder(source);
     decoder.open();
     PictureInfo facts{"PNG", decoder.size().width, decoder.size().height};
@@ -25,7 +25,7 @@ PictureInfo inspect(Source& source) {
     return facts;
 }
 
-Image read(Source& source, const ReadRequest& request) {
+Image read_png(Source& source, const ReadRequest& request) {
     PngDecoder decoder(source);
     decoder.open();
     const RowShape shape = decoder.start();
@@ -42,9 +42,9 @@ const Reader png_reader{
     .name = "PNG",
     .summary = "screenshots and drawings; 1 to 16 bits, palette, transparency over white (gamma and profiles are not applied)",
     .extensions = "png apng",
-    .recognises = recognises,
-    .inspect = inspect,
-    .read = read,
+    .recognises = recognises_png,
+    .inspect = inspect_png,
+    .read = read_png,
 };
 
 }  // namespace tactics

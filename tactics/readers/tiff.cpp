@@ -165,7 +165,7 @@ Image read_whole(TiffFile& file, const ReadRequest& request) {
     return rows.finish();
 }
 
-bool recognises(std::span<const unsigned char> head) {
+bool recognises_tiff(std::span<const unsigned char> head) {
     if (head.size() < 10) return false;
     const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
     const std::string_view start = text.substr(0, 4);
@@ -174,7 +174,7 @@ bool recognises(std::span<const unsigned char> head) {
     return start == "II*\0"sv || start == "MM\0*"sv || start == "II+\0"sv || start == "MM\0+"sv;
 }
 
-PictureInfo inspect(Source& source) {
+PictureInfo inspect_tiff(Source& source) {
     TiffFile file(source);
     file.open();
     const TiffTags& tags = file.tags();
@@ -183,7 +183,7 @@ PictureInfo inspect(Source& source) {
     return facts;
 }
 
-Image read(Source& source, const ReadRequest& request) {
+Image read_tiff(Source& source, const ReadRequest& request) {
     TiffFile file(source);
     file.open();
     TiffTags& tags = file.tags();
@@ -217,9 +217,9 @@ const Reader tiff_reader{
     .summary =
         "scans; the first page, 1 to 32 bits and decimal numbers (as linear light), palette, CMYK, transparency over white",
     .extensions = "tif tiff",
-    .recognises = recognises,
-    .inspect = inspect,
-    .read = read,
+    .recognises = recognises_tiff,
+    .inspect = inspect_tiff,
+    .read = read_tiff,
 };
 
 }  // namespace tactics

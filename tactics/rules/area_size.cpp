@@ -9,7 +9,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_area_size(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const auto& figure : geometry.figures) {
         const auto ring = std::find_if(figure.begin(), figure.end(), [&](std::uint32_t c) {
@@ -44,7 +44,7 @@ const Rule area_size_rule{
               .max = 100,
               .unit = "mm",
               .summary = "minimum size of an area, measured along its longest extent"},
-    .check = check,
+    .check = check_area_size,
 };
 
 }  // namespace tactics

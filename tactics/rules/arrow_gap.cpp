@@ -25,7 +25,7 @@ bool is_shaft(const PageGeometry& geometry, const ArrowHead& head, std::uint32_t
     return false;
 }
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_arrow_gap(const PageGeometry& geometry, double limit) {
     Findings findings;
     const std::vector<std::uint32_t> heads = chains_with(geometry, Role::arrow);
     if (heads.empty()) return findings;
@@ -78,7 +78,7 @@ const Rule arrow_gap_rule{
               .max = 100,
               .unit = "mm",
               .summary = "minimum distance from the tip to what it points to"},
-    .check = check,
+    .check = check_arrow_gap,
 };
 
 }  // namespace tactics

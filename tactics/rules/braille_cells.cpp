@@ -6,7 +6,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_braille_cells(const PageGeometry& geometry, double limit) {
     const double pitch = geometry.page.cell.cell_pitch, off = off_standard(pitch, &CellSize::cell_pitch);
     const auto at = first_braille(geometry);
     if (!at || off <= limit + kRounding) return {};
@@ -32,7 +32,7 @@ const Rule braille_cells_rule{
               .max = 10,
               .unit = "mm",
               .summary = "maximum deviation of cells from the nearest standard"},
-    .check = check,
+    .check = check_braille_cells,
 };
 
 }  // namespace tactics

@@ -45,7 +45,7 @@ void look_at_picture(const Bitmap& picture, const Box& box, Nearby& nearest_thin
         }
 }
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_braille_clearance(const PageGeometry& geometry, double limit) {
     if (geometry.braille.empty()) return {};
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < geometry.pieces.size(); ++i) boxes.push_back(geometry.box_of_piece(i, 0));
@@ -94,7 +94,7 @@ const Rule braille_clearance_rule{
               .max = 50,
               .unit = "mm",
               .summary = "minimum distance from a cell to the edge of anything else"},
-    .check = check,
+    .check = check_braille_clearance,
 };
 
 }  // namespace tactics

@@ -6,7 +6,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_braille_dots(const PageGeometry& geometry, double limit) {
     const double pitch = geometry.page.cell.dot_pitch, off = off_standard(pitch, &CellSize::dot_pitch);
     const auto at = first_braille(geometry);
     if (!at || off <= limit + kRounding) return {};
@@ -30,7 +30,7 @@ const Rule braille_dots_rule{
               .max = 5,
               .unit = "mm",
               .summary = "maximum deviation of dots from the nearest standard"},
-    .check = check,
+    .check = check_braille_dots,
 };
 
 }  // namespace tactics

@@ -6,9 +6,9 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostPairs = 10'000'000;
+constexpr std::size_t kBrailleLinesMostPairs = 10'000'000;
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_braille_lines(const PageGeometry& geometry, double limit) {
     if (geometry.braille.size() < 2) return {};
     // From dot 1 to dot 1; the boxes begin half a dot above. A line nearer than the standard less the limit is wrong, one that is
     // further away is only another text.
@@ -20,7 +20,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     }
     Findings findings;
     const Grid grid(std::move(boxes), geometry.page.width, geometry.page.height);
-    findings.complete = grid.pairs(kMostPairs, [&](std::size_t i, std::size_t j) {
+    findings.complete = grid.pairs(kBrailleLinesMostPairs, [&](std::size_t i, std::size_t j) {
         const Box &a = geometry.braille[i], &b = geometry.braille[j];
         const double pitch = std::abs(a.top - b.top);
         if (a.left > b.right || b.left > a.right || pitch >= least) return true;
@@ -52,7 +52,7 @@ const Rule braille_lines_rule{
               .max = 10,
               .unit = "mm",
               .summary = "maximum by which lines may be closer than 10 mm"},
-    .check = check,
+    .check = check_braille_lines,
 };
 
 }  // namespace tactics

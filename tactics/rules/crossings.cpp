@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostPairs = 100'000'000;
+constexpr std::size_t kCrossingsMostPairs = 100'000'000;
 constexpr std::size_t kMostMeetings = 200'000;
 
 double side_of(const Segment& line, Point p) {
@@ -43,7 +43,7 @@ std::vector<Meeting> find_meetings(const PageGeometry& geometry, bool& complete)
     }
     std::vector<Meeting> meetings;
     const Grid grid(std::move(boxes), geometry.page.width, geometry.page.height);
-    complete = grid.pairs(kMostPairs, [&](std::size_t i, std::size_t j) {
+    complete = grid.pairs(kCrossingsMostPairs, [&](std::size_t i, std::size_t j) {
         const Piece &p = geometry.pieces[lines[i]], &q = geometry.pieces[lines[j]];
         const Chain &a = geometry.chains[p.chain], &b = geometry.chains[q.chain];
         const double reach = a.half_width + b.half_width + kTouch;
@@ -63,7 +63,7 @@ std::vector<Meeting> find_meetings(const PageGeometry& geometry, bool& complete)
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_crossings(const PageGeometry& geometry, double limit) {
     Findings findings;
     const std::vector<Meeting> meetings = find_meetings(geometry, findings.complete);
     // Meetings within each other's ink are one place, with all the lines that go through it.
@@ -76,7 +76,7 @@ Findings check(const PageGeometry& geometry, double limit) {
         return m;
     };
     const Grid grid(std::move(boxes), geometry.page.width, geometry.page.height);
-    findings.complete &= grid.pairs(kMostPairs, [&](std::size_t i, std::size_t j) {
+    findings.complete &= grid.pairs(kCrossingsMostPairs, [&](std::size_t i, std::size_t j) {
         if (distance(meetings[i].at, meetings[j].at) > std::max(meetings[i].reach, meetings[j].reach)) return true;
         const std::uint32_t a = root(static_cast<std::uint32_t>(i)), b = root(static_cast<std::uint32_t>(j));
         first[std::max(a, b)] = std::min(a, b);
@@ -116,7 +116,7 @@ const Rule crossings_rule{
               .min = 1,
               .max = 100,
               .summary = "maximum number of lines through one place; 2 allows plain crossings"},
-    .check = check,
+    .check = check_crossings,
 };
 
 }  // namespace tactics

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kShare = 0.5;  // of its dash
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_dash_gaps(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const DashedLine& line : dashed_lines(geometry)) {
         double most = limit + kRounding;
@@ -47,7 +47,7 @@ const Rule dash_gaps_rule{
               .min = 0.01,
               .max = 10,
               .summary = "how much a gap may differ from half its dash, as a share of the dash"},
-    .check = check,
+    .check = check_dash_gaps,
 };
 
 }  // namespace tactics

@@ -8,7 +8,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_dash_length(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const DashedLine& line : dashed_lines(geometry)) {
         // The last one is what is left of the line, so it may be short.
@@ -43,7 +43,7 @@ const Rule dash_length_rule{
               .max = 100,
               .unit = "mm",
               .summary = "minimum length of a dash, ends included"},
-    .check = check,
+    .check = check_dash_length,
 };
 
 }  // namespace tactics

@@ -7,7 +7,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_detail(const PageGeometry& geometry, double limit) {
     Findings findings;
     const auto look = [&](const std::vector<std::uint32_t>& chains, bool is_hole) {
         const double extent = geometry.extent_of(chains, limit);
@@ -43,7 +43,7 @@ const Rule detail_rule{
               .max = 20,
               .unit = "mm",
               .summary = "minimum size of anything, measured along its longest extent"},
-    .check = check,
+    .check = check_detail,
 };
 
 }  // namespace tactics

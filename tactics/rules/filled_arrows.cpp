@@ -8,7 +8,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_filled_arrows(const PageGeometry& geometry, double limit) {
     double filled = 0;
     Point first;
     for (const std::uint32_t c : chains_with(geometry, Role::arrow)) {
@@ -39,7 +39,7 @@ const Rule filled_arrows_rule{
               .min = 0,
               .max = 1000,
               .summary = "maximum number of filled or closed arrow heads"},
-    .check = check,
+    .check = check_filled_arrows,
 };
 
 }  // namespace tactics

@@ -6,7 +6,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_gap(const PageGeometry& geometry, double limit) {
     Findings findings = narrow_places(geometry, limit, Apart::edges);
     for (Finding& finding : findings.places)
         finding.message = phrase("a gap of {0} mm between {1}", shown(finding.measured), finding.message);
@@ -33,7 +33,7 @@ const Rule gap_rule{
               .unit = "mm",
               .summary = "minimum distance from edge to edge"},
     .limit_for = [](const Medium& medium) { return std::optional(medium.gap); },
-    .check = check,
+    .check = check_gap,
 };
 
 }  // namespace tactics

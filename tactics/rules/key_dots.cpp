@@ -13,7 +13,7 @@ namespace {
 // Dot 3 or 6.
 bool is_low(char letter) { return letter >= 'a' && letter <= 'z' && (letter_cell(letter) & 0b100100) != 0; }
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_key_dots(const PageGeometry& geometry, double limit) {
     double without = 0;
     Point first;
     std::string key;
@@ -48,7 +48,7 @@ const Rule key_dots_rule{
               .min = 0,
               .max = 1000,
               .summary = "maximum number of entries without a low dot"},
-    .check = check,
+    .check = check_key_dots,
 };
 
 }  // namespace tactics

@@ -9,7 +9,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_key_letters(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const PageName& name : geometry.page.names) {
         if (name.key.empty()) continue;
@@ -38,7 +38,7 @@ const Rule key_letters_rule{
               .min = 0,
               .max = 100,
               .summary = "maximum number of letters missing or in excess"},
-    .check = check,
+    .check = check_key_letters,
 };
 
 }  // namespace tactics

@@ -21,7 +21,7 @@ std::size_t words_in(const BrailleLine& line) {
     return static_cast<std::size_t>(word - line.cells.begin());
 }
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_key_words(const PageGeometry& geometry, double limit) {
     Findings findings;
     const Page& page = geometry.page;
     if (!page.is_key) return findings;
@@ -58,7 +58,7 @@ const Rule key_words_rule{
               .min = 0,
               .max = 40,
               .summary = "maximum number of cells by which the words of an entry begin too early or too late"},
-    .check = check,
+    .check = check_key_words,
 };
 
 }  // namespace tactics

@@ -8,7 +8,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_lead_arrows(const PageGeometry& geometry, double limit) {
     double headed = 0;
     Point first;
     for (const std::uint32_t c : chains_with(geometry, Role::lead)) {
@@ -45,7 +45,7 @@ const Rule lead_arrows_rule{
               .min = 0,
               .max = 1000,
               .summary = "maximum number of lead lines with an arrow head"},
-    .check = check,
+    .check = check_lead_arrows,
 };
 
 }  // namespace tactics

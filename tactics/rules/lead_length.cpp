@@ -8,7 +8,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_lead_length(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const std::uint32_t c : chains_with(geometry, Role::lead)) {
         const Chain& chain = geometry.chains[c];
@@ -37,7 +37,7 @@ const Rule lead_length_rule{
               .max = 1000,
               .unit = "mm",
               .summary = "maximum length of a lead line"},
-    .check = check,
+    .check = check_lead_length,
 };
 
 }  // namespace tactics

@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_lead_width(const PageGeometry& geometry, double limit) {
     Findings findings;
     double thinnest = std::numeric_limits<double>::infinity();
     for (const Chain& chain : geometry.chains)
@@ -46,7 +46,7 @@ const Rule lead_width_rule{
               .max = 10,
               .unit = "mm",
               .summary = "how much wider than the thinnest line a lead line may be"},
-    .check = check,
+    .check = check_lead_width,
 };
 
 }  // namespace tactics

@@ -7,7 +7,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_line_length(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const auto& figure : geometry.figures) {
         if (figure.size() != 1) continue;  // a part of something larger
@@ -41,7 +41,7 @@ const Rule line_length_rule{
               .max = 100,
               .unit = "mm",
               .summary = "minimum length of a line, ends included"},
-    .check = check,
+    .check = check_line_length,
 };
 
 }  // namespace tactics

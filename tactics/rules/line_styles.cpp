@@ -19,7 +19,7 @@ struct Style {
     bool operator<(const Style& other) const { return width != other.width ? width < other.width : dashed < other.dashed; }
 };
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_line_styles(const PageGeometry& geometry, double limit) {
     struct Kind {
         std::size_t first, lines;
     };
@@ -63,7 +63,7 @@ const Rule line_styles_rule{
               .min = 1,
               .max = 100,
               .summary = "maximum number of line styles on a page"},
-    .check = check,
+    .check = check_line_styles,
 };
 
 }  // namespace tactics

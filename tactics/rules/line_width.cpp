@@ -7,7 +7,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_line_width(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const Chain& chain : geometry.chains) {
         if (chain.ring || chain.half_width * 2 >= limit - kRounding) continue;
@@ -36,7 +36,7 @@ const Rule line_width_rule{
               .unit = "mm",
               .summary = "minimum width of a line"},
     .limit_for = [](const Medium& medium) { return std::optional(medium.thin_line); },
-    .check = check,
+    .check = check_line_width,
 };
 
 }  // namespace tactics

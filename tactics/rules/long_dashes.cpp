@@ -8,7 +8,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_long_dashes(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const DashedLine& line : dashed_lines(geometry)) {
         std::size_t longest = line.front();
@@ -42,7 +42,7 @@ const Rule long_dashes_rule{
               .max = 100,
               .unit = "mm",
               .summary = "maximum length of a dash, ends included"},
-    .check = check,
+    .check = check_long_dashes,
 };
 
 }  // namespace tactics

@@ -9,7 +9,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_margin(const PageGeometry& geometry, double limit) {
     Findings findings;
     const Rect& live = geometry.page.live;
     const double right = live.left + live.width, bottom = live.top + live.height;
@@ -54,7 +54,7 @@ const Rule margin_rule{
               .max = 50,
               .unit = "mm",
               .summary = "maximum distance by which anything may reach into the margin"},
-    .check = check,
+    .check = check_margin,
 };
 
 }  // namespace tactics

@@ -6,7 +6,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_merging_dots(const PageGeometry& geometry, double limit) {
     Findings findings = narrow_places(geometry, limit, Apart::middles);
     for (Finding& finding : findings.places)
         finding.message =
@@ -34,7 +34,7 @@ const Rule merging_dots_rule{
               .unit = "mm",
               .summary = "minimum distance from the middle of one to the middle of the other"},
     .limit_for = [](const Medium& medium) { return has_fixed_dots(medium) ? std::optional(kTwoRows) : std::nullopt; },
-    .check = check,
+    .check = check_merging_dots,
 };
 
 }  // namespace tactics

@@ -10,7 +10,7 @@ namespace {
 constexpr double kSquareMmPerCm = 100;
 constexpr double kA3 = 297 * 420 / kSquareMmPerCm;
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_paper(const PageGeometry& geometry, double limit) {
     const Page& page = geometry.page;
     const double size = page.width * page.height / kSquareMmPerCm;
     if (size <= limit + kRounding) return {};
@@ -39,7 +39,7 @@ const Rule paper_rule{
               .max = 1e6,
               .unit = "square cm",
               .summary = "maximum area of a page"},
-    .check = check,
+    .check = check_paper,
 };
 
 }  // namespace tactics

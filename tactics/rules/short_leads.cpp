@@ -8,7 +8,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_short_leads(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const std::uint32_t c : chains_with(geometry, Role::lead)) {
         const Chain& chain = geometry.chains[c];
@@ -38,7 +38,7 @@ const Rule short_leads_rule{
               .max = 100,
               .unit = "mm",
               .summary = "minimum length of a lead line"},
-    .check = check,
+    .check = check_short_leads,
 };
 
 }  // namespace tactics

@@ -10,8 +10,8 @@ namespace tactics {
 
 namespace {
 
-constexpr double kStraight = 0.25;       // mm that a straight side may bow out
-constexpr std::size_t kMostCorners = 8;  // a shape with more is round
+constexpr double kSideLengthStraight = 0.25;  // mm that a straight side may bow out
+constexpr std::size_t kMostCorners = 8;       // a shape with more is round
 // To a fingertip, which resolves 1 mm (25 dpi) at best, a shorter side is a rounded or cut-off corner.
 constexpr double kCorner = 2.5;
 
@@ -72,7 +72,7 @@ struct Side {
 
 // The shortest side of a shape with straight sides; nothing if it is round or so small that it has no sides.
 std::optional<Side> shortest_side(const std::vector<Point>& points, double extent) {
-    const auto corners = Corners(points, std::min(kStraight, extent / 50)).find();
+    const auto corners = Corners(points, std::min(kSideLengthStraight, extent / 50)).find();
     if (corners.size() < 3) return std::nullopt;
     std::optional<Side> shortest;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -84,7 +84,7 @@ std::optional<Side> shortest_side(const std::vector<Point>& points, double exten
     return shortest;
 }
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_side_length(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (std::uint32_t c = 0; c < geometry.chains.size(); ++c) {
         const Chain& chain = geometry.chains[c];
@@ -123,7 +123,7 @@ const Rule side_length_rule{
               .max = 100,
               .unit = "mm",
               .summary = "minimum length of a side"},
-    .check = check,
+    .check = check_side_length,
 };
 
 }  // namespace tactics

@@ -11,9 +11,9 @@ namespace tactics {
 namespace {
 
 // Limit of examined pairs of pieces.
-constexpr std::size_t kMostPairs = 100'000'000;
+constexpr std::size_t kSymbolGapMostPairs = 100'000'000;
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_symbol_gap(const PageGeometry& geometry, double limit) {
     Findings findings;
     const std::vector<Symbol> symbols = symbols_of(geometry);
     std::vector<std::size_t> piece;
@@ -28,7 +28,7 @@ Findings check(const PageGeometry& geometry, double limit) {
             }
     std::vector<std::vector<std::pair<std::size_t, Nearest>>> near(symbols.size());  // of each, to later ones
     const Grid grid(std::move(boxes), geometry.page.width, geometry.page.height);
-    findings.complete = grid.pairs(kMostPairs, [&](std::size_t i, std::size_t j) {
+    findings.complete = grid.pairs(kSymbolGapMostPairs, [&](std::size_t i, std::size_t j) {
         if (symbol_of[i] == symbol_of[j]) return true;
         const Piece &p = geometry.pieces[piece[i]], &q = geometry.pieces[piece[j]];
         Nearest apart = nearest(p.line, q.line);
@@ -68,7 +68,7 @@ const Rule symbol_gap_rule{
               .max = 100,
               .unit = "mm",
               .summary = "minimum distance between two point symbols, edge to edge"},
-    .check = check,
+    .check = check_symbol_gap,
 };
 
 }  // namespace tactics

@@ -14,7 +14,7 @@ namespace {
 // Symbols of one form that differ by less in size feel the same ("differ 25 to 30 %", a rule file after BANA).
 constexpr double kOther = 1.25;
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_symbol_kinds(const PageGeometry& geometry, double limit) {
     struct Kind {
         const Symbol* first;
         std::size_t count;
@@ -56,7 +56,7 @@ const Rule symbol_kinds_rule{
               .min = 1,
               .max = 100,
               .summary = "maximum number of kinds of point symbols on a page"},
-    .check = check,
+    .check = check_symbol_kinds,
 };
 
 }  // namespace tactics

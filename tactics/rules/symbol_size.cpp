@@ -8,7 +8,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_symbol_size(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const Symbol& symbol : symbols_of(geometry))
         if (symbol.size < limit - kRounding)
@@ -33,7 +33,7 @@ const Rule symbol_size_rule{
               .max = 100,
               .unit = "mm",
               .summary = "minimum size of a point symbol, measured along its longest extent"},
-    .check = check,
+    .check = check_symbol_size,
 };
 
 }  // namespace tactics

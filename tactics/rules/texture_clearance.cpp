@@ -10,9 +10,9 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostPairs = 300'000'000;
+constexpr std::size_t kTextureClearanceMostPairs = 300'000'000;
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_texture_clearance(const PageGeometry& geometry, double limit) {
     // For each line or edge, only the place nearest to a texture, because a pattern has thousands of marks.
     std::map<std::uint32_t, Nearest> worst;
     Findings findings;
@@ -23,7 +23,7 @@ Findings check(const PageGeometry& geometry, double limit) {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < geometry.pieces.size(); ++i) boxes.push_back(geometry.box_of_piece(i, limit / 2));
     const Grid grid(std::move(boxes), geometry.page.width, geometry.page.height);
-    findings.complete = grid.pairs(kMostPairs, [&](std::size_t i, std::size_t j) {
+    findings.complete = grid.pairs(kTextureClearanceMostPairs, [&](std::size_t i, std::size_t j) {
         std::uint32_t mark = geometry.pieces[i].chain, other = geometry.pieces[j].chain;
         if (is_mark(mark) == is_mark(other)) return true;
         if (!is_mark(mark)) std::swap(mark, other);
@@ -69,7 +69,7 @@ const Rule texture_clearance_rule{
               .unit = "mm",
               .summary = "minimum distance from edge to edge"},
     .limit_for = [](const Medium& medium) { return std::optional(medium.gap); },
-    .check = check,
+    .check = check_texture_clearance,
 };
 
 }  // namespace tactics

@@ -50,7 +50,7 @@ double narrowest(const std::vector<Point>& points) {
     return least;
 }
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_texture_size(const PageGeometry& geometry, double limit) {
     std::vector<Component> components;
     for (const Area& area : geometry.page.textured) {
         Component component{.area = &area};
@@ -102,7 +102,7 @@ const Rule texture_size_rule{
               .max = 100,
               .unit = "mm",
               .summary = "minimum width of the drawn part of a texture"},
-    .check = check,
+    .check = check_texture_size,
 };
 
 }  // namespace tactics

@@ -10,7 +10,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_textures(const PageGeometry& geometry, double limit) {
     std::map<int, std::size_t> first;  // area of each
     const auto& areas = geometry.page.textured;
     for (std::size_t i = 0; i < areas.size(); ++i)
@@ -41,7 +41,7 @@ const Rule textures_rule{
               .min = 1,
               .max = 100,
               .summary = "maximum number of textures on a page; blank and black do not count"},
-    .check = check,
+    .check = check_textures,
 };
 
 }  // namespace tactics

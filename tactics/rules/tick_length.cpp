@@ -9,7 +9,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_tick_length(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const std::uint32_t c : chains_with(geometry, Role::tick)) {
         const Chain& chain = geometry.chains[c];
@@ -40,7 +40,7 @@ const Rule tick_length_rule{
               .max = 100,
               .unit = "mm",
               .summary = "minimum length of a tick mark, ends included"},
-    .check = check,
+    .check = check_tick_length,
 };
 
 }  // namespace tactics

@@ -11,7 +11,7 @@ namespace tactics {
 
 namespace {
 
-Findings check(const PageGeometry& geometry, double limit) {
+Findings check_tick_sides(const PageGeometry& geometry, double limit) {
     Findings findings;
     for (const std::uint32_t c : chains_with(geometry, Role::tick)) {
         const Chain& chain = geometry.chains[c];
@@ -56,7 +56,7 @@ const Rule tick_sides_rule{
               .max = 100,
               .unit = "mm",
               .summary = "minimum length of a tick mark on each side of the axis"},
-    .check = check,
+    .check = check_tick_sides,
 };
 
 }  // namespace tactics

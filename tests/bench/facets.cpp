@@ -253,6 +253,41 @@ void print_accuracy() {
     }
 }
 
+// The share of work that a tick has, on a million facets: what a tick takes, how many go on in the next, and how far that leaves
+// the shadow from where it would be without end.
+void print_shares() {
+    std::printf("method,work,p99.9_ns,unsettled,off_p99.9_mm,off_most_mm\n");
+    const HeightMap map = stroke_ground(pitch_of(1'000'000));
+    const MeshTree tree(facets_of(continued(map)));
+    for (const double radius : {0.0, 2.0}) {
+        const ReliefSurface felt(dilated(map, radius));
+        std::vector<Point3> way = stroke(felt, kTicks);
+        for (Point3& finger : way) finger.z += radius;
+        std::vector<Point3> settled;
+        ShadowPoint whole(tree, radius, ShadowPoint::kMostWork);
+        whole.follow({way[0].x, way[0].y, 50});
+        for (const Point3& finger : way) settled.push_back(whole.follow(finger));
+        for (const int share : {200, 300, 450, 700, 1'000, 1'500, 3'000}) {
+            ShadowPoint shadow(tree, radius, share);
+            const auto begin = [&] {
+                shadow.lift();
+                shadow.follow({way[0].x, way[0].y, 50});
+            };
+            const Times times = timed(way, begin, [&](const Point3& finger) {
+                shadow.follow(finger);
+                return shadow.settled();
+            });
+            begin();
+            std::vector<double> off;
+            for (std::size_t i = 0; i < way.size(); ++i) off.push_back(length_of(shadow.follow(way[i]) - settled[i]));
+            std::sort(off.begin(), off.end());
+            std::printf("%s,%d,%.0f,%d,%.3g,%.3g\n", radius > 0 ? "ball 2 mm" : "point", share, times.each.p999, times.unsettled,
+                        off[off.size() / 1000 * 999], off.back());
+            std::fflush(stdout);
+        }
+    }
+}
+
 void print_enough() {
     const HeightMap map = stroke_ground(pitch_of(1'000'000));
     for (const double resolution : {0.055, 0.023})
@@ -273,6 +308,8 @@ int main(int count, char** words) {
         tactics::print_enough();
     else if (std::strcmp(wish, "--levels") == 0)
         tactics::print_levels();
+    else if (std::strcmp(wish, "--shares") == 0)
+        tactics::print_shares();
     else
         tactics::print_costs(std::strcmp(wish, "--csv") == 0);
 }

@@ -17,9 +17,9 @@ namespace tactics {
 
 namespace {
 
-constexpr std::chrono::microseconds kPace{500};  // twice as often as a loop asks
-constexpr unsigned char kOn = 1, kOff = 0;       // DHD_ON, DHD_OFF
-constexpr double kMostReach = 1;                 // m; the largest of them reaches 0.4
+constexpr std::chrono::microseconds kForceDimensionPace{500};  // twice as often as a loop asks
+constexpr unsigned char kOn = 1, kOff = 0;                     // DHD_ON, DHD_OFF
+constexpr double kForceDimensionMostReach = 1;                 // m; the largest of them reaches 0.4
 
 struct Dhd {
     int (*open)() = nullptr;
@@ -67,14 +67,14 @@ private:
             const auto begun = std::chrono::steady_clock::now();
             double x = 0, y = 0, z = 0;
             const bool told = dhd_.place(&x, &y, &z, id_) >= 0;
-            const auto can_be = [](double metres) { return std::abs(metres) <= kMostReach; };
+            const auto can_be = [](double metres) { return std::abs(metres) <= kForceDimensionMostReach; };
             if (told && can_be(x) && can_be(y) && can_be(z))
                 talk_.tell({{1000 * y, 1000 * z, 1000 * x}, dhd_.buttons(id_), false});
             const bool zero = talk_.lets_go();
             const Point3 force = talk_.force();
             if (!told || dhd_.push(force.z, force.x, force.y, id_) < 0) talk_.lose();
             if (zero) talk_.has_let_go();
-            std::this_thread::sleep_until(begun + kPace);
+            std::this_thread::sleep_until(begun + kForceDimensionPace);
         }
     }
 

@@ -24,15 +24,15 @@ using std::chrono::microseconds;
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-constexpr microseconds kPace{500};      // between two messages: twice as often as a loop asks, and no core is worn out
-constexpr milliseconds kOpens{1000};    // until the service has answered at all
-constexpr milliseconds kAnswers{500};   // until it is taken to be gone
-constexpr milliseconds kDoubted{20};    // without an answer: zero force is sent once more
-constexpr milliseconds kPiece{5};       // of a wait, to see whether somebody ends it
-constexpr milliseconds kFarewell{100};  // until it has answered that there is no force any more
-constexpr int kMostUnasked = 64;        // messages of a turn
+constexpr microseconds kInverse3Pace{500};  // between two messages: twice as often as a loop asks, and no core is worn out
+constexpr milliseconds kOpens{1000};        // until the service has answered at all
+constexpr milliseconds kAnswers{500};       // until it is taken to be gone
+constexpr milliseconds kDoubted{20};        // without an answer: zero force is sent once more
+constexpr milliseconds kPiece{5};           // of a wait, to see whether somebody ends it
+constexpr milliseconds kFarewell{100};      // until it has answered that there is no force any more
+constexpr int kMostUnasked = 64;            // messages of a turn
 // Just below that of the loop that it serves.
-constexpr int kPriority = 79;
+constexpr int kInverse3Priority = 79;
 
 // One connection: its thread sends a force, waits for the answer and hands it over, until it is ended or the service is gone.
 class Exchange {
@@ -86,7 +86,7 @@ private:
     void run() noexcept {
         prctl(PR_SET_TIMERSLACK, 1, 0, 0, 0);
         sched_param priority{};
-        priority.sched_priority = kPriority;
+        priority.sched_priority = kInverse3Priority;
         sched_setscheduler(0, SCHED_FIFO, &priority);
         try {
             talk();
@@ -109,7 +109,7 @@ private:
             hear_answers(begun);
             if (zero && !talk_.gone()) talk_.has_let_go();
             if (Clock::now() - sensible_ > kAnswers) talk_.lose();
-            std::this_thread::sleep_until(begun + kPace);
+            std::this_thread::sleep_until(begun + kInverse3Pace);
         }
     }
 

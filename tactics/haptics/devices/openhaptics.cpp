@@ -24,9 +24,9 @@ constexpr unsigned kForceOutput = 0x4000;                          // HD_FORCE_O
 constexpr unsigned kSuccess = 0;                                   // HD_SUCCESS
 constexpr unsigned kNoHandle = 0xFFFFFFFF;                         // HD_INVALID_HANDLE
 constexpr unsigned kOver = 0, kGoOn = 1;                           // HD_CALLBACK_DONE, HD_CALLBACK_CONTINUE
-constexpr unsigned short kPriority = 0xFFFF / 2;                   // HD_DEFAULT_SCHEDULER_PRIORITY
+constexpr unsigned short kOpenhapticsPriority = 0xFFFF / 2;        // HD_DEFAULT_SCHEDULER_PRIORITY
 constexpr unsigned kFirstOfForce = 0x0200, kLastOfForce = 0x02FF;  // errors: warm motors, too much force, too fast
-constexpr double kMostReach = 1000;                                // mm; the largest of them reaches 420
+constexpr double kOpenhapticsMostReach = 1000;                     // mm; the largest of them reaches 420
 
 struct HdError {
     unsigned code = 0;
@@ -85,7 +85,7 @@ public:
         if (error.code != kSuccess || device_ == kNoHandle) fail(phrase("no device is there"), error);
         hd_.make_current(device_);
         hd_.enable(kForceOutput);
-        call_ = hd_.schedule([](void* turns) { return static_cast<HdTurns*>(turns)->turn(); }, this, kPriority);
+        call_ = hd_.schedule([](void* turns) { return static_cast<HdTurns*>(turns)->turn(); }, this, kOpenhapticsPriority);
         hd_.start();
         if (const HdError fault = hd_.error(); fault.code != kSuccess) {
             close();
@@ -131,7 +131,7 @@ private:
             return kOver;
         }
         fault_ = of_force;
-        const auto can_be = [](double mm) { return std::abs(mm) <= kMostReach; };
+        const auto can_be = [](double mm) { return std::abs(mm) <= kOpenhapticsMostReach; };
         if (can_be(place[0]) && can_be(place[1]) && can_be(place[2]))
             talk_.tell({{place[0], place[1], place[2]}, static_cast<unsigned>(buttons), fault_});
         if (zero) talk_.has_let_go();

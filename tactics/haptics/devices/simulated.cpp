@@ -17,7 +17,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kRest = 0.5;  // s that the hand rests at the edge while the force begins softly
+constexpr double kSimulatedRest = 0.5;  // s that the hand rests at the edge while the force begins softly
 
 class SimulatedMouse : public HapticDevice {
 public:
@@ -55,7 +55,7 @@ public:
 
 private:
     Point place_at(double time) noexcept override {
-        const double way = std::fmod(std::max(0.0, time - kRest) * speed_, 2 * width_);
+        const double way = std::fmod(std::max(0.0, time - kSimulatedRest) * speed_, 2 * width_);
         return {way < width_ ? way : 2 * width_ - way, y_};
     }
     double width_, y_, speed_;

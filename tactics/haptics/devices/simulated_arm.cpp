@@ -13,7 +13,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kRest = 0.5;  // s that the hand rests while the force begins softly
+constexpr double kSimulatedArmRest = 0.5;  // s that the hand rests while the force begins softly
 
 class MovedArm final : public HapticDevice {
 public:
@@ -28,7 +28,7 @@ public:
     State read(HapticSample& sample, double dt) noexcept override {
         if (dt > 0) {
             const double passed = std::min(dt, 0.1);
-            if (time_ > kRest && held_) {
+            if (time_ > kSimulatedArmRest && held_) {
                 const Point3 finger = mounting_.to_scene(arm_.place()), force = arm_.pushed();
                 at_ = mounting_.to_device(hand_.move(
                     {finger, {dot(force, mounting_.right), dot(force, mounting_.down), dot(force, mounting_.out)}}, passed));

@@ -12,7 +12,7 @@ namespace tactics {
 namespace {
 
 // A rod is solid: where two meet a finger feels each, and nothing is rounded that could be felt beyond a rod's width.
-LineField::Reach reach_of(const FixtureSettings& fixture) {
+LineField::Reach reach_of_curve_scene(const FixtureSettings& fixture) {
     LineField::Reach reach;
     reach.far = fixture.radius;
     reach.blend = std::min(reach.blend, fixture.radius / 2);
@@ -27,7 +27,7 @@ FixtureSettings borne(FixtureSettings fixture, const ForceLaw& law) {
     return fixture;
 }
 
-std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<Phrase>& told) {
+std::unique_ptr<Scene> make_curve_scene(const PlotFeel& feel, std::vector<Phrase>& told) {
     const FeltLines felt = felt_lines(feel.plot, feel.frame, feel.resolution);
     if (felt.lines.empty()) return nullptr;
     if (felt.kept < felt.points)
@@ -40,10 +40,10 @@ std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<Phrase>& told) {
 }  // namespace
 
 extern const PlotPart curves_part;
-const PlotPart curves_part{"curves", "lines that attract a finger", make};
+const PlotPart curves_part{"curves", "lines that attract a finger", make_curve_scene};
 
 CurveScene::CurveScene(const std::vector<std::vector<Point>>& lines, const FixtureSettings& fixture, double damping_ns_per_m)
-    : lines_(lines, reach_of(fixture)), fixture_(fixture), damping_(damping_ns_per_m / 1000) {}
+    : lines_(lines, reach_of_curve_scene(fixture)), fixture_(fixture), damping_(damping_ns_per_m / 1000) {}
 
 Felt CurveScene::feel(const Touch& touch, double) noexcept {
     Felt felt;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMostCellsAcross = 1000;
 
-std::vector<Point3> apart(const std::vector<Point3>& points, double merged) {
+std::vector<Point3> points_scene_apart(const std::vector<Point3>& points, double merged) {
     std::vector<std::tuple<double, double, double, std::size_t>> cells;
     for (std::size_t i = 0; i < points.size(); ++i)
         cells.emplace_back(std::floor(points[i].x / merged), std::floor(points[i].y / merged), std::floor(points[i].z / merged),
@@ -30,7 +30,7 @@ std::vector<Point3> apart(const std::vector<Point3>& points, double merged) {
     return kept;
 }
 
-std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<Phrase>& told) {
+std::unique_ptr<Scene> make_points_scene(const PlotFeel& feel, std::vector<Phrase>& told) {
     std::vector<Point3> points;
     for (const PlotMark& mark : feel.plot.marks) points.push_back(feel.frame.place(mark.x, mark.y, mark.z));
     if (points.empty()) return nullptr;
@@ -45,10 +45,10 @@ std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<Phrase>& told) {
 }  // namespace
 
 extern const PlotPart points_part;
-const PlotPart points_part{"points", "marks that push a finger away", make};
+const PlotPart points_part{"points", "marks that push a finger away", make_points_scene};
 
 PointsScene::PointsScene(const std::vector<Point3>& points, const PointsFeel& feel, double merged) : feel_(feel) {
-    const std::vector<Point3> kept = apart(points, std::max(merged, feel.radius / 6));
+    const std::vector<Point3> kept = points_scene_apart(points, std::max(merged, feel.radius / 6));
     if (kept.empty()) return;
     Point low{kept[0].x, kept[0].y}, high = low;
     for (const Point3& point : kept) {

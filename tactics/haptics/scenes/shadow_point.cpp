@@ -30,8 +30,12 @@ bool kept(std::span<const ShadowPoint::Touching> planes, const Point3& way) noex
 
 }  // namespace
 
-ShadowPoint::ShadowPoint(const MeshTree& tree, double radius) noexcept
-    : tree_(&tree), radius_(std::max(radius, kLeastFinger)), keep_(1e-6 + 0.02 * radius_), around_(kGrains * tree.grain()) {
+ShadowPoint::ShadowPoint(const MeshTree& tree, double radius, int tick_work) noexcept
+    : tree_(&tree),
+      tick_work_(tick_work),
+      radius_(std::max(radius, kLeastFinger)),
+      keep_(1e-6 + 0.02 * radius_),
+      around_(kGrains * tree.grain()) {
     const Point3 low = tree.low(), high = tree.high();
     largest_ = 1e6 + 2 * std::max({std::abs(low.x), std::abs(low.y), std::abs(low.z), std::abs(high.x), std::abs(high.y),
                                    std::abs(high.z)});
@@ -229,7 +233,7 @@ bool ShadowPoint::settle_by_rolling(const Point3& goal, int& work) noexcept {
         if (!allowed(wish, way)) break;
         const double squared = dot(way, way);
         settled_ = squared <= kStill * kStill;
-        if (settled_ || (work < enough_ + kTickWork / 4 && squared <= kAlmostStill * kAlmostStill)) return true;
+        if (settled_ || (work < enough_ + tick_work_ / 4 && squared <= kAlmostStill * kAlmostStill)) return true;
         const bool straight = way == wish;
         if (!straight) way = stretched(way);
         const double length = std::sqrt(dot(way, way)), most = kRoll * radius_;
@@ -247,7 +251,7 @@ void ShadowPoint::settle(const Point3& goal, int& work) noexcept {
     twins_ = 0;
     last_ = 0;
     long_left_ = kMostLong;
-    enough_ = work - kTickWork;
+    enough_ = work - tick_work_;
     if (const Point3 from = place_; radius_ >= kLeastBall && !sweeps_) {
         if (settle_by_rolling(goal, work)) return;
         sweeps_ = work <= enough_ && place_ == from;

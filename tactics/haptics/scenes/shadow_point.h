@@ -25,7 +25,8 @@ namespace tactics {
 /// of its radius high (s^2/8r), but an update always ends where it touches and is in nothing.
 class ShadowPoint {
 public:
-    ShadowPoint(const MeshTree& tree, double radius) noexcept;  ///< the tree must outlive it; radius in mm, 0 or more
+    /// The tree must outlive it; radius in mm, 0 or more. `tick_work`: of an update, after which no further move is begun.
+    ShadowPoint(const MeshTree& tree, double radius, int tick_work = kTickWork) noexcept;
 
     /// Where it is for the finger there; once per update. A finger that is not finite changes nothing. Time is bounded: what is
     /// left of the way is gone the next time. First of all it is at the finger, or, where that is in a closed mesh or too near
@@ -69,6 +70,7 @@ private:
     void settle(const Point3& goal, int& work) noexcept;
 
     const MeshTree* tree_;
+    int tick_work_;
     double radius_, keep_, largest_;
     Point3 place_{};
     std::array<Touching, kMost> touching_{};

@@ -29,7 +29,7 @@ private:
     double height_;
 };
 
-std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<Phrase>& told) {
+std::unique_ptr<Scene> make_surface_part(const PlotFeel& feel, std::vector<Phrase>& told) {
     if (feel.plot.surfaces.empty() || !(feel.frame.depth > 0)) return nullptr;
     const PlotSurface& surface = feel.plot.surfaces.front();
     if (feel.plot.surfaces.size() > 1)
@@ -42,6 +42,6 @@ std::unique_ptr<Scene> make(const PlotFeel& feel, std::vector<Phrase>& told) {
 }  // namespace
 
 extern const PlotPart surface_part;
-const PlotPart surface_part{"surface", "heights over x and y, as facets", make};
+const PlotPart surface_part{"surface", "heights over x and y, as facets", make_surface_part};
 
 }  // namespace tactics

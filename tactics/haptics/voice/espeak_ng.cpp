@@ -38,7 +38,7 @@ private:
     Phrase trouble_;
 };
 
-std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, Phrase& note) {
+std::unique_ptr<Voice> open_espeak_ng(const VoiceWish& wish, const std::string&, Phrase& note) {
     std::vector<std::string> words = {"espeak-ng", "-v", wish.language};
     if (wish.rate != 0) words.insert(words.end(), {"-s", std::to_string(wish.rate)});
     // Without a sound: is it there, and does it know the language?
@@ -58,7 +58,9 @@ std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, Phrase& n
 }  // namespace
 
 extern const VoiceKind espeak_ng_voice;
-const VoiceKind espeak_ng_voice{
-    .name = "espeak-ng", .summary = "the synthesiser espeak-ng, run as a separate program", .automatic = true, .open = &open};
+const VoiceKind espeak_ng_voice{.name = "espeak-ng",
+                                .summary = "the synthesiser espeak-ng, run as a separate program",
+                                .automatic = true,
+                                .open = &open_espeak_ng};
 
 }  // namespace tactics

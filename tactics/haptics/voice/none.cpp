@@ -13,11 +13,11 @@ public:
     void stop() override {}
 };
 
-std::unique_ptr<Voice> open(const VoiceWish&, const std::string&, Phrase&) { return std::make_unique<Silence>(); }
+std::unique_ptr<Voice> open_none(const VoiceWish&, const std::string&, Phrase&) { return std::make_unique<Silence>(); }
 
 }  // namespace
 
 extern const VoiceKind none_voice;
-const VoiceKind none_voice{.name = "none", .summary = "nothing is spoken", .open = &open};
+const VoiceKind none_voice{.name = "none", .summary = "nothing is spoken", .open = &open_none};
 
 }  // namespace tactics

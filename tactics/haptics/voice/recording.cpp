@@ -40,7 +40,9 @@ private:
     Clock::time_point begun_ = Clock::now();
 };
 
-std::unique_ptr<Voice> open(const VoiceWish&, const std::string& where, Phrase&) { return std::make_unique<Recording>(where); }
+std::unique_ptr<Voice> open_recording(const VoiceWish&, const std::string& where, Phrase&) {
+    return std::make_unique<Recording>(where);
+}
 
 }  // namespace
 
@@ -48,6 +50,6 @@ extern const VoiceKind recording_voice;
 const VoiceKind recording_voice{.name = "recording",
                                 .address = "FILE",
                                 .summary = "a file: each utterance is a line, after the time in seconds at which it was spoken",
-                                .open = &open};
+                                .open = &open_recording};
 
 }  // namespace tactics

@@ -30,7 +30,7 @@ using Close = void (*)(void* connection);
 using SetText = int (*)(void* connection, const char* value);
 using SetNumber = int (*)(void* connection, int value);
 
-struct Library {
+struct SpeechdLibrary {
     Open2 open = nullptr;
     Say say = nullptr;
     Cancel cancel = nullptr;
@@ -39,10 +39,10 @@ struct Library {
     SetNumber rate = nullptr;
 };
 
-Library open_library() {
+SpeechdLibrary open_library_speechd() {
     static const std::string kNames[] = {"libspeechd.so.2"};
     const SharedLibrary shared(kNames, "speech-dispatcher", "its library is not there; install speech-dispatcher");
-    Library library;
+    SpeechdLibrary library;
     shared.find(library.open, "spd_open2");
     shared.find(library.say, "spd_say");
     shared.find(library.cancel, "spd_cancel");
@@ -81,7 +81,7 @@ private:
 
 class Dispatcher : public Voice {
 public:
-    Dispatcher(const Library& library, void* connection) : library_(library), connection_(connection) {}
+    Dispatcher(const SpeechdLibrary& library, void* connection) : library_(library), connection_(connection) {}
     ~Dispatcher() override {
         const HeldPipes held;
         library_.cancel(connection_);
@@ -106,13 +106,14 @@ public:
     }
 
 private:
-    Library library_;
+    SpeechdLibrary library_;
     void* connection_;
     bool lost_ = false;
 };
 
 // Connects, and starts the server, on a separate thread, which is abandoned if the server stalls.
-std::unique_ptr<Voice> connect(const Library& library, const VoiceWish& wish, std::chrono::milliseconds patience, bool& stalled) {
+std::unique_ptr<Voice> connect(const SpeechdLibrary& library, const VoiceWish& wish, std::chrono::milliseconds patience,
+                               bool& stalled) {
     std::packaged_task<std::unique_ptr<Voice>()> task([library, wish]() -> std::unique_ptr<Voice> {
         const HeldPipes held;
         char* error = nullptr;
@@ -129,10 +130,10 @@ std::unique_ptr<Voice> connect(const Library& library, const VoiceWish& wish, st
     return stalled ? nullptr : voice.get();
 }
 
-std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, Phrase& note) {
-    Library library;
+std::unique_ptr<Voice> open_speechd(const VoiceWish& wish, const std::string&, Phrase& note) {
+    SpeechdLibrary library;
     try {
-        library = open_library();
+        library = open_library_speechd();
     } catch (const Error& error) {
         note = error.told();
         return nullptr;
@@ -149,7 +150,9 @@ std::unique_ptr<Voice> open(const VoiceWish& wish, const std::string&, Phrase& n
 }  // namespace
 
 extern const VoiceKind speechd_voice;
-const VoiceKind speechd_voice{
-    .name = "speechd", .summary = "speech-dispatcher, through which screen readers speak", .automatic = true, .open = &open};
+const VoiceKind speechd_voice{.name = "speechd",
+                              .summary = "speech-dispatcher, through which screen readers speak",
+                              .automatic = true,
+                              .open = &open_speechd};
 
 }  // namespace tactics

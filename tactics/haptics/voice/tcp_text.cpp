@@ -62,7 +62,7 @@ private:
     Phrase trouble_;
 };
 
-std::unique_ptr<Voice> open(const VoiceWish&, const std::string& where, Phrase& note) {
+std::unique_ptr<Voice> open_tcp_text(const VoiceWish&, const std::string& where, Phrase& note) {
     const auto colon = where.rfind(':');
     if (colon == std::string::npos || colon == 0 || colon + 1 == where.size())
         throw Error(Fault::usage, "tcp:" + where, phrase("a text server has a host and a port; write tcp:HOST:PORT"));
@@ -80,6 +80,6 @@ extern const VoiceKind tcp_voice;
 const VoiceKind tcp_voice{.name = "tcp",
                           .address = "HOST:PORT",
                           .summary = "a text server on the network, which receives a line of UTF-8 for each utterance",
-                          .open = &open};
+                          .open = &open_tcp_text};
 
 }  // namespace tactics
