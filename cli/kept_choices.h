@@ -10,6 +10,7 @@
 
 #include "cli/command.h"
 #include "tactics/job/kept_sheet.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -17,7 +18,7 @@ namespace tactics {
 struct KeptWord {
     std::string_view name;                                                        ///< "paper": the option's name, if there is one
     std::string_view value;                                                       ///< "PAPER", for the help
-    std::string_view summary;                                                     ///< its meaning and its default
+    SourceWords summary;                                                          ///< its meaning and its default
     void (*check)(const std::string& value, const std::string& place) = nullptr;  ///< throws Error(usage) at `place`
 };
 

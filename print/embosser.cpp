@@ -98,10 +98,11 @@ void set_model(Settings& settings, std::string_view name, std::string_view place
     }
 }
 
-std::string driven_as(std::string_view model, const Format& format) {
+Phrase driven_as(std::string_view model, const Format& format) {
     const std::string_view settings = settings_of_model(model);
-    return to_line(model.substr(0, 80)) + " is driven as " + std::string(format.name) +
-           (settings.empty() ? "" : ", " + std::string(settings));
+    const std::string name = to_line(model.substr(0, 80));
+    return settings.empty() ? phrase("{0} is driven as {1}", name, format.name)
+                            : phrase("{0} is driven as {1}, {2}", name, format.name, settings);
 }
 
 std::string_view own_paper(const Format& format, const Settings& settings) {

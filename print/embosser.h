@@ -10,6 +10,7 @@
 #include "tactics/confidence.h"
 #include "tactics/option.h"
 #include "tactics/page.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -66,7 +67,7 @@ std::string_view settings_of_model(std::string_view name);
 /// Applies these settings. `place` is where the name was given, for messages.
 void set_model(Settings& settings, std::string_view name, std::string_view place);
 /// "everest is driven as index-v4", "romeo is driven as enabling, model=romeo"
-std::string driven_as(std::string_view model, const Format& format);
+Phrase driven_as(std::string_view model, const Format& format);
 
 /// The name of its default paper.
 std::string_view own_paper(const Format& format, const Settings& settings);

@@ -180,7 +180,7 @@ Phrase sets_text(const MatchingStudy& study) {
     const auto [least, most] = std::minmax_element(study.sets.begin(), study.sets.end());
     const Phrase sizes =
         *least == *most ? Phrase(std::to_string(*least)) : phrase("{0} to {1}", std::to_string(*least), std::to_string(*most));
-    return phrases(study.sets.size(), "{0} set of {1}", "{0} sets of {1}", sizes);
+    return phrases(study.sets.size(), "one set of {1}", "{0} sets of {1}", sizes);
 }
 
 void add_facts(JsonObject& json, std::size_t hits, std::size_t trials) {

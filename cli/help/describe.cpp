@@ -4,6 +4,7 @@
 #include "cli/help/catalogue.h"
 #include "cli/help/help_language.h"
 #include "cli/help/thing_texts.h"
+#include "cli/report/user_language.h"
 #include "print/embosser.h"
 #include "tactics/error.h"
 
@@ -12,7 +13,7 @@ namespace tactics {
 std::string describe_program() {
     std::vector<std::string> summaries;
     for (const Command* command : commands()) summaries.emplace_back(command->summary);
-    const std::string_view language = language_of_help(summaries);
+    const std::string_view language = language_of_help(summaries, user_language());
     const auto said = [&](const Phrase& line) { return line.in(language) + "\n"; };
     std::string text = said(phrase("tactics: tactile graphics from pictures")) + "\n" +
                        said(phrase("Use: tactics {0}", "COMMAND [WORDS] [OPTIONS]")) + "\n" + said(phrase("Example:")) +
@@ -43,7 +44,7 @@ std::string describe_topic(std::string_view name) {
         }
     }
     if (const Format* format = text.empty() ? find_model(name) : nullptr)
-        return driven_as(name, *format) + ".\n\n" + describe_topic(format->name);
+        return driven_as(name, *format).english() + ".\n\n" + describe_topic(format->name);
     if (text.empty())
         throw Error(Fault::usage, "",
                     phrase("there is no help on \"{0}\"{1}; see tactics list", name.substr(0, 80), did_you_mean(name, names)));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "cli/report/user_language.h"
 #include "tactics/text/catalogue.h"
 
 namespace tactics {
@@ -19,11 +18,11 @@ std::vector<std::string> help_texts(const Command& command) {
     return texts;
 }
 
-std::string_view language_of_help(std::span<const std::string> texts) {
-    const std::string_view language = spoken_language(user_language());
+std::string_view language_of_help(std::span<const std::string> texts, std::string_view language) {
+    const std::string_view spoken = spoken_language(language);
     const bool whole =
-        std::all_of(texts.begin(), texts.end(), [&](const std::string& text) { return !translated(language, text).empty(); });
-    return whole ? language : "en";
+        std::all_of(texts.begin(), texts.end(), [&](const std::string& text) { return !translated(spoken, text).empty(); });
+    return whole ? spoken : "en";
 }
 
 std::string help_text(std::string_view english, std::string_view language) {

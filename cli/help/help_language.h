@@ -16,8 +16,8 @@ namespace tactics {
 /// and the summaries of its options.
 std::vector<std::string> help_texts(const Command& command);
 
-/// The user's language, if it has all these texts; else "en".
-std::string_view language_of_help(std::span<const std::string> texts);
+/// That of the catalogue for a reader of `language` ("de" for de-AT), if it has all these texts; else "en".
+std::string_view language_of_help(std::span<const std::string> texts, std::string_view language);
 
 /// One of these texts in that language.
 std::string help_text(std::string_view english, std::string_view language);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/help/help_language.h"
+#include "cli/report/user_language.h"
 #include "tactics/error.h"
 #include "tactics/text/words.h"
 #include "tactics/units.h"
@@ -153,7 +154,7 @@ std::string describe_cell(const NamedCell& cell) {
 }
 
 std::string explain_command(const Command& command) {
-    const std::string_view language = language_of_help(help_texts(command));
+    const std::string_view language = language_of_help(help_texts(command), user_language());
     const auto said = [&](const Phrase& line) { return line.in(language) + "\n"; };
     const std::string use = std::string(command.name) + (command.words.empty() ? "" : " ") + std::string(command.words);
     std::string text = said(phrase("tactics {0}: {1}", command.name, help_text(command.summary, language))) + "\n" +

@@ -7,6 +7,7 @@
 #include "cli/config_folders.h"
 #include "cli/kept_choices.h"
 #include "cli/report/say.h"
+#include "cli/report/user_language.h"
 #include "tactics/error.h"
 #include "tactics/text/json.h"
 #include "tactics/transport/file.h"
@@ -25,7 +26,7 @@ constexpr Flag kDefaultsFlags[] = {
 std::string json_line(const KeptWord& word, const std::vector<KeptChoice>& choices) {
     JsonAnswer json;
     json.add("name", word.name);
-    json.add("summary", word.summary);
+    json.add("summary", word.summary.text);
     std::vector<std::string> others;
     bool first = true;
     for (const KeptChoice& choice : choices) {
@@ -46,12 +47,13 @@ std::string json_line(const KeptWord& word, const std::vector<KeptChoice>& choic
 }
 
 std::string text_line(const KeptWord& word, const std::vector<KeptChoice>& choices) {
-    std::string line;
+    Phrase line;
     for (const KeptChoice& choice : choices) {
         if (choice.word != &word) continue;
-        line += (line.empty() ? std::string(word.name) + " " : ", instead of ") + choice.value + " (" + choice.place + ")";
+        line = line.empty() ? phrase("{0} {1} ({2})", word.name, choice.value, choice.place)
+                            : phrase("{0}, instead of {1} ({2})", std::move(line), choice.value, choice.place);
     }
-    return line.empty() ? std::string(word.name) + ": not kept; " + std::string(word.summary) + "\n" : line + "\n";
+    return line_for_user(line.empty() ? phrase("{0}: not kept; {1}", word.name, phrase(word.summary)) : line);
 }
 
 void show(bool json) {
