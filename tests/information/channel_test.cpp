@@ -27,9 +27,9 @@ TEST(Channel, CarriesNoMoreThanItHoldsOrThereIs) {
     for (const MediumChannel& channel : channels({})) {
         const Carried carried = carried_by(scene, channel);
         EXPECT_LE(carried.bits, carried.capacity) << channel.name;
-        EXPECT_LE(carried.bits, scene.measures.high) << channel.name;
+        EXPECT_LE(carried.bits, scene.measures.bits) << channel.name;
         EXPECT_GT(carried.bits, 0) << channel.name;
-        EXPECT_DOUBLE_EQ(carried.ratio, carried.bits / scene.measures.high);
+        EXPECT_DOUBLE_EQ(carried.ratio, carried.bits / scene.measures.bits);
         EXPECT_DOUBLE_EQ(carried.loss, 1 - carried.ratio);
         EXPECT_EQ(carried.lost.empty(), carried.loss == 0) << channel.name;
     }
