@@ -97,7 +97,7 @@ public:
     std::vector<float> costs(bool spatial) const {
         const std::vector<RowRange> parts = rows_.parts();
         if (!spatial) return alone_costs(parts);
-        if (chain_) return costs_of(chain_cells(), *chain_, parts);
+        if (chain_) return chain_costs(parts);
         if (used_ > 0) return counting_.near_costs(costs_of(best_near_, counting_.levels()), used_, parts);
         std::vector<float> costs = costs_of(errors_, width());
         for (std::size_t i = 0; i < costs.size(); ++i) costs[i] += static_cast<float>(counting_.classes().rest[i % width()]);
@@ -154,19 +154,36 @@ private:
     void try_chains() {
         const LevelGrid& grid = rows_.grid();
         if (counting_.levels() < 2 || counting_.levels() > kChainLevels || grid.slices != 1) return;
-        const auto columns = static_cast<std::size_t>(grid.columns);
-        cells_.resize(grid.count());
-        for (std::size_t y = 0; y < static_cast<std::size_t>(grid.rows); ++y) counting_.load(cells_.data() + y * columns, y);
-        ChainCode chain = shortest_chain(chain_cells(), most_counters(grid.count()));
+        const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
+        std::vector<std::uint16_t> cells(grid.count());
+        for (std::size_t y = 0; y < rows; ++y) counting_.load(cells.data() + y * columns, y);
+        std::vector<std::uint16_t> turned;
+        if (rows_.share() == 1 && rows > 1)
+            for (std::size_t x = 0; x < columns; ++x)
+                for (std::size_t y = 0; y < rows; ++y) turned.push_back(cells[y * columns + x]);
+        try_chain(std::move(cells), columns);
+        if (!turned.empty()) try_chain(std::move(turned), rows);
+    }
+
+    void try_chain(std::vector<std::uint16_t> cells, std::size_t columns) {
+        ChainCode chain = shortest_chain(chain_of(cells, columns), most_counters(cells.size()));
         for (const Code& code : chain.tried) reckon(code);
         if (chain.code.bits >= spatial_.bits) return;
         spatial_ = chain.code;
         chain_ = std::move(chain.counts);
+        cells_ = std::move(cells);
+        chain_columns_ = columns;
     }
 
-    ChainCells chain_cells() const {
-        return {cells_, static_cast<std::size_t>(rows_.grid().columns), counting_.levels(),
-                [this](std::size_t row) { return rows_.counts(row); }};
+    // Of a grid with rows that do not count there are chains along rows only.
+    ChainCells chain_of(std::span<const std::uint16_t> cells, std::size_t columns) const {
+        return {cells, columns, counting_.levels(), [this](std::size_t row) { return rows_.share() == 1 || rows_.counts(row); }};
+    }
+
+    std::vector<float> chain_costs(std::span<const RowRange> parts) const {
+        const RowRange all = {0, cells_.size() / chain_columns_};
+        const bool turned = chain_columns_ != static_cast<std::size_t>(rows_.grid().columns);
+        return costs_of(chain_of(cells_, chain_columns_), *chain_, turned ? std::span(&all, 1) : parts);
     }
 
     std::vector<float> alone_costs(std::span<const RowRange> parts) const {
@@ -185,7 +202,8 @@ private:
     Ranks ranks_;
     std::vector<std::uint32_t> occurring_;
     NeighbourCounting counting_;
-    std::vector<std::uint16_t> cells_;
+    std::vector<std::uint16_t> cells_;  // of the chain, in its order
+    std::size_t chain_columns_ = 0;
     Code alone_, spatial_;
     Code least_;
     std::vector<std::uint32_t> errors_, best_near_;
