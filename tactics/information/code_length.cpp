@@ -82,11 +82,12 @@ LevelGrid top_of(const LevelGrid& grid, std::size_t rows) {
 // The codes of a grid, each tried once, with what the shortest one takes for each cell.
 class Codes {
 public:
-    Codes(const CountedRows& rows, const std::vector<std::uint64_t>& seen)
+    // `columns`: chains down them are tried, too.
+    Codes(const CountedRows& rows, const std::vector<std::uint64_t>& seen, bool columns)
         : rows_(rows), ranks_(ranks_of(seen)), occurring_(static_cast<std::size_t>(ranks_.levels)), counting_(rows, ranks_) {
         for (std::size_t i = 0; i < seen.size(); ++i)
             if (seen[i] > 0) occurring_[ranks_.of[i]] = static_cast<std::uint32_t>(seen[i]);
-        try_all();
+        try_all(columns);
     }
 
     const Code& alone() const { return alone_; }
@@ -107,7 +108,7 @@ public:
 private:
     std::size_t width() const { return counting_.classes().rest.size(); }
 
-    void try_all() {
+    void try_all(bool columns) {
         NeighbourCounts counts = counting_.count_all();
         alone_ = adaptive_code(occurring_, occurring_.size());
         const double looked_at = static_cast<double>(rows_.grid().count()) / rows_.cells();  // the levels of all rows
@@ -122,7 +123,7 @@ private:
         reckon(spatial_);
         errors_ = std::move(counts.errors);
         try_near(std::move(counts.near));
-        try_chains();
+        try_chains(columns);
         // Which code it is has to be said, too.
         const double said = ranks_.bits + std::log2(static_cast<double>(counting_.neighbours() + 4));
         alone_.bits += said;
@@ -151,14 +152,14 @@ private:
         }
     }
 
-    void try_chains() {
+    void try_chains(bool down) {
         const LevelGrid& grid = rows_.grid();
         if (counting_.levels() < 2 || counting_.levels() > kChainLevels || grid.slices != 1) return;
         const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
         std::vector<std::uint16_t> cells(grid.count());
         for (std::size_t y = 0; y < rows; ++y) counting_.load(cells.data() + y * columns, y);
         std::vector<std::uint16_t> turned;
-        if (rows_.share() == 1 && rows > 1)
+        if (down && rows_.share() == 1 && rows > 1)
             for (std::size_t x = 0; x < columns; ++x)
                 for (std::size_t y = 0; y < rows; ++y) turned.push_back(cells[y * columns + x]);
         try_chain(std::move(cells), columns);
@@ -224,7 +225,7 @@ double doubt_of(const Codes& codes, bool spatial, const CountedRows& rows) {
 }
 
 CodeLength length_of(const CountedRows& rows, const std::vector<std::uint64_t>& seen, bool with_doubt) {
-    const Codes codes(rows, seen);
+    const Codes codes(rows, seen, with_doubt);
     const double share = rows.share();
     const auto of_whole = [share](const Code& code) {
         return Code{code.bits / share, code.learnt / share, code.free, code.corrected / share};

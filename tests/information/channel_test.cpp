@@ -143,7 +143,7 @@ TEST(LeastLoss, IsNeverMoreThanThePlainOneAndCanBeMadeAgain) {
             if (least.loss == least.plain) continue;
             const LevelGrid made = transformed(scene, least.best, carried_by(scene, channel).fit.levels);
             Pyramid again(made, Pooling::mean);
-            EXPECT_NEAR(std::max(0.0, 1 - again.bits(1000, made.levels) / scene.measures.high), least.loss, 1e-9) << name;
+            EXPECT_NEAR(std::max(0.0, 1 - again.bits(1000, made.levels) / scene.measures.bits), least.loss, 1e-9) << name;
         }
     }
     // Most of it low and flat: where each level is used, more comes through.
