@@ -166,4 +166,20 @@ Dots raise_on_bed(const Page& page) {
     return dots;
 }
 
+Dots kinds_on_bed(const Page& page) {
+    constexpr auto kLowest = static_cast<std::uint8_t>(kLineKinds);
+    Dots kinds = raise_on_bed(page);
+    for (std::uint8_t& dot : kinds.raised) dot = dot != 0 ? kLowest : 0;
+    // With the lines of lower kinds first, so that a higher one takes the dots that it shares with them.
+    Page higher = page;
+    for (std::uint8_t kind = kLowest - 1; kind > 0; --kind) {
+        std::erase_if(higher.strokes,
+                      [kind](const PageStroke& stroke) { return static_cast<std::uint8_t>(kind_of(stroke)) >= kind; });
+        const Dots dots = raise_on_bed(higher);
+        for (std::size_t i = 0; i < dots.raised.size(); ++i)
+            if (dots.raised[i] != 0 && kinds.raised[i] != 0) kinds.raised[i] = kind;
+    }
+    return kinds;
+}
+
 }  // namespace tactics

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "tactics/layout/dot_grid.h"
@@ -35,5 +36,12 @@ Dots raise_dots(const Page& page, const DotGrid& grid);
 /// anything before that dot is left out. Each braille line begins at the nearest dot. Throws std::logic_error for a page of a
 /// machine without a raster.
 Dots raise_on_bed(const Page& page);
+
+/// The same dots, each with 1 and the kind of the highest line through it in place of 1.
+Dots kinds_on_bed(const Page& page);
+inline LineKind kind_of_dot(std::uint8_t dot) { return static_cast<LineKind>(dot - 1); }  ///< of a dot that is not 0
+
+/// Settings of a format whose dots have several heights, 0 leaving them to the page; the drawing's is the full height.
+inline constexpr std::string_view kKindSettings[kLineKinds] = {"", "inner", "axes", "grid", "pattern"};
 
 }  // namespace tactics

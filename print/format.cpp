@@ -30,6 +30,7 @@ void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings
     const DotSetting set = format.dots(settings);
     sheet.bed = set.bed;
     sheet.cell = set.cell;
+    sheet.heights = set.heights;
     sheet.reach = set.reach;
     sheet.title_cells = sheet.braille_table.empty() ? 0 : set.title_cells;
     if (set.width > 0) {

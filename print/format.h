@@ -25,7 +25,7 @@ struct DotSetting {
     DotBed bed;
     double width = 0, height = 0;  ///< size of a display's area, mm; 0: that of the sheet
     int title_cells = 0;           ///< cells of its separate line for the title
-    int levels = 2;                ///< number of heights of a dot, including down
+    DotHeights heights = {};       ///< of a dot
     double reach = 0;              ///< mm from the sheet's left edge to the farthest dot; 0: the whole sheet
 };
 

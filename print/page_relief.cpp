@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "print/kind_heights.h"
 #include "tactics/error.h"
 #include "tactics/units.h"
 
@@ -71,11 +70,12 @@ struct ReliefShape {
     double grid = 1, axes = 1;  // as parts of height
 
     // mm, of a line.
-    double height_of(Role role) const {
-        switch (line_kind(role)) {
+    double height_of(const PageStroke& stroke) const {
+        switch (kind_of(stroke)) {
             case LineKind::values: return height * axes;
             case LineKind::grid: return height * grid;
             case LineKind::drawn:
+            case LineKind::inner:
             case LineKind::pattern: break;
         }
         return height;
@@ -107,7 +107,7 @@ private:
         std::vector<Ridge> found;
         for (const PageStroke& stroke : page.strokes) {
             const std::size_t count = stroke.points.size();
-            const double height = shape.height_of(stroke.role);
+            const double height = shape.height_of(stroke);
             for (std::size_t i = 0; i + 1 < count; ++i)
                 found.push_back({stroke.points[i], stroke.points[i + 1], stroke.width / 2, height, shape.flat});
             if (stroke.closed && count > 0)

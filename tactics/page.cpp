@@ -13,6 +13,23 @@ double width_of(LineClass line, const Medium& medium) {
     return std::max(width, medium.thin_line);
 }
 
+LineKind kind_of(const PageStroke& stroke) {
+    switch (stroke.role) {
+        case Role::axis:
+        case Role::tick:
+        case Role::lead:
+        case Role::scale:
+        case Role::mark: return LineKind::values;
+        case Role::grid: return LineKind::grid;
+        case Role::pattern: return LineKind::pattern;
+        case Role::line:
+        case Role::dash:
+        case Role::arrow:
+        case Role::symbol: break;
+    }
+    return stroke.inner ? LineKind::inner : LineKind::drawn;
+}
+
 Bitmap to_bitmap(const Image& image, const Rect& place) {
     Bitmap bitmap{image.width, image.height, place, {}};
     bitmap.bits.assign(bitmap.row_bytes() * static_cast<std::size_t>(image.height), 0);
@@ -158,6 +175,7 @@ Page empty_like(const Page& page) {
     empty.braille_dot = page.braille_dot;
     empty.cell = page.cell;
     empty.bed = page.bed;
+    empty.heights = page.heights;
     empty.braille_table = page.braille_table;
     empty.language = page.language;
     empty.medium = page.medium;

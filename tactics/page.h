@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tactics/drawing.h"
+#include "tactics/kind_heights.h"
 #include "tactics/medium.h"
 
 namespace tactics {
@@ -82,7 +83,11 @@ struct PageStroke {
     bool closed = false;
     double width = 0;  ///< mm; round ends and joins
     Role role = Role::line;
+    bool inner = false;  ///< a thin line of the drawing: a detail inside a thing, also where all lines are as wide
 };
+LineKind kind_of(const PageStroke& stroke);
+/// What becomes of a line of the drawing.
+inline bool is_inner(const Stroke& stroke) { return stroke.role == Role::line && stroke.line == LineClass::thin; }
 
 /// A black-and-white picture: 1 bit per pixel, rows padded to bytes, most significant bit left, 1 = black.
 struct Bitmap {
@@ -125,6 +130,7 @@ struct Page {
     double braille_dot = 0;  ///< diameter in mm
     CellSize cell = kMarburgMedium;
     std::optional<DotBed> bed;  ///< of the machine that the page is for
+    KindHeights heights = {};   ///< of its lines there, the same on all pages of a drawing
     std::vector<PrintLine> print;
     std::string title;
     std::string caption;

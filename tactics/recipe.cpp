@@ -8,6 +8,22 @@
 
 namespace tactics {
 
+Kind kind_of(const Artwork& artwork) {
+    if (std::holds_alternative<Image>(artwork)) return Kind::picture;
+    if (std::holds_alternative<RegionTree>(artwork)) return Kind::regions;
+    return std::holds_alternative<EdgeMap>(artwork) ? Kind::edges : Kind::drawing;
+}
+
+std::string_view name_of(Kind kind) {
+    switch (kind) {
+        case Kind::picture: return "picture";
+        case Kind::edges: return "edge map";
+        case Kind::regions: return "tree of regions";
+        case Kind::drawing: return "drawing";
+    }
+    return "";
+}
+
 const Filter* find_filter(FilterList list, std::string_view name) {
     for (const Filter* filter : list)
         if (filter->name == name) return filter;

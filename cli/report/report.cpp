@@ -65,17 +65,6 @@ std::string detail_json(const DetailChoice& choice) {
     return json.text();
 }
 
-std::string heights_json(const KindHeights& heights) {
-    std::vector<std::string> losses;
-    for (const double loss : heights.losses) losses.push_back(to_text(loss));
-    JsonObject json;
-    json.add("used", heights.used);
-    json.add("most", heights.most);
-    json.add("loss", heights.losses.empty() ? 0 : heights.losses[static_cast<std::size_t>(heights.used) - 1]);
-    json.add_raw("losses", json_array(losses));
-    return json.text();
-}
-
 std::string made_json(const Outcome& outcome, const Made& made) {
     const Layout& layout = outcome.layouts[made.layout];
     JsonObject json;
@@ -174,6 +163,22 @@ Notes further_words(const Outcome& outcome) {
 }
 
 }  // namespace
+
+std::string heights_json(const KindHeights& heights) {
+    static constexpr std::string_view kKinds[kLineKinds] = {"drawn", "inner", "values", "grid", "pattern"};
+    std::vector<std::string> losses;
+    for (const double loss : heights.losses) losses.push_back(to_text(loss));
+    JsonObject json;
+    json.add("used", heights.used);
+    json.add("most", heights.most());
+    json.add("loss", heights.losses.empty() ? 0 : heights.losses[static_cast<std::size_t>(heights.used) - 1]);
+    json.add_raw("losses", json_array(losses));
+    JsonObject shares;
+    for (std::size_t kind = 0; kind < kLineKinds; ++kind)
+        if (heights.there[kind]) shares.add(kKinds[kind], heights.share(static_cast<LineKind>(kind)));
+    json.add_raw("kinds", shares.text());
+    return json.text();
+}
 
 Phrase result_line(const Outcome& outcome) {
     const Phrase name = name_of_input(outcome);

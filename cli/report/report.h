@@ -25,6 +25,8 @@ bool needs_a_look(const Outcome& outcome);
 bool breaks_a_rule(const Outcome& outcome);
 /// One object, one line.
 std::string result_json(const Outcome& outcome);
+/// The member "heights" of an output.
+std::string heights_json(const KindHeights& heights);
 
 /// "37 of 200 done, about 40 s left"
 Phrase progress_line(std::size_t done, std::size_t all, double seconds);

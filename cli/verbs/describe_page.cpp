@@ -36,6 +36,8 @@ constexpr Flag kDescribePageFlags[] = {
     kAsDrawnFlag,
     {"--paper", "-p", "PAPER", "paper of the page: a name or a size such as 200x150mm; default: a4", false, "papers"},
     {"--medium", "-m", "MEDIUM", "what the page would be made on; default: swell", false, "media"},
+    {"--embosser", "", "NAME", "describe the page as this machine of tactics list embossers gets it, with its dots and heights",
+     false, "embossers displays"},
     kMarginFlag,
     kBindingFlag,
     kDuplexFlag,

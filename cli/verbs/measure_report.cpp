@@ -37,11 +37,14 @@ std::string scene_lines(const MeasureReport& report) {
     std::string text = line_for_user(phrase("{0}: {1} of {2} x {3} cells, {4} x {5} mm, {6}", report.file, report.found.format,
                                             std::to_string(grid.columns), std::to_string(grid.rows), length(scene.width),
                                             length(scene.height), heights));
-    text += line_for_user(phrase("bits in it: {0} ({1} to {2} a cell); {3} as it is written", interval(measures),
-                                 for_user(fixed(measures.low / cells, 3)), for_user(fixed(measures.high / cells, 3)),
+    text += line_for_user(phrase("bits in it: {0} ({1} to {2} a cell), {3} by the shortest code; {4} as it is written",
+                                 interval(measures), for_user(fixed(measures.low / cells, 3)),
+                                 for_user(fixed(measures.high / cells, 3)), for_user(fixed_count(measures.bits)),
                                  for_user(fixed_count(measures.raw))));
     text += line_for_user(phrase("of its levels alone: {0} bits a cell; topology index {1}",
                                  for_user(fixed(measures.alone.corrected, 3)), for_user(fixed(measures.topology, 3))));
+    if (measures.counted < 1)
+        text += line_for_user(phrase("counted in {0} of its rows, which stand for the rest", percent(measures.counted)));
     if (measures.felt)
         text += line_for_user(phrase("enough for a finger that feels {0} mm: {1} bits", length(kFeltHeight),
                                      for_user(fixed_count(*measures.felt))));
@@ -57,7 +60,7 @@ std::string media_table(const MeasureReport& report) {
         const Carried& carried = medium.carried;
         const std::vector<std::string> lost = in_language(carried.lost, user_language());
         rows.push_back({medium.channel.name, std::to_string(carried.columns) + "x" + std::to_string(carried.rows),
-                        std::to_string(carried.fit.levels), interval(report.found.scene.measures).in(user_language()),
+                        std::to_string(carried.fit.levels), for_user(fixed_count(report.found.scene.measures.bits)),
                         for_user(fixed_count(carried.bits)), ratio(carried.ratio), for_user(exact_percent(carried.loss)),
                         joined({lost.begin(), lost.end()}, "; ", "; ")});
         if (carried.lost.empty()) rows.back().back() = phrase("nothing").in(user_language());
@@ -79,7 +82,7 @@ std::string level_table(const MeasureReport& report) {
         heads({phrase("cells"), phrase("bits"), phrase("of all"), phrase("bits a cell in common"), phrase("error in mm")})};
     for (const DetailLevel& level : report.levels)
         rows.push_back({std::to_string(level.columns) + "x" + std::to_string(level.rows), for_user(fixed_count(level.bits)),
-                        for_user(exact_percent(level.bits / report.found.scene.measures.high)), for_user(fixed(level.mutual, 3)),
+                        for_user(exact_percent(level.bits / report.found.scene.measures.bits)), for_user(fixed(level.mutual, 3)),
                         report.found.scene.is_drawn() ? "" : for_user(fixed(level.error, 3))});
     return aligned(std::move(rows));
 }
@@ -148,6 +151,8 @@ std::string json_of(const MeasureReport& report) {
     json.add("high_mm", scene.high);
     json.add("raw_bits", std::round(measures.raw));
     json.add("low_bits", std::round(measures.low));
+    json.add("bits", std::round(measures.bits));
+    json.add("counted", measures.counted);
     json.add("high_bits", std::round(measures.high));
     if (measures.felt) json.add("felt_bits", std::round(*measures.felt));
     json.add("levels_alone_bits_a_cell", measures.alone.corrected);

@@ -11,6 +11,7 @@
 #include "cli/command.h"
 #include "cli/model_flags.h"
 #include "cli/page_flags.h"
+#include "cli/report/report.h"
 #include "cli/report/say.h"
 #include "cli/request.h"
 #include "cli/table_flags.h"
@@ -129,7 +130,7 @@ std::optional<Clock::time_point> end_of(const Given& given) {
 }
 
 // The pages, enlarged beyond the display by the wished factor; names and title keep their size.
-std::vector<Page> pages_for(const Screen& screen, const Given& given, int zoom) {
+Outcome made_for(const Screen& screen, const Given& given, int zoom) {
     Request request = plan_pages({{given.words[0], {{&screen.format(), "", ""}}}}, given, real_disk());
     request.settings.front().second = screen.settings();
     request.zoom = zoom;
@@ -141,7 +142,7 @@ std::vector<Page> pages_for(const Screen& screen, const Given& given, int zoom) 
     if (outcome.layouts.front().empty)
         say(phrase("{0}: nothing can be felt of it on {1}; try --zoom 3, --recipe line-art or --detail 2", outcome.input,
                    given.value("--on")));
-    return std::move(outcome.layouts.front().shown);
+    return outcome;
 }
 
 enum class Next { forward, back, end };
@@ -165,13 +166,15 @@ Phrase show_told(const Given& given, const std::vector<Page>& parts, std::size_t
     return phrase("{0}: part {1} of {2}", given.value("--on"), std::to_string(part + 1), std::to_string(parts.size()));
 }
 
-std::string show_in_json(const Given& given, const DotSetting& size, std::size_t parts, std::size_t part, bool confirmed) {
+std::string show_in_json(const Given& given, const DotSetting& size, const Made& made, std::size_t parts, std::size_t part,
+                         bool confirmed) {
     JsonAnswer json;
     json.add("display", given.value("--on"));
     json.add("width_mm", size.width);
     json.add("height_mm", size.height);
     json.add("parts", static_cast<double>(parts));
     json.add("part", static_cast<double>(part + 1));
+    if (made.heights) json.add_raw("heights", heights_json(*made.heights));
     json.add_raw("confirmed", confirmed ? "true" : "false");
     return json.text() + "\n";
 }
@@ -188,7 +191,8 @@ int run_show(const Given& given) {
     end_of(given);  // before anything moves
     const auto screen = open_screen(given.value("--on"), given);
     const DotSetting size = screen->format().dots(screen->settings());
-    const std::vector<Page> parts = parts_of(pages_for(*screen, given, zoom), size.width, size.height);
+    const Outcome made = made_for(*screen, given, zoom);
+    const std::vector<Page> parts = parts_of(made.layouts.front().shown, size.width, size.height);
     const Phrase there_are = parts.size() == 1 ? phrase("there is one part; --zoom makes more")
                                                : phrase("there are {0} parts", std::to_string(parts.size()));
     auto part = static_cast<std::size_t>(whole_number(given, "--part", static_cast<int>(parts.size()), there_are)) - 1;
@@ -199,7 +203,7 @@ int run_show(const Given& given) {
         say(phrase("Enter shows the next part, p the one before, q ends; a key of the display is as Enter"));
     for (bool first = true;; first = false) {
         const bool confirmed = screen->show(parts[part]);
-        if (given.has("--json") && first) print_out(show_in_json(given, size, parts.size(), part, confirmed));
+        if (given.has("--json") && first) print_out(show_in_json(given, size, made.made.front(), parts.size(), part, confirmed));
         if (!confirmed)
             say(phrase("{0}: the display did not say that it shows it; feel whether it does, else switch it off and on again",
                        given.value("--on")));

@@ -35,7 +35,7 @@ std::string media_table(const StreamReport& report) {
         user_language())};
     for (const StreamMedium& medium : report.media) {
         const CarriedForces& carried = medium.carried;
-        rows.push_back({medium.channel.name, std::to_string(carried.levels), for_user(fixed(report.stream.high, 0)),
+        rows.push_back({medium.channel.name, std::to_string(carried.levels), for_user(fixed(report.stream.bits, 0)),
                         for_user(fixed(carried.bits, 0)), for_user(exact_percent(carried.loss)),
                         lost_of(medium, report).in(user_language())});
     }
@@ -50,16 +50,17 @@ std::string text_of(const StreamReport& report) {
     std::string text = in_words(phrase("{0}: recording of {1} ticks in {2} s, forces up to {3} N in {4} levels", report.file,
                                        std::to_string(stream.ticks), rounded_to(stream.seconds, 1e-3),
                                        rounded_to(stream.most, 1e-3), std::to_string(stream.levels)));
-    text += in_words(phrase("bits in it: {0} to {1} ({2} to {3} a tick)", for_user(fixed(stream.low, 0)),
-                            for_user(fixed(stream.high, 0)), for_user(fixed(stream.low / ticks, 3)),
-                            for_user(fixed(stream.high / ticks, 3))));
+    text +=
+        in_words(phrase("bits in it: {0} to {1} ({2} to {3} a tick), {4} by the shortest code", for_user(fixed(stream.low, 0)),
+                        for_user(fixed(stream.high, 0)), for_user(fixed(stream.low / ticks, 3)),
+                        for_user(fixed(stream.high / ticks, 3)), for_user(fixed(stream.bits, 0))));
     text += in_words(phrase("enough for a hand that feels a tenth of a force: {0} ticks, {1} of 1000",
                             std::to_string(stream.felt), rounded_to(1000 * static_cast<double>(stream.felt) / ticks, 0.1))) +
             "\n";
     std::vector<Row> rows = {in_language(
         {phrase("force"), phrase("bits"), phrase("of its levels alone, a tick"), phrase("topology index")}, user_language())};
     for (std::size_t i = 0; i < stream.along.size(); ++i)
-        rows.push_back({phrase(kSpoken[i]).in(user_language()), for_user(fixed(stream.along[i].high, 0)),
+        rows.push_back({phrase(kSpoken[i]).in(user_language()), for_user(fixed(stream.along[i].bits, 0)),
                         for_user(fixed(stream.along[i].alone.corrected, 3)), for_user(fixed(stream.along[i].topology, 3))});
     text += aligned(std::move(rows));
     if (!report.media.empty()) text += "\n" + media_table(report);
@@ -76,6 +77,7 @@ std::string json_of(const StreamReport& report) {
     json.add("most_force_n", stream.most);
     json.add("levels", stream.levels);
     json.add("low_bits", stream.low);
+    json.add("bits", stream.bits);
     json.add("high_bits", stream.high);
     json.add("felt_ticks", static_cast<double>(stream.felt));
     std::vector<std::string> along, media;
@@ -83,6 +85,7 @@ std::string json_of(const StreamReport& report) {
         JsonObject one;
         one.add("direction", kDirections[i]);
         one.add("low_bits", stream.along[i].low);
+        one.add("bits", stream.along[i].bits);
         one.add("high_bits", stream.along[i].high);
         one.add("levels_alone_bits_a_tick", stream.along[i].alone.corrected);
         one.add("topology_index", stream.along[i].topology);

@@ -77,7 +77,7 @@ std::string text_of(const VoxelReport& report) {
         {phrase("voxels"), phrase("bits"), phrase("of all"), phrase("error if the rest is interpolated")}, user_language())};
     for (const VoxelDetail& detail : measured.details)
         rows.push_back({size_of(detail.columns, detail.rows, detail.slices), for_user(fixed_count(detail.bits)),
-                        for_user(exact_percent(measured.high > 0 ? detail.bits / measured.high : 1)),
+                        for_user(exact_percent(measured.bits > 0 ? detail.bits / measured.bits : 1)),
                         for_user(fixed(detail.error, 3))});
     return text + "\n" + aligned(std::move(rows));
 }
@@ -94,11 +94,13 @@ std::string json_of(const VoxelReport& report) {
     json.add("levels", report.levels.levels);
     json.add("raw_bits", measured.raw);
     json.add("low_bits", measured.low);
+    json.add("bits", measured.bits);
     json.add("high_bits", measured.high);
     std::vector<std::string> along, details;
     for (const Measures& each : measured.along) {
         JsonObject one;
         one.add("low_bits", each.low);
+        one.add("bits", each.bits);
         one.add("high_bits", each.high);
         one.add("levels_alone_bits_a_voxel", each.alone.corrected);
         one.add("topology_index", each.topology);

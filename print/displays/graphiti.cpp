@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "print/dots.h"
 #include "print/embosser.h"
 #include "print/equal_dots.h"
 #include "print/format.h"
-#include "print/kind_heights.h"
 #include "print/machines/machines.h"
 #include "print/pin_display.h"
 
@@ -35,6 +35,7 @@ constexpr Option kGraphitiOptions[] = {
      .max = kHighest,
      .summary = "height of the pins of lines and braille; 4 is the highest"},
     lower_pins("pattern", "height of the pins of patterns; 0: by which kinds of lines there are"),
+    lower_pins("inner", "height of the pins of lines inside things; 0: likewise"),
     lower_pins("axes", "height of the pins of axes, ticks, lead lines, scale bars and marks; 0: likewise"),
     lower_pins("grid", "height of the pins of grid lines; 0: likewise"),
     {.name = "pitch",
@@ -73,26 +74,26 @@ std::string message_of(std::string_view data) {
 
 DotSetting graphiti_dots(const Settings& settings) {
     DotSetting pins = display_pins(settings.number("pitch"), kColumns, kRows);
-    pins.levels = settings.whole("height") + 1;
+    const int full = settings.whole("height");
+    pins.heights.levels = full + 1;
+    for (std::size_t kind = 1; kind < kLineKinds; ++kind)
+        pins.heights.wished[kind] = static_cast<double>(settings.whole(kKindSettings[kind])) / full;
     return pins;
 }
 
-char height_of(LineKind kind, const KindHeights& chosen, const Settings& settings) {
-    const int full = settings.whole("height");
-    const int wished = kind == LineKind::drawn ? full : settings.whole(kKindSettings[static_cast<std::size_t>(kind)]);
-    return static_cast<char>(wished > 0 ? wished : std::max(1L, std::lround(full * chosen.share(kind))));
-}
-
 std::string encode_pages_graphiti(std::span<const Page> pages, const Settings& settings) {
-    const KindHeights chosen = kind_heights(pages, graphiti_dots(settings).levels - 1);
+    const int full = settings.whole("height");
     std::string bytes;
     for (const Page& page : pages) {
         const Dots kinds = kinds_on_bed(page);
+        const auto height = [&](std::uint8_t dot) {
+            return static_cast<char>(std::max(1L, std::lround(full * page.heights.share(kind_of_dot(dot)))));
+        };
         std::string data(2 * kColumns * kRows, '\0');
         for (int row = 0; row < std::min(kRows, kinds.rows); ++row)
             for (int column = 0; column < std::min(kColumns, kinds.columns); ++column)
                 if (const std::uint8_t dot = kinds.at(column, row); dot != 0)
-                    data[2 * static_cast<std::size_t>(row * kColumns + column)] = height_of(kind_of_dot(dot), chosen, settings);
+                    data[2 * static_cast<std::size_t>(row * kColumns + column)] = height(dot);
         bytes += message_of(kUpdate + twice_escaped(data));
     }
     return bytes;

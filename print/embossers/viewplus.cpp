@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "print/dots.h"
 #include "print/embosser.h"
 #include "print/format.h"
-#include "print/kind_heights.h"
 #include "print/machines/machines.h"
 #include "print/png_file.h"
 
@@ -29,6 +29,7 @@ constexpr Option kViewplusOptions[] = {
     lower_dots("pattern",
                "height of the dots of patterns; drawn lines and braille have the full height. 0: full or half, by which kinds of "
                "lines there are"),
+    lower_dots("inner", "height of the dots of lines inside things; 0: likewise; at least 10"),
     lower_dots("axes", "height of the dots of axes, ticks, lead lines, scale bars and marks; 0: likewise; at least 10"),
     lower_dots("grid", "height of the dots of grid lines; 0: likewise; at least 10"),
 };
@@ -41,19 +42,19 @@ constexpr ProtocolFact kViewplusFacts[] = {
 };
 
 // We know no source for its number of dot heights; we send down, half and full.
-DotSetting viewplus_dots(const Settings&) {
-    return {.cell = {2 * kPitch, 5 * kPitch, 8 * kPitch, 1.5}, .bed = DotBed{{kPitch / 2, kPitch / 2}, kPitch, 3}, .levels = 3};
+DotSetting viewplus_dots(const Settings& settings) {
+    DotSetting set{.cell = {2 * kPitch, 5 * kPitch, 8 * kPitch, 1.5}, .bed = DotBed{{kPitch / 2, kPitch / 2}, kPitch, 3}};
+    set.heights.levels = 3;
+    for (std::size_t kind = 1; kind < kLineKinds; ++kind)
+        if (const double wished = settings.number(kKindSettings[kind]); wished > 0)
+            set.heights.wished[kind] = std::max(kLowest, wished) / 100;
+    return set;
 }
 
 // A grey of a pixel, the darker the higher.
-std::uint8_t grey_of(LineKind kind, const KindHeights& chosen, const Settings& settings) {
-    const double wished = kind == LineKind::drawn ? 100 : settings.number(kKindSettings[static_cast<std::size_t>(kind)]);
-    return static_cast<std::uint8_t>(255 -
-                                     std::lround(2.55 * (wished > 0 ? std::max(kLowest, wished) : 100 * chosen.share(kind))));
-}
+std::uint8_t grey_of(double share) { return static_cast<std::uint8_t>(255 - std::lround(255 * share)); }
 
-std::string encode(const Page& page, const Settings& settings) {
-    const KindHeights chosen = kind_heights({&page, 1}, viewplus_dots(settings).levels - 1);
+std::string encode(const Page& page, const Settings&) {
     const Dots kinds = kinds_on_bed(page);
     const auto pixels = [](double mm) { return static_cast<int>(std::floor(mm / kPitch + 1e-6)); };
     const int width = pixels(page.width), height = pixels(page.height);
@@ -64,7 +65,7 @@ std::string encode(const Page& page, const Settings& settings) {
         std::fill(row.begin() + 1, row.end(), std::uint8_t{255});
         for (int x = 0; x < std::min(width, kinds.columns) && y < kinds.rows; ++x)
             if (const std::uint8_t dot = kinds.at(x, y); dot != 0)
-                row[static_cast<std::size_t>(x) + 1] = grey_of(kind_of_dot(dot), chosen, settings);
+                row[static_cast<std::size_t>(x) + 1] = grey_of(page.heights.share(kind_of_dot(dot)));
         png.add_row(row);
     }
     return png.finish();

@@ -10,6 +10,7 @@
 #include "tactics/description/object_words.h"
 #include "tactics/description/thing_words.h"
 #include "tactics/geometry/shape.h"
+#include "tactics/layout/kind_words.h"
 #include "tactics/layout/room.h"
 #include "tactics/layout/scale_bar.h"
 #include "tactics/layout/texture.h"
@@ -242,6 +243,7 @@ Description describe(const Page& page) {
     if (!parts.empty()) description.amounts.push_back(phrase("On it: {0}.", listed(parts)));
     if (all.size() > 1)
         description.amounts.push_back(phrase("The drawing is {0}, {1}.", spoken_size(drawing), sheet.place_on_page(drawing)));
+    if (page.heights.differ()) description.amounts.push_back(phrase("Heights of what is raised: {0}.", words_of(page.heights)));
     description.amounts.insert(description.amounts.end(), page.remarks.begin(), page.remarks.end());
     description.objects = object_sentences(page);
     if (!picture.empty()) description.amounts.push_back(picture);

@@ -37,7 +37,7 @@ Fit fit_of(const MeasuredScene& scene, const MediumChannel& channel) {
 }
 
 Carried carried_by(MeasuredScene& scene, const MediumChannel& channel) {
-    const double all = scene.measures.high;
+    const double all = scene.measures.bits;
     if (!(all > 0)) throw std::logic_error("of a scene of no bits nothing can be lost");
     Carried carried{.fit = fit_of(scene, channel)};
     const auto [longest, levels] = std::pair(carried.fit.longest, carried.fit.levels);

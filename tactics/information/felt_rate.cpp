@@ -15,7 +15,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kTile = 128, kMostTiles = 16, kMostTileCells = 500'000;
+constexpr std::size_t kTile = 128, kMostTiles = 16, kMostTileCells = 250'000;
 
 // Complex numbers in rows, their parts apart so that a row is worked on several at a time.
 struct Tile {
@@ -196,7 +196,7 @@ Spectrum spectrum_of(const LevelGrid& grid) {
 // The level of the water at which the mean of what is under it is `square`.
 double water_level(const std::vector<double>& power, double square) {
     double low = 0, high = *std::max_element(power.begin(), power.end());
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 60 && high - low > 1e-9 * high; ++i) {
         const double level = (low + high) / 2;
         double under = 0;
         for (const double one : power) under += std::min(one, level);
@@ -220,22 +220,26 @@ LevelGrid sample_of(const LevelGrid& grid) {
     return {grid.columns, static_cast<int>(taken * kBand), 1, grid.levels, std::move(values)};
 }
 
+double rate_of(const LevelGrid& grid, double error) {
+    if (!(error > 0)) throw std::logic_error("an error that nobody notices is over 0");
+    Spectrum spectrum = spectrum_of(grid);
+    const std::vector<double> power = spectrum.power();
+    const double level = water_level(power, error * error), missing = spectrum.missing_bits();
+    double bits = 0;
+    for (const double one : power)
+        if (one > level) bits += 0.5 * std::log2(one / level) + missing;
+    return bits / static_cast<double>(power.size());
+}
+
 }  // namespace
 
 double gaussian_rate(const LevelGrid& grid, double error) {
     check_grid(grid);
-    if (!(error > 0)) throw std::logic_error("an error that nobody notices is over 0");
-    Spectrum spectrum = spectrum_of(grid);
-    const std::vector<double> power = spectrum.power();
-    const double level = water_level(power, error * error);
-    double bits = 0;
-    for (const double one : power)
-        if (one > level) bits += 0.5 * std::log2(one / level) + spectrum.missing_bits();
-    return bits / static_cast<double>(power.size());
+    return rate_of(grid, error);
 }
 
 double felt_bits(const LevelGrid& grid, double error) {
-    const double gaussian = gaussian_rate(grid, error) * static_cast<double>(grid.count());
+    const double gaussian = rate_of(grid, error) * static_cast<double>(grid.count());
     // Steps of s are wrong by s / sqrt(12).
     const int levels = static_cast<int>(std::clamp(std::ceil(grid.levels / (error * std::sqrt(12))), 1.0, 65536.0));
     if (levels < 2) return std::min(gaussian, 1.0);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "tactics/error.h"
 
@@ -51,8 +53,11 @@ void check_grid(const LevelGrid& grid) {
     const std::size_t cells =
         static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.slices);
     if (cells != grid.count()) throw std::logic_error("a grid whose values are not as many as its cells");
-    const int most = grid.values.visit([&](const auto* values) { return *std::max_element(values, values + cells); });
-    if (most >= grid.levels) throw std::logic_error("a grid with a value that is none of its levels");
+    const auto holds_more = [&](const auto* values) {
+        constexpr int kMost = std::numeric_limits<std::remove_cvref_t<decltype(*values)>>::max();
+        return kMost >= grid.levels && *std::max_element(values, values + cells) >= grid.levels;
+    };
+    if (grid.values.visit(holds_more)) throw std::logic_error("a grid with a value that is none of its levels");
 }
 
 double raw_bits(double cells, double levels) { return cells * std::log2(levels); }

@@ -73,7 +73,7 @@ HeightMap transformed_heights(MeasuredScene& scene, const Transformation& transf
 
 LeastLoss least_loss(MeasuredScene& scene, const MediumChannel& channel) {
     const Carried plain = carried_by(scene, channel);
-    const double all = scene.measures.high;
+    const double all = scene.measures.bits;
     LeastLoss least{{plain.fit.longest, 0, 0}, plain.loss, plain.loss, plain.fit.levels, 0};
     if (plain.loss == 0) return least;
     for (const double share : kShares)

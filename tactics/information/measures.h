@@ -11,13 +11,16 @@
 namespace tactics {
 
 struct Measures {
-    double raw = 0;  ///< bits of the whole, as its values are written one by one
-    Entropy alone;   ///< bits a cell, of the levels wherever they are
-    /// Bits of the whole by the shortest code (code_length.h), without and with the cost of learning it. What a source of known
-    /// entropy gives lies between; a grid of nobody's making may hold less than `low`, if somebody finds how it was made.
+    double raw = 0;   ///< bits of the whole, as its values are written one by one
+    Entropy alone;    ///< bits a cell, of the levels wherever they are
+    double bits = 0;  ///< of the whole by the shortest code (code_length.h): in so many it can be written
+    /// The least that a code finds and what the shortest one needs, each with what other grids of the same source may have less
+    /// or more (CodeLength::least, doubt). The entropy of the source lies between; a grid of nobody's making may hold less than
+    /// `low`, if somebody finds how it was made. `high` is at most `raw`.
     double low = 0, high = 0;
+    double counted = 1;          ///< share of the rows that were counted and stand for the rest
     double spatial = 0;          ///< bits of the whole by a code that looks at neighbours, whether or not it is the shortest
-    std::optional<double> felt;  ///< bits of the whole that are enough for a finger (felt_rate.h), at most `high`
+    std::optional<double> felt;  ///< bits of the whole that are enough for a finger (felt_rate.h), at most `bits`
 
     /// 1 - (bits of the spatial code) / (bits of the levels alone): 1 where neighbours tell everything, 0 or a little less where
     /// they tell nothing, as in noise or when its cells are shuffled. 0 for a grid of one level.

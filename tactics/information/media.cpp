@@ -58,7 +58,7 @@ MediumChannel channel_of(const Format& format, const std::optional<Paper>& wishe
         channel.kind = "display";
     }
     channel.pitch = dots.bed.raster > 0 ? dots.bed.raster : pitch_of_cells(dots.cell, dots.bed.dots_down);
-    channel.levels = dots.levels;
+    channel.levels = dots.heights.levels;
     limit_lines(channel, medium);
     return channel;
 }

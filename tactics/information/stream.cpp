@@ -54,6 +54,7 @@ MeasuredStream measured(const Recording& recording, std::string_view name) {
         along = measure(component_of(forces, component, stream.most, stream.levels, name), {});
         stream.low += along.low;
         stream.high += along.high;
+        stream.bits += along.bits;
     }
     stream.felt = encode_recording(recording, {kShare, kLeastForce, kAllowance, ForceGuess::hold}).told;
     return stream;
@@ -72,8 +73,8 @@ CarriedForces carried_by(const Recording& recording, const MeasuredStream& strea
     carried.levels = std::min(stream.levels, levels_of(most, kLeastForce));
     for (int component = 0; component < 3; ++component)
         carried.bits += code_length(component_of(forces, component, most, carried.levels, channel.name)).best.bits;
-    carried.bits = std::min(carried.bits, stream.high);
-    carried.loss = stream.high > 0 ? (stream.high - carried.bits) / stream.high : 0;
+    carried.bits = std::min(carried.bits, stream.bits);
+    carried.loss = stream.bits > 0 ? (stream.bits - carried.bits) / stream.bits : 0;
     return carried;
 }
 

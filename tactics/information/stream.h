@@ -18,7 +18,7 @@ struct MeasuredStream {
     int levels = 0;                      ///< of each component, from -most to most
     double most = 0;                     ///< N
     std::array<Measures, 3> along = {};  ///< to the right, down, upwards
-    double low = 0, high = 0;            ///< bits of all three
+    double low = 0, bits = 0, high = 0;  ///< of all three, as Measures has them
     /// Ticks of which a force must be told so that a hand feels no difference, by a deadband of a tenth, held
     /// (coding/deadband.h).
     std::size_t felt = 0;
@@ -32,7 +32,7 @@ MeasuredStream measured(const Recording& recording, std::string_view name);
 struct CarriedForces {
     int levels = 0;
     double bits = 0;
-    double loss = 0;      ///< max(H - C, 0) / H, of MeasuredStream::high
+    double loss = 0;      ///< max(H - C, 0) / H, of MeasuredStream::bits
     std::size_t cut = 0;  ///< ticks with a force beyond what it gives
 };
 inline constexpr double kLeastForce = 0.01;  ///< N, that a finger notes on an arm; ours, the floor of a deadband

@@ -23,7 +23,7 @@ LevelGrid grid_along(const ForceField& field, int which, const VoxelLevels& leve
 
 double bits_of(const ForceField& field, const VoxelLevels& levels) {
     double bits = 0;
-    for (int which = 0; which < levels.components; ++which) bits += measure(grid_along(field, which, levels), {}).high;
+    for (int which = 0; which < levels.components; ++which) bits += measure(grid_along(field, which, levels), {}).bits;
     return bits;
 }
 
@@ -52,9 +52,10 @@ MeasuredVoxels measured(const ForceField& field, const VoxelLevels& levels, bool
         all.raw += all.along.back().raw;
         all.low += all.along.back().low;
         all.high += all.along.back().high;
+        all.bits += all.along.back().bits;
     }
     if (!with_details) return all;
-    all.details.push_back({field.columns, field.rows, field.slices, all.high, 0});
+    all.details.push_back({field.columns, field.rows, field.slices, all.bits, 0});
     for (ForceField fewer = field; std::max({fewer.columns, fewer.rows, fewer.slices}) > 2;) {
         fewer = resampled(field, half_of(fewer.columns), half_of(fewer.rows), half_of(fewer.slices));
         all.details.push_back({fewer.columns, fewer.rows, fewer.slices, std::min(bits_of(fewer, levels), all.details.back().bits),

@@ -26,7 +26,7 @@ struct VoxelDetail {
 
 struct MeasuredVoxels {
     std::vector<Measures> along;  ///< of each component
-    double raw = 0, low = 0, high = 0;
+    double raw = 0, low = 0, bits = 0, high = 0;
     std::vector<VoxelDetail> details;  ///< all, then half as many each way, a quarter, and so on, down to two
 };
 

@@ -61,8 +61,8 @@ public:
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) {
             make_room_for_words(outcome_.layouts[i], arranged_[i]);
             if (stays_[i]) begin(JobStep::laying_out);
-            const Pages pages =
-                stays_[i] ? pages_of_own(*from_.own) : lay_out_one(outcome_.layouts[i].sheet, std::move(arranged_[i]));
+            const Pages pages = stays_[i] ? pages_of_own(*from_.own, outcome_.layouts[i].sheet.heights)
+                                          : lay_out_one(outcome_.layouts[i].sheet, std::move(arranged_[i]));
             tell_layout(outcome_.layouts[i], pages);
             outcome_.layouts[i].mended = mended_.told;
             outcome_.layouts[i].detail = detail_;
@@ -116,7 +116,7 @@ private:
                 Layout layout;
                 layout.sheet = sheet;
                 stays_.push_back(from_.own && stays_as_it_is(sheet, *from_.own, job_, *output.format));
-                arranged_.push_back(stays_.back() ? Arrangement{pages_of_own(*from_.own).place, {}, {}, {}, {}, {}}
+                arranged_.push_back(stays_.back() ? Arrangement{pages_of_own(*from_.own, sheet.heights).place, {}, {}, {}, {}, {}}
                                                   : arrange(sheet, from_.aspect(sheet)));
                 layout.place = arranged_.back().place;
                 check_machine(job_, *output.format, layout.sheet, layout.place);
@@ -297,7 +297,7 @@ private:
             const Output& output = job_.outputs[i];
             Made made{output, 0, index, 0, pages.size()};
             cut_.count(*output.format, job_.settings_of(*output.format), pages);
-            made.heights = chosen_heights(*output.format, job_.settings_of(*output.format), pages);
+            made.heights = heights_to_tell(*output.format, pages.front());
             if (made.heights && (made.heights->used > 1 || detail_)) tell_once(explained(*made.heights, *output.format));
             if (output.format->untold != nullptr && !output.path.empty())
                 tell_once(output.format->untold(job_.settings_of(*output.format)));

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "print/kind_heights.h"
 #include "tactics/artwork.h"
 #include "tactics/error.h"
 #include "tactics/job/best_detail.h"

@@ -8,6 +8,7 @@
 
 #include "tactics/error.h"
 #include "tactics/geometry/dashed_line.h"
+#include "tactics/layout/chosen_heights.h"
 #include "tactics/layout/dot_grid.h"
 #include "tactics/layout/key.h"
 #include "tactics/layout/room.h"
@@ -82,7 +83,8 @@ void add_strokes(const Page& own, const Medium& medium, Drawing& drawing) {
         const PageStroke& stroke = own.strokes[i];
         if (!is_drawn(stroke.role) || stroke.points.size() < 2) continue;
         if (stroke.role == Role::lead && leads_from_name(stroke, own, medium.gap + medium.thin_line)) continue;
-        Stroke line{stroke.points, stroke.closed, class_of(stroke.width, medium), 0, stroke.role};
+        Stroke line{stroke.points, stroke.closed, stroke.inner ? LineClass::thin : class_of(stroke.width, medium), 0,
+                    stroke.role};
         if (const std::size_t last = last_of_line(own, i); last > i) {
             line.points = whole_line(own, i, last);
             line.closed = false;
@@ -139,6 +141,22 @@ Image image_of(const Bitmap& bitmap) {
     return image;
 }
 
+// Behind the page, if it has no room for that.
+void add_key(Pages& pages, const Page& own) {
+    std::vector<bool> set(own.words.size(), false);
+    for (const BrailleLine& line : own.braille)
+        if (line.words >= 0) set[static_cast<std::size_t>(line.words)] = true;
+    std::vector<KeyEntry> entries;
+    for (std::size_t i = 0; i < own.words.size(); ++i)
+        if (own.words[i].kind == WordsKind::key && !set[i]) entries.push_back(key_entry(own.words[i], own));
+    std::vector<Page> key = key_pages(entries, own, sheet_of(own));
+    for (Page& page : key) {
+        put_on_dots(page);
+        put_on_steps(page);
+    }
+    std::move(key.begin(), key.end(), std::back_inserter(pages.all));
+}
+
 }  // namespace
 
 void take_own(Sheet& sheet, const Page& own, const Wishes& wishes, const Format& format) {
@@ -178,23 +196,12 @@ bool stays_as_it_is(const Sheet& sheet, const Page& own, const Job& job, const F
         phrase("this page has no drawing that could be laid out on another sheet or medium; make it from what it was made of"));
 }
 
-Pages pages_of_own(const Page& own) {
+Pages pages_of_own(const Page& own, const DotHeights& dots) {
     Pages pages;
     pages.place = {own.width, own.height, own.live, own.drawing};
     pages.all.push_back(own);
-    if (own.is_key) return pages;
-    std::vector<bool> set(own.words.size(), false);
-    for (const BrailleLine& line : own.braille)
-        if (line.words >= 0) set[static_cast<std::size_t>(line.words)] = true;
-    std::vector<KeyEntry> entries;
-    for (std::size_t i = 0; i < own.words.size(); ++i)
-        if (own.words[i].kind == WordsKind::key && !set[i]) entries.push_back(key_entry(own.words[i], own));
-    std::vector<Page> key = key_pages(entries, own, sheet_of(own));
-    for (Page& page : key) {
-        put_on_dots(page);
-        put_on_steps(page);
-    }
-    std::move(key.begin(), key.end(), std::back_inserter(pages.all));
+    if (!own.is_key) add_key(pages, own);
+    choose_heights(pages, dots);
     return pages;
 }
 

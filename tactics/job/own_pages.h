@@ -16,7 +16,7 @@ void take_own(Sheet& sheet, const Page& own, const Wishes& wishes, const Format&
 bool stays_as_it_is(const Sheet& sheet, const Page& own, const Job& job, const Format& format);
 
 /// That page, and behind it those of its key, if it has no room for that.
-Pages pages_of_own(const Page& own);
+Pages pages_of_own(const Page& own, const DotHeights& dots);
 
 /// What was laid out on it, its left top corner at (0, 0), with its labels and names, but without lead lines, scale bar and
 /// patterns, which are of the layout. Dashes are whole lines.

@@ -3,16 +3,14 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "print/format.h"
-#include "print/kind_heights.h"
 #include "tactics/text/phrase.h"
 
 namespace tactics {
 
-/// Nothing: dots of the format have one height, or the user has said which they have.
-std::optional<KindHeights> chosen_heights(const Format& format, const Settings& settings, std::span<const Page> pages);
+/// Those that the page has chosen; nothing: dots of the format have one height, or the user has said which they have.
+std::optional<KindHeights> heights_to_tell(const Format& format, const Page& page);
 
 /// For the user: how many are used, what for, and what fewer would lose.
 Phrase explained(const KindHeights& heights, const Format& format);

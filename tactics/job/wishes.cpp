@@ -69,7 +69,7 @@ Sheet sheet_for(const Wishes& wishes, const Format& output, const Item& item) {
 
 bool same_sheet(const Sheet& a, const Sheet& b) {
     return a.paper.width == b.paper.width && a.paper.height == b.paper.height && a.medium == b.medium && a.cell == b.cell &&
-           a.bed == b.bed && a.margin == b.margin && a.reach == b.reach && a.binding == b.binding;
+           a.bed == b.bed && a.heights == b.heights && a.margin == b.margin && a.reach == b.reach && a.binding == b.binding;
 }
 
 }  // namespace tactics

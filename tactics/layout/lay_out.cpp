@@ -6,6 +6,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "tactics/layout/chosen_heights.h"
 #include "tactics/layout/dot_grid.h"
 #include "tactics/layout/facing.h"
 #include "tactics/layout/label.h"
@@ -52,6 +53,10 @@ struct Drawn {
     Place place;
 };
 
+PageStroke on_page(const Stroke& stroke, const Mover& mover, const Medium& medium) {
+    return {mover.moved(stroke.points), stroke.closed, width_of(stroke.line, medium), stroke.role, is_inner(stroke)};
+}
+
 Drawn draw(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) {
     const Place& place = arrangement.place;
     Page page;
@@ -76,8 +81,7 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) 
 
     const Mover mover(place, drawing.width);
     page.strokes.reserve(drawing.strokes.size());
-    for (const Stroke& stroke : drawing.strokes)
-        page.strokes.push_back({mover.moved(stroke.points), stroke.closed, width_of(stroke.line, *sheet.medium), stroke.role});
+    for (const Stroke& stroke : drawing.strokes) page.strokes.push_back(on_page(stroke, mover, *sheet.medium));
     page.areas.reserve(drawing.areas.size());
     for (const Area& area : drawing.areas) {
         Area& moved = (area.texture > 0 ? page.textured : page.areas).emplace_back();
@@ -118,6 +122,7 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) 
 Page lay_out(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) {
     Page page = draw(drawing, sheet, std::move(arrangement)).page;
     put_on_steps(page);
+    page.heights = kind_heights({&page, 1}, sheet.heights);
     return page;
 }
 
@@ -146,6 +151,7 @@ Pages pages_of(const Drawing& drawing, const Sheet& sheet, Arrangement arrangeme
             move_by(pages.all[back], sheet.binding->edge == Binding::Edge::left ? -sheet.binding->room : sheet.binding->room, 0);
     for (Page& page : pages.all) put_on_steps(page);
     if (pages.large) put_on_steps(*pages.large);
+    choose_heights(pages, sheet.heights);
     return pages;
 }
 

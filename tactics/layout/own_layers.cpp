@@ -33,6 +33,7 @@ std::string_view layer_of(const PageStroke& stroke, const Page& page) {
         case Role::symbol:
         case Role::axis: break;
     }
+    if (stroke.inner) return marks::kInner;
     const Medium* medium = medium_named(page.medium);
     const bool thin = medium != nullptr && stroke.width < medium->line - kPageStep / 2;
     return thin ? marks::kInner : marks::kMain;

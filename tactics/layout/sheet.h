@@ -55,6 +55,7 @@ struct Sheet {
     std::string braille_table = "en-ueb-g2.ctb";  ///< liblouis table for the title; empty = no braille
     CellSize cell = kMarburgMedium;
     std::optional<DotBed> bed;    ///< of the machine; nothing: cells in the middle of the live area
+    DotHeights heights = {};      ///< of its dots
     double reach = 0;             ///< mm from the left edge up to which the machine can set dots; 0: the whole sheet
     bool bare = false;            ///< the page is the drawing: no margins, no title
     std::string description;      ///< description of the page by a person; empty = the program describes it

@@ -44,7 +44,7 @@ void add_stroke(const PageStroke& stroke, const Rect& window, std::vector<PageSt
         std::swap(first, last);
         pieces.pop_back();
     }
-    for (auto& piece : pieces) out.push_back({std::move(piece), false, stroke.width, stroke.role});
+    for (auto& piece : pieces) out.push_back({std::move(piece), false, stroke.width, stroke.role, stroke.inner});
 }
 
 void add_areas(const std::vector<Area>& areas, const Rect& window, std::vector<Area>& out) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tactics/readers/shrink.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 
@@ -16,6 +19,18 @@ Size shrunk_size(Size size, int longest) {
     };
     return {scaled(size.width), scaled(size.height)};
 }
+
+namespace {
+
+// Of memory that is not touched yet. Where rows come one after the other, a fault for each 4 kB takes a fifth of the time of
+// decoding them. If the kernel has no large pages, all is as without.
+void ask_for_large_pages(void* begin, std::size_t bytes) {
+    constexpr std::size_t kLarge = 2u << 20;
+    std::size_t room = bytes;
+    if (std::align(kLarge, kLarge, begin, room) != nullptr) madvise(begin, room / kLarge * kLarge, MADV_HUGEPAGE);
+}
+
+}  // namespace
 
 // Both grids are laid over a finer one of whole parts: an input pixel is 8 * `to` parts long and an output pixel `eighths`
 // parts (both divided by their common factor). All weights are then integers. The sums cannot overflow: a column sum is
@@ -44,6 +59,7 @@ RowShrinker<Sample>::RowShrinker(Size from, Size to, int channels, Size eighths)
     const auto all =
         static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height) * static_cast<std::size_t>(channels);
     pixels_.reserve(std::min(all, kTrustedBytes / sizeof(Sample)));
+    ask_for_large_pages(pixels_.data(), pixels_.capacity() * sizeof(Sample));
 }
 
 namespace {

@@ -27,9 +27,9 @@ TEST(Channel, CarriesNoMoreThanItHoldsOrThereIs) {
     for (const MediumChannel& channel : channels({})) {
         const Carried carried = carried_by(scene, channel);
         EXPECT_LE(carried.bits, carried.capacity) << channel.name;
-        EXPECT_LE(carried.bits, scene.measures.high) << channel.name;
+        EXPECT_LE(carried.bits, scene.measures.bits) << channel.name;
         EXPECT_GT(carried.bits, 0) << channel.name;
-        EXPECT_DOUBLE_EQ(carried.ratio, carried.bits / scene.measures.high);
+        EXPECT_DOUBLE_EQ(carried.ratio, carried.bits / scene.measures.bits);
         EXPECT_DOUBLE_EQ(carried.loss, 1 - carried.ratio);
         EXPECT_EQ(carried.lost.empty(), carried.loss == 0) << channel.name;
     }
@@ -143,7 +143,7 @@ TEST(LeastLoss, IsNeverMoreThanThePlainOneAndCanBeMadeAgain) {
             if (least.loss == least.plain) continue;
             const LevelGrid made = transformed(scene, least.best, carried_by(scene, channel).fit.levels);
             Pyramid again(made, Pooling::mean);
-            EXPECT_NEAR(std::max(0.0, 1 - again.bits(1000, made.levels) / scene.measures.high), least.loss, 1e-9) << name;
+            EXPECT_NEAR(std::max(0.0, 1 - again.bits(1000, made.levels) / scene.measures.bits), least.loss, 1e-9) << name;
         }
     }
     // Most of it low and flat: where each level is used, more comes through.

@@ -10,6 +10,7 @@
 #include "print/format.h"
 #include "print/pin_display.h"
 #include "tactics/error.h"
+#include "tactics/layout/chosen_heights.h"
 #include "tactics/layout/lay_out.h"
 #include "tests/cli/tool.h"
 
@@ -163,6 +164,7 @@ TEST(Graphiti, SendsAHeightForEachPin) {
     const Settings settings(graphiti.options);
     Page page = page_with(graphiti, settings, {{1.25, 1.25}});
     page.strokes.push_back({{{3.75, 3.75}, {3.75, 3.75}}, false, 1.6, Role::pattern});
+    page.heights = kind_heights({&page, 1}, graphiti.dots(settings).heights);
     const std::string sent = graphiti.encode(page, settings);
     ASSERT_EQ(sent.size(), 2u + 2 * 60 * 40 + 1);
     EXPECT_EQ(hex(sent.substr(0, 6)), "1b1504000000");

@@ -125,6 +125,7 @@ private:
                 if (auto points = course_told(mark, stroke)) stroke.points = std::move(*points);
             }
             stroke.width = std::max(stroke.width, least);
+            stroke.inner = stroke.role == Role::line && mark.layer == marks::kInner;
             strokes_.add(number, std::move(stroke));
         }
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What `convert` says of the heights of lines, on machines whose dots have several.
+#include <set>
+
 #include "tests/cli/converting.h"
 
 namespace tactics::tests {
@@ -24,7 +26,26 @@ TEST_F(ToldHeights, SaysHowManyAreUsedAndWhatFewerLose) {
                       "heights: 1: 100 %, 2: 0 %)"))
         << told.err;
     const Ending json = page({"--json"});
-    EXPECT_TRUE(holds(json.out, "\"heights\":{\"used\":2,\"most\":2,\"loss\":0,\"losses\":[1,0]}")) << json.out;
+    EXPECT_TRUE(
+        holds(json.out, "\"heights\":{\"used\":2,\"most\":2,\"loss\":0,\"losses\":[1,0],\"kinds\":{\"drawn\":1,\"values\":0.5}}"))
+        << json.out;
+}
+
+// Sheets of one chart tell one choice, and whoever has the page described hears of it.
+TEST_F(ToldHeights, AreThoseOfAllSheetsAndAreDescribed) {
+    const Ending tiled = convert({"rain.csv", "-o", "viewplus:sheets.png", "--tiles", "2x1", "--json"});
+    ASSERT_EQ(tiled.code, 0) << tiled.err;
+    std::set<std::string> choices;
+    for (std::size_t at = tiled.out.find("\"heights\":"); at != std::string::npos; at = tiled.out.find("\"heights\":", at + 1))
+        choices.insert(tiled.out.substr(at, tiled.out.find("}}", at) - at));
+    EXPECT_EQ(choices.size(), 1u) << tiled.out;
+    const Ending words = run_tactics(folder, {"describe", "rain.csv", "--embosser", "viewplus"});
+    ASSERT_EQ(words.code, 0) << words.err;
+    EXPECT_TRUE(holds(words.out, "Heights of what is raised: the drawing and braille: 100 %, axes, ticks and lead lines: 50 %."))
+        << words.out;
+    EXPECT_TRUE(holds(run_tactics(folder, {"describe", "rain.csv", "--embosser", "viewplus", "--set", "viewplus.axes=80"}).out,
+                      "axes, ticks and lead lines: 80 %"));
+    EXPECT_FALSE(holds(run_tactics(folder, {"describe", "rain.csv"}).out, "Heights"));
 }
 
 TEST_F(ToldHeights, HeightsThatTheUserSetsAreKept) {

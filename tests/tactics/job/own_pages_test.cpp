@@ -115,9 +115,9 @@ TEST(PagesOfOwn, TheKeyComesBehindItsDrawing) {
     };
     const Format& svg = *find_format("svg");
     const Page again = read_own_page(svg.encode(pages.all.front(), Settings(svg.options)), "a.svg")->page;
-    EXPECT_EQ(file(pages_of_own(again).all), file(pages.all));
+    EXPECT_EQ(file(pages_of_own(again, {}).all), file(pages.all));
     const Page key = read_own_page(svg.encode(pages.all.back(), Settings(svg.options)), "b.svg")->page;
-    EXPECT_EQ(pages_of_own(key).all.size(), 1u);
+    EXPECT_EQ(pages_of_own(key, {}).all.size(), 1u);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "print/kind_heights.h"
+#include "tactics/layout/chosen_heights.h"
 
 #include <algorithm>
 #include <bit>
@@ -31,8 +31,7 @@ KindLengths lengths_on(std::span<const Page> pages) {
     KindLengths lengths{};
     double& drawn = lengths[static_cast<std::size_t>(LineKind::drawn)];
     for (const Page& page : pages) {
-        for (const PageStroke& stroke : page.strokes)
-            lengths[static_cast<std::size_t>(line_kind(stroke.role))] += felt_length(stroke);
+        for (const PageStroke& stroke : page.strokes) lengths[static_cast<std::size_t>(kind_of(stroke))] += felt_length(stroke);
         for (const BrailleLine& line : page.braille)
             drawn += page.braille_dot * static_cast<double>(dots_of(line, page.cell).size());
         for (const Area& area : page.areas) drawn += around(area);
@@ -67,31 +66,14 @@ std::array<int, kLineKinds> ranks_of(unsigned steps, const std::array<bool, kLin
 
 }  // namespace
 
-LineKind line_kind(Role role) {
-    switch (role) {
-        case Role::axis:
-        case Role::tick:
-        case Role::lead:
-        case Role::scale:
-        case Role::mark: return LineKind::values;
-        case Role::grid: return LineKind::grid;
-        case Role::pattern: return LineKind::pattern;
-        case Role::line:
-        case Role::dash:
-        case Role::arrow:
-        case Role::symbol: break;
-    }
-    return LineKind::drawn;
-}
-
-KindHeights kind_heights(std::span<const Page> pages, int most) {
+KindHeights kind_heights(std::span<const Page> pages, const DotHeights& dots) {
     const KindLengths lengths = lengths_on(pages);
-    KindHeights heights{.most = most};
+    KindHeights heights{.dots = dots};
     std::transform(lengths.begin(), lengths.end(), heights.there.begin(), [](double length) { return length > 0; });
     const auto kinds = static_cast<unsigned>(std::count(heights.there.begin(), heights.there.end(), true));
     const double all = bits_of(lengths);
     if (kinds < 2) return heights;
-    heights.losses.assign(std::min(kinds, static_cast<unsigned>(most)), 1);
+    heights.losses.assign(std::min(kinds, static_cast<unsigned>(heights.most())), 1);
     double least = 1;
     for (unsigned steps = 0; steps < 1u << (kinds - 1); ++steps) {
         const auto used = static_cast<std::size_t>(std::popcount(steps)) + 1;
@@ -109,20 +91,10 @@ KindHeights kind_heights(std::span<const Page> pages, int most) {
     return heights;
 }
 
-Dots kinds_on_bed(const Page& page) {
-    constexpr auto kLowest = static_cast<std::uint8_t>(kLineKinds);
-    Dots kinds = raise_on_bed(page);
-    for (std::uint8_t& dot : kinds.raised) dot = dot != 0 ? kLowest : 0;
-    // With the lines of lower kinds first, so that a higher one takes the dots that it shares with them.
-    Page higher = page;
-    for (std::uint8_t kind = kLowest - 1; kind > 0; --kind) {
-        std::erase_if(higher.strokes,
-                      [kind](const PageStroke& stroke) { return static_cast<std::uint8_t>(line_kind(stroke.role)) >= kind; });
-        const Dots dots = raise_on_bed(higher);
-        for (std::size_t i = 0; i < dots.raised.size(); ++i)
-            if (dots.raised[i] != 0 && kinds.raised[i] != 0) kinds.raised[i] = kind;
-    }
-    return kinds;
+void choose_heights(Pages& pages, const DotHeights& dots) {
+    const KindHeights chosen = kind_heights(pages.all, dots);
+    for (Page& page : pages.all) page.heights = chosen;
+    if (pages.large) pages.large->heights = chosen;
 }
 
 }  // namespace tactics

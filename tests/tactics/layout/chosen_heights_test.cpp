@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "print/kind_heights.h"
+#include "tactics/layout/chosen_heights.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 #include <random>
+#include <tuple>
 
+#include "print/display_parts.h"
 #include "print/embosser.h"
 #include "print/format.h"
 #include "print/machines/punched.h"
+#include "tactics/layout/lay_out.h"
 
 namespace tactics {
 namespace {
@@ -28,12 +31,16 @@ Page page_of(std::initializer_list<std::pair<Role, double>> lines) {
     return page;
 }
 
-KindHeights heights_of(const Page& page, int most) { return kind_heights({&page, 1}, most); }
+KindHeights heights_of(const Page& page, int most) { return kind_heights({&page, 1}, {.levels = most + 1}); }
 
 TEST(KindHeights, AsManyAreTakenAsThereAreKindsAndNoMore) {
     EXPECT_EQ(heights_of(page_of({}), 4).used, 1);
     EXPECT_EQ(heights_of(page_of({{Role::line, 50}, {Role::dash, 3}, {Role::arrow, 3}}), 4).used, 1);
     EXPECT_EQ(heights_of(page_of({{Role::grid, 50}}), 4).share(LineKind::grid), 1);
+    Page photograph = page_of({{Role::line, 50}, {Role::line, 20}});
+    photograph.strokes.back().inner = true;
+    EXPECT_EQ(heights_of(photograph, 2).used, 2);
+    EXPECT_EQ(heights_of(photograph, 2).share(LineKind::inner), 0.5);
     const KindHeights three = heights_of(page_of({{Role::line, 50}, {Role::axis, 60}, {Role::pattern, 20}}), 4);
     EXPECT_EQ(three.used, 3);
     EXPECT_EQ(three.losses.back(), 0);
@@ -45,13 +52,14 @@ TEST(KindHeights, AsManyAreTakenAsThereAreKindsAndNoMore) {
 // With too few of them those kinds share one of which it is least missed: tried here over all ways to share.
 TEST(KindHeights, LoseTheLeastThatSoManyCan) {
     std::mt19937 random(5);
-    const Role roles[] = {Role::line, Role::axis, Role::grid, Role::pattern};
-    for (int trial = 0; trial < 200; ++trial) {
+    const Role roles[] = {Role::line, Role::line, Role::axis, Role::grid, Role::pattern};  // the second of them inside things
+    for (int trial = 0; trial < 60; ++trial) {
         Page page;
         std::vector<double> lengths;
         for (const Role role : roles) {
             const double length = random() % 4 == 0 ? 0 : static_cast<double>(random() % 90 + 1);
             if (length > 0) page.strokes.push_back(line(role, 10, length));
+            if (length > 0) page.strokes.back().inner = lengths.size() == 1;
             lengths.push_back(length > 0 ? length + 1.6 : 0);
         }
         const auto bits = [&](const std::map<int, double>& parts) {
@@ -61,20 +69,20 @@ TEST(KindHeights, LoseTheLeastThatSoManyCan) {
                 if (length > 0) sum -= length / all * std::log2(length / all);
             return sum;
         };
-        const double whole = bits({{0, lengths[0]}, {1, lengths[1]}, {2, lengths[2]}, {3, lengths[3]}});
+        const double whole = bits({{0, lengths[0]}, {1, lengths[1]}, {2, lengths[2]}, {3, lengths[3]}, {4, lengths[4]}});
         double before = 1;
-        for (int most = 1; most <= 4; ++most) {
+        for (int most = 1; most <= 5; ++most) {
             double least = whole > 0 ? 1 : 0;
-            for (int ways = 0; ways < 256; ++ways) {
-                int height[4];
+            for (int ways = 0; ways < 8 * 8 * 8 * 8 * 8; ++ways) {
+                int height[5];
                 bool falls = true;
-                for (int kind = 0; kind < 4; ++kind) {
-                    height[kind] = ways >> (2 * kind) & 3;
+                for (int kind = 0; kind < 5; ++kind) {
+                    height[kind] = ways >> (3 * kind) & 7;
                     falls = falls && height[kind] < most && (kind == 0 || height[kind] >= height[kind - 1]);
                 }
                 if (!falls || !(whole > 0)) continue;
                 std::map<int, double> parts;
-                for (int kind = 0; kind < 4; ++kind) parts[height[kind]] += lengths[static_cast<std::size_t>(kind)];
+                for (int kind = 0; kind < 5; ++kind) parts[height[kind]] += lengths[static_cast<std::size_t>(kind)];
                 least = std::min(least, 1 - bits(parts) / whole);
             }
             const KindHeights heights = heights_of(page, most);
@@ -93,7 +101,43 @@ Page on_bed(Page page, const Format& format, const Settings& settings) {
     page.cell = dots.cell;
     page.bed = dots.bed;
     page.live = {0, 0, page.width, page.height};
+    page.heights = kind_heights({&page, 1}, dots.heights);
     return page;
+}
+
+// A stretch of a chart that has no grid, and one of nothing but it, stand as the whole does.
+TEST(KindHeights, AreTheSameOnAllSheetsOfADrawing) {
+    Drawing drawing;
+    drawing.width = 300;
+    drawing.height = 100;
+    const auto add = [&](Role role, double x) {
+        drawing.strokes.push_back({{{x, 10}, {x, 90}}, false, LineClass::normal, 0, role});
+    };
+    add(Role::line, 20);
+    add(Role::axis, 40);
+    add(Role::grid, 280);
+    Sheet sheet;
+    sheet.paper = find_paper("a5", "");
+    sheet.medium = &find_medium("embosser", "");
+    sheet.tiles = {3, 1};
+    const auto shares = [](const Page& page) {
+        return std::tuple(page.heights.share(LineKind::values), page.heights.share(LineKind::grid));
+    };
+    for (const int levels : {2, 3, 5}) {
+        sheet.heights.levels = levels;
+        const Pages pages = pages_of(drawing, sheet);
+        ASSERT_GE(pages.all.size(), 3u);
+        std::size_t with_other_kinds = 0;
+        for (const Page& page : pages.all) {
+            EXPECT_EQ(shares(page), shares(pages.whole()));
+            with_other_kinds += kind_heights({&page, 1}, sheet.heights).there != pages.whole().heights.there;
+        }
+        EXPECT_GT(with_other_kinds, 0u) << "or there would be nothing to differ";
+        EXPECT_EQ(pages.whole().heights.differ(), levels > 2);
+        for (const Page& part : parts_of({&pages.whole(), 1}, 150, 100)) EXPECT_EQ(shares(part), shares(pages.whole()));
+    }
+    sheet.heights.wished[static_cast<std::size_t>(LineKind::values)] = 0.8;
+    EXPECT_EQ(std::get<0>(shares(pages_of(drawing, sheet).whole())), 0.8);
 }
 
 // The machines' own twins tell how high each dot stands.
