@@ -83,8 +83,8 @@ Phrase seen(FoldPlane plane) {
     switch (plane) {
         case FoldPlane::front: return phrase("from the front");
         case FoldPlane::side: return phrase("from the side");
-        case FoldPlane::view: return phrase("from where its file looks at it");
-        case FoldPlane::face: return phrase("towards its largest face");
+        case FoldPlane::view: return phrase("from the viewpoint of its file");
+        case FoldPlane::face: return phrase("square onto its largest face");
         default: return phrase("from above");
     }
 }

@@ -46,7 +46,7 @@ TEST(PlaneChoice, TheLargestFaceLiesWhereItIs) {
     EXPECT_EQ(made.objects.front().kept, 1);
     EXPECT_GE(made.objects.front().folded, 4);
     EXPECT_EQ(made.objects.front().straightened, 0);
-    EXPECT_NE(made.drawing.remarks.front().english().find("towards its largest face"), std::string::npos);
+    EXPECT_NE(made.drawing.remarks.front().english().find("square onto its largest face"), std::string::npos);
 }
 
 TEST(PlaneChoice, AViewpointChoosesTheFaceThatItLooksAt) {
