@@ -101,8 +101,8 @@ std::string encode_pages_graphiti(std::span<const Page> pages, const Settings& s
 
 // Its messages have no length; those of encode are one for each page, all of one size, as no height is an ESC.
 std::size_t graphiti_message(std::string_view bytes) {
-    const std::size_t graphiti_next = bytes.find(std::string{kEscape, kUpdate}, 1);
-    return std::min(graphiti_next, bytes.size());
+    const std::size_t next = bytes.find(std::string{kEscape, kUpdate}, 1);
+    return std::min(next, bytes.size());
 }
 
 // To tell of its keys: what answers that is one.

@@ -118,11 +118,12 @@ std::string fold_json(const FoldOut& made) {
         const FoldedObject& one = made.objects[i];
         text += std::string(i == 0 ? "" : ",") + "{\"name\":" + json_text(one.name) + ",\"path\":" + json_text(one.path) +
                 ",\"form\":" + json_text(tactics::name_of(one.form)) + ",\"fate\":" + json_text(name_of(one.fate)) +
-                ",\"size_mm\":" + to_text(one.size) + ",\"kept\":" + std::to_string(one.kept) +
-                ",\"folded\":" + std::to_string(one.folded) + ",\"flattened\":" + std::to_string(one.flattened) +
-                ",\"straightened\":" + std::to_string(one.straightened) + ",\"lying\":" + std::to_string(one.lying) +
-                ",\"hanging\":" + std::to_string(one.hanging) + ",\"wedges\":" + std::to_string(one.wedges) +
-                ",\"doubled\":" + std::to_string(one.doubled) + ",\"left_out\":" + std::to_string(one.left_out);
+                ",\"shape\":" + json_text(one.shape) + ",\"size_mm\":" + to_text(one.size) +
+                ",\"kept\":" + std::to_string(one.kept) + ",\"folded\":" + std::to_string(one.folded) +
+                ",\"flattened\":" + std::to_string(one.flattened) + ",\"straightened\":" + std::to_string(one.straightened) +
+                ",\"lying\":" + std::to_string(one.lying) + ",\"hanging\":" + std::to_string(one.hanging) +
+                ",\"wedges\":" + std::to_string(one.wedges) + ",\"doubled\":" + std::to_string(one.doubled) +
+                ",\"left_out\":" + std::to_string(one.left_out);
         if (one.fate == FoldedObject::Fate::drawn)
             text += ",\"x_percent\":" + to_text(100 * one.at.x / made.drawing.width) +
                     ",\"y_percent\":" + to_text(100 * one.at.y / made.drawing.height);

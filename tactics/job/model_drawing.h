@@ -48,7 +48,8 @@ private:
 
 /// Notes for readers and transcribers, one line each: what was folded, hidden, moved.
 std::vector<Phrase> fold_lines(const FoldOut& made);
-/// The same for each object, as JSON; places in percent of the drawing, from the left and from the top.
+/// The same for each object, as JSON; places in percent of the drawing, from the left and from the top: where it
+/// lies on the page is not known yet.
 std::string fold_json(const FoldOut& made);
 
 }  // namespace tactics

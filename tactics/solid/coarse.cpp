@@ -162,6 +162,7 @@ Model coarse(const Model& model, std::vector<Phrase>& notes) {
     const Frame frame = frame_of(model);
     Model made;
     made.title = model.title;
+    made.viewed_from = model.viewed_from;
     made.objects = model.objects;
     std::vector<std::uint32_t> into;
     for (int cells = kFinest; cells >= kCoarsest; cells /= 2) {

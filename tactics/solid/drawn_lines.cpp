@@ -108,15 +108,23 @@ DrawnLines lines_of(const FlatLayout& layout, const std::vector<ModelPart>& part
             }
         const Panel& panel = panels.panels[placed.panel];
         const LineClass line = level[panel.part] > 0 ? LineClass::thick : LineClass::normal;
-        for (std::size_t r = 0; r < panel.rings.size(); ++r)
+        for (const PanelLine& own : panel.lines)
+            for (std::size_t i = 0; i + (own.closed ? 0 : 1) < own.points.size(); ++i)
+                take_visible(
+                    sides,
+                    {placed.placement.of(own.points[i]), placed.placement.of(own.points[(i + 1) % own.points.size()]), line},
+                    over, touching, as_one);
+        for (std::size_t r = 0; r < panel.rings.size() && panel.is_bordered; ++r)
             for (std::size_t i = 0; i < panel.rings[r].size(); ++i) {
                 if (r == 0 && std::find(panel.open_sides.begin(), panel.open_sides.end(), i) != panel.open_sides.end()) continue;
                 const std::size_t next = (i + 1) % panel.rings[r].size();
                 const Point3 &a = panel.rings[r][i], &b = panel.rings[r][next];
-                const bool again = std::any_of(twice[placed.panel].begin(), twice[placed.panel].end(), [&](const auto& seam) {
-                    const auto same = [&](const Point3& p, const Point3& q) { return length_of(p - q) <= 20 * touching; };
-                    return (same(a, seam[0]) && same(b, seam[1])) || (same(a, seam[1]) && same(b, seam[0]));
-                });
+                const bool again =
+                    panel.kind == PanelKind::bottom ||
+                    std::any_of(twice[placed.panel].begin(), twice[placed.panel].end(), [&](const auto& seam) {
+                        const auto same = [&](const Point3& p, const Point3& q) { return length_of(p - q) <= 20 * touching; };
+                        return (same(a, seam[0]) && same(b, seam[1])) || (same(a, seam[1]) && same(b, seam[0]));
+                    });
                 take_visible(sides, {placed.shape.rings[r][i], placed.shape.rings[r][next], line, again}, over, touching, as_one);
             }
     }

@@ -13,7 +13,12 @@ namespace {
 using enum Option::Type;
 
 constexpr Option kOptions[] = {
-    {.name = "plane", .type = choice, .summary = "plane into which faces are folded", .choices = "auto above front side"},
+    {.name = "plane",
+     .type = choice,
+     .summary = "plane into which faces are folded: as seen from above, from the front, from the side, from the viewpoint of the "
+                "file, or "
+                "facing the largest face",
+     .choices = "auto above front side view face"},
     {.name = "fold", .type = choice, .summary = "whether faces are folded out", .choices = "yes no"},
     {.name = "simplify",
      .type = choice,
@@ -79,7 +84,7 @@ void take_parts(PartWish& parts, const Settings& settings) {
 }
 
 FoldPlane plane_named(std::string_view name) {
-    for (const FoldPlane plane : {FoldPlane::above, FoldPlane::front, FoldPlane::side})
+    for (const FoldPlane plane : {FoldPlane::above, FoldPlane::front, FoldPlane::side, FoldPlane::view, FoldPlane::face})
         if (name == name_of(plane)) return plane;
     return FoldPlane::automatic;
 }

@@ -11,6 +11,7 @@
 #include "tactics/solid/lay_flat.h"
 #include "tactics/solid/named_part.h"
 #include "tactics/solid/object_regions.h"
+#include "tactics/solid/panels.h"
 #include "tactics/solid/reach.h"
 #include "tactics/solid/spread.h"
 #include "tactics/solid/thing.h"
@@ -33,14 +34,6 @@ struct Laid {
     std::vector<std::uint32_t> thing;
     double spread = 1;
 };
-
-ViewPlane plane_of(FoldPlane plane) {
-    switch (plane) {
-        case FoldPlane::front: return kFromTheFront;
-        case FoldPlane::side: return kFromTheSide;
-        default: return kFromAbove;
-    }
-}
 
 Box box_of(const FlatLayout& layout) {
     Box box = kNothing;
@@ -65,9 +58,8 @@ double scale_for(const Box& box, double least, double width, double height, doub
     return std::min(room_across / std::max(box.width(), 1e-9), room_down / std::max(box.height(), 1e-9));
 }
 
-Laid lay(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, FoldPlane plane, double gap,
+Laid lay(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view, double gap,
          const FoldWish& wish) {
-    const ViewPlane view = plane_of(plane);
     const LayoutWish layout{wish.reader, gap, wish.effort};
     const Panels panels = [&] {
         Panels made = panels_of(parts, thing, view);
@@ -92,15 +84,14 @@ Laid lay(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& 
 }
 
 Area wedge_at(Point at) {
-    constexpr double kLong = 6, kWide = 3;  // mm: a finger tells it from a dot, and its ends apart (assumed)
-    return {{{{at.x - kWide / 2, at.y}, {at.x + kWide / 2, at.y}, {at.x, at.y + kLong}}}, Role::symbol, 0};
+    return {{{{at.x - kWedgeWide / 2, at.y}, {at.x + kWedgeWide / 2, at.y}, {at.x, at.y + kWedgeLong}}}, Role::symbol, 0};
 }
 
 struct Fitted {
     Laid laid;
     std::vector<ModelPart> felt;
     std::vector<char> is_small;  // of all parts
-    FoldPlane plane = FoldPlane::above;
+    ChosenPlane chosen;
     double scale = 0;  // 0: not known yet
 };
 
@@ -111,13 +102,19 @@ void lay_felt(Fitted& fitted, const Model& model, double between, const FoldWish
     const double gap = first ? 0 : between / fitted.scale;
     FoldWish now = wish;
     if (first) now.effort = std::min(wish.effort, kFirstEffort);
-    if (wish.plane != FoldPlane::automatic) fitted.plane = wish.plane;
-    fitted.laid = lay(fitted.felt, thing, fitted.plane, gap, now);
-    if (!first || wish.plane != FoldPlane::automatic) return;
-    Laid front = lay(fitted.felt, thing, FoldPlane::front, gap, now);
-    if (front.layout.rating.value() <= fitted.laid.layout.rating.value() + kAboveIsAsGood) return;
-    fitted.plane = FoldPlane::front;
-    fitted.laid = std::move(front);
+    // The plane stays what it was at first, so that what is hidden does not turn the drawing over.
+    const std::vector<ChosenPlane> planes =
+        first ? planes_for(wish.plane, fitted.felt, model.viewed_from) : std::vector<ChosenPlane>{fitted.chosen};
+    double most = 0;
+    for (const ChosenPlane& one : planes) {
+        Laid laid = lay(fitted.felt, thing, one.view, gap, now);
+        const double value = laid.layout.rating.value();
+        const bool is_first = &one == &planes.front();
+        if (!is_first && value <= most) continue;
+        most = value + (is_first ? kAboveIsAsGood : 0);
+        fitted.chosen = one;
+        fitted.laid = std::move(laid);
+    }
 }
 
 // Hides what is too small; true: there is more of it than before. Something always stays.
@@ -175,25 +172,23 @@ std::vector<Name> names_of(const std::vector<FoldedObject>& objects, std::vector
     return names;
 }
 
+// Of vessels with their opening and their bottom; where there are many, the line tells them apart.
+void name_ends(std::vector<Name>& names, const std::vector<FoldedObject>& objects, const std::string& language) {
+    constexpr std::ptrdiff_t kMostNamed = 3;
+    if (std::count_if(objects.begin(), objects.end(), [](const FoldedObject& one) { return one.bottom.has_value(); }) >
+        kMostNamed)
+        return;
+    const auto add = [&](Point at, const Phrase& text) {
+        names.push_back({.at = at, .text = text.in(language), .origin = "the model", .within = 0, .optional = true});
+    };
+    for (const FoldedObject& one : objects) {
+        if (!one.bottom) continue;
+        if (one.opening && distance(*one.opening, one.at) > 0) add(*one.opening, phrase("opening"));
+        add(*one.bottom, phrase("bottom"));
+    }
+}
+
 }  // namespace
-
-std::string_view name_of(FoldPlane plane) {
-    switch (plane) {
-        case FoldPlane::automatic: return "auto";
-        case FoldPlane::above: return "above";
-        case FoldPlane::front: return "front";
-        case FoldPlane::side: return "side";
-    }
-    return "";
-}
-
-Phrase seen(FoldPlane plane) {
-    switch (plane) {
-        case FoldPlane::front: return phrase("from the front");
-        case FoldPlane::side: return phrase("from the side");
-        default: return phrase("from above");
-    }
-}
 
 FoldOut fold_out(const Model& whole, double width, double height, const Medium& medium, const FoldWish& wish,
                  std::vector<Phrase>& notes) {
@@ -207,7 +202,7 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
     const double edge = edge_of(medium);
     const IntoDrawing into{fitted.scale, box.left, box.top, edge};
     FoldOut made;
-    made.plane = fitted.plane;
+    made.plane = fitted.chosen.plane;
     made.scale = fitted.scale;
     made.spread = laid.spread;
     made.rating = laid.layout.rating;
@@ -225,8 +220,9 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
         if (bar.handling == Handling::wedge) drawing.areas.push_back(wedge_at(into.of(bar.from)));
     made.objects = folded_objects(model, parts, fitted.is_small, fitted.felt, laid.panels, laid.layout, into);
     drawing.names = names_of(made.objects, notes);
+    name_ends(drawing.names, made.objects, wish.language);
     drawing.regions = object_regions(made.objects, fitted.felt, laid.panels, laid.layout, into, seen(made.plane));
-    drawing.remarks = fold_remarks(drawing, seen(made.plane), made.spread);
+    drawing.remarks = fold_remarks(drawing, made.objects, seen(made.plane), made.spread);
     return made;
 }
 

@@ -12,19 +12,15 @@
 #include "tactics/medium.h"
 #include "tactics/solid/folded_objects.h"
 #include "tactics/solid/layout.h"
+#include "tactics/solid/plane_choice.h"
 #include "tactics/solid/reach.h"
 #include "tactics/text/phrase.h"
 
 namespace tactics {
 
-/// The plane that faces are folded into.
-enum class FoldPlane : std::uint8_t { automatic, above, front, side };
-std::string_view name_of(FoldPlane plane);
-Phrase seen(FoldPlane plane);  ///< "from above"
-
 struct FoldWish {
-    FoldPlane plane = FoldPlane::automatic;  ///< automatic: whichever gives the better rating; above where both are as good
-    std::string part = {};                   ///< only this object and what belongs to it: "Table/Top"; empty: all
+    FoldPlane plane = FoldPlane::automatic;
+    std::string part = {};  ///< only this object and what belongs to it: "Table/Top"; empty: all
     PartWish parts = {};
     ReachWish reach = {};
     ReaderWish reader = {};

@@ -22,6 +22,17 @@ void count(FoldedObject& told, Handling handling) {
     }
 }
 
+std::string_view shape_of(const ModelPart& part) {
+    if (!part.round) return {};
+    if (part.round->is_vessel()) return "vessel";
+    switch (part.round->primitive) {
+        case Primitive::cylinder: return "cylinder";
+        case Primitive::cone: return "cone";
+        case Primitive::sphere: return "sphere";
+        default: return "turned";
+    }
+}
+
 // One for each object that has parts, with its position in the list.
 std::vector<FoldedObject> all_of(const Model& model, const std::vector<ModelPart>& parts, const std::vector<char>& is_small,
                                  std::vector<std::size_t>& place) {
@@ -40,6 +51,7 @@ std::vector<FoldedObject> all_of(const Model& model, const std::vector<ModelPart
         }
         FoldedObject& one = objects[place[object]];
         one.form = parts[i].form;
+        if (one.shape != "vessel") one.shape = shape_of(parts[i]);
         one.size = std::max(one.size, extent_of(parts[i]));
         if (is_small[i] != 0) one.fate = FoldedObject::Fate::small;
     }
@@ -65,11 +77,17 @@ std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<M
     for (const PlacedPanel& placed : layout.panels) {
         laid[placed.panel] = 1;
         const Panel& panel = panels.panels[placed.panel];
-        FoldedObject& one = take(panel.part, [&] {
+        const auto where = [&] {
             Region shape;
             shape.rings = placed.shape.rings;
             return place_in(shape);
-        });
+        };
+        FoldedObject& one = take(panel.part, where);
+        if (const auto& round = felt[panel.part].round; round && round->is_vessel()) {
+            if (panel.kind == PanelKind::section) one.at = into.of(where());
+            if (panel.kind == PanelKind::opening) one.opening = into.of(where());
+            if (panel.kind == PanelKind::bottom) one.bottom = into.of(where());
+        }
         if (panel.kind == PanelKind::hanging) {
             stands_for[panel.part] = 1;
             ++one.hanging;
@@ -82,13 +100,17 @@ std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<M
         FoldedObject& one = take(panels.bars[bar.bar].part, [&] {
             return Point{(bar.from.x + bar.to.x) / 2, (bar.from.y + bar.to.y) / 2};
         });
+        if (bar.handling == Handling::wedge &&
+            one.kept + one.folded + one.straightened + one.lying + one.flattened + one.wedges == 0)
+            one.at = in_wedge(one.at);
         count(one, bar.handling);
     }
     for (const std::uint32_t hinge : shown_twice(layout, panels, touching_in(felt)))
         ++objects[place[felt[panels.panels[panels.hinges[hinge].one].part].object]].doubled;
     for (std::size_t i = 0; i < laid.size(); ++i) {
         const Panel& panel = panels.panels[i];
-        if (laid[i] == 0 && panel.reached && panel.kind == PanelKind::side && stands_for[panel.part] == 0)
+        if (laid[i] == 0 && panel.reached && (panel.kind == PanelKind::side || panel.kind == PanelKind::bottom) &&
+            stands_for[panel.part] == 0)
             ++objects[place[felt[panel.part].object]].left_out;
     }
     return objects;

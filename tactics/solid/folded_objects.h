@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactics/solid/layout.h"
@@ -17,18 +19,27 @@ struct FoldedObject {
     std::string name;          ///< its own, or that of what it belongs to; empty: none has one
     std::string path;          ///< "Table/Top"
     PartForm form = PartForm::solid;
+    /// Of something round: "vessel", "cylinder", "cone", "sphere", or "turned", which has a profile of its own; else empty.
+    std::string_view shape;
     enum class Fate : std::uint8_t { drawn, small, hidden } fate = Fate::drawn;
     int kept = 0, straightened = 0, folded = 0, lying = 0, flattened = 0,
-        wedges = 0;    ///< of its faces and bars
-    int hanging = 0;   ///< what it looks like from a side, beside the face that hides it
-    int doubled = 0;   ///< sides that are shown in two places
-    int left_out = 0;  ///< faces that a hand can reach and that had no room
-    Point at;          ///< on it, mm in the drawing
-    double size = 0;   ///< mm of the model, its longest extent
+        wedges = 0;                        ///< of its faces and bars
+    int hanging = 0;                       ///< what it looks like from a side, beside the face that hides it
+    int doubled = 0;                       ///< sides that are shown in two places
+    int left_out = 0;                      ///< faces that a hand can reach and that had no room
+    Point at;                              ///< on it, mm in the drawing; on the section of a vessel, if there is one
+    std::optional<Point> opening, bottom;  ///< of a vessel: in the circles that are drawn for them
+    double size = 0;                       ///< mm of the model, its longest extent
 };
 
 /// Its name, or that it has none.
 Phrase called(const FoldedObject& one);
+
+/// mm: a wedge is a triangle, with its thick end at the place of its bar and its tip below. A finger tells it from a dot, and its
+/// ends apart (assumed).
+inline constexpr double kWedgeLong = 6, kWedgeWide = 3;
+/// Well within a wedge.
+inline Point in_wedge(Point at) { return {at.x, at.y + kWedgeLong / 3}; }
 
 /// From a layout into a drawing.
 struct IntoDrawing {

@@ -128,7 +128,7 @@ FlatShape Growth::shape_of(std::uint32_t panel, const Placement& placement) cons
 void Growth::count(State& state, std::uint32_t panel, std::size_t place) const {
     state.place[panel] = static_cast<int>(place);
     ++state.laid[panels_.panels[panel].part];
-    state.outlines[panels_.panels[panel].part] += panels_.panels[panel].kind == PanelKind::outline;
+    state.outlines[panels_.panels[panel].part] += is_view(panels_.panels[panel].kind);
 }
 
 void Growth::place(State& state, PlacedPanel placed) const {
@@ -141,7 +141,7 @@ bool Growth::may_add(const State& state, std::uint32_t panel) const {
     const Panel& one = panels_.panels[panel];
     if (state.place[panel] >= 0 || !one.reached || one.rings.empty() || !parts_[one.part].folds) return false;
     if (one.kind == PanelKind::hanging) return state.laid[one.part] == 0;
-    return one.kind != PanelKind::outline || state.outlines[one.part] < most_outlines(parts_[one.part].form);
+    return !is_view(one.kind) || state.outlines[one.part] < most_outlines(parts_[one.part].form);
 }
 
 PlacedPanel Growth::folded(const State& state, const Hinge& hinge, bool other_way) const {

@@ -192,7 +192,7 @@ void add_hanging(Panels& panels, const std::vector<ModelPart>& parts, const std:
     const auto faces = static_cast<std::uint32_t>(panels.panels.size());
     for (std::uint32_t face = 0; face < faces; ++face) {
         const Panel& one = panels.panels[face];
-        if (one.kind != PanelKind::outline && !one.rings.empty() && dot(one.normal, view.toward) >= kAligned)
+        if (!is_view(one.kind) && one.kind != PanelKind::bottom && !one.rings.empty() && dot(one.normal, view.toward) >= kAligned)
             hanging.hang_on(face);
     }
 }

@@ -129,40 +129,68 @@ std::vector<Region> object_regions(const std::vector<FoldedObject>& objects, con
         if (objects[i].object >= place.size()) place.resize(objects[i].object + 1, 0);
         place[objects[i].object] = i;
     }
-    std::vector<Region> regions(objects.size());
-    std::vector<double> height(objects.size(), -kNowhere);
-    std::vector<int> held(objects.size(), 0);
+    // Of each object, then of the sections and the bottoms of vessels.
+    const std::size_t count = objects.size();
+    std::vector<Region> regions(3 * count);
+    std::vector<double> height(3 * count, -kNowhere);
+    std::vector<int> held(count, 0);
     for (const PlacedPanel& placed : layout.panels) {
-        const std::size_t one = place[felt[panels.panels[placed.panel].part].object];
+        const Panel& panel = panels.panels[placed.panel];
+        const ModelPart& part = felt[panel.part];
+        std::size_t one = place[part.object];
+        if (part.round && part.round->is_vessel())
+            one += panel.kind == PanelKind::section ? count : panel.kind == PanelKind::bottom ? 2 * count : 0;
         add_shape(regions[one], placed.shape, into);
         height[one] = std::max(height[one], placed.height);
     }
     for (const PlacedBar& placed : layout.bars) {
         const Bar& bar = panels.bars[placed.bar];
         const std::size_t one = place[felt[bar.part].object];
-        add_strip(regions[one], into.of(placed.from), into.of(placed.to));
+        const bool is_wedge = placed.handling == Handling::wedge;
+        add_strip(regions[one], is_wedge ? in_wedge(into.of(placed.from)) : into.of(placed.from),
+                  is_wedge ? in_wedge(into.of(placed.to)) : into.of(placed.to));
         height[one] = std::max(height[one], placed.height);
         if (placed.handling != Handling::flattened || bar.ends_held == 0) continue;
         if (const std::size_t holder = place[felt[panels.panels[bar.holder].part].object]; holder != one) ++held[holder];
     }
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        regions[i].name = called(objects[i]);
-        regions[i].path = objects[i].path;
-        regions[i].description = what_was_done(objects[i], held[i], seen);
-        regions[i].counts = counts_of(objects[i]);
-        if (!regions[i].rings.empty()) regions[i].at = place_in(regions[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+        Region &main = regions[i], &section = regions[count + i], &bottom = regions[2 * count + i];
+        if (main.rings.empty()) {  // a vessel whose opening has no room
+            std::swap(main, section);
+            std::swap(height[i], height[count + i]);
+        }
+        main.name = called(objects[i]);
+        main.description = what_was_done(objects[i], held[i], seen);
+        main.counts = counts_of(objects[i]);
+        section.name = phrase("{0}: section", main.name);
+        section.description = phrase("cut through along its axis; its opening is where no line is");
+        bottom.name = phrase("{0}: bottom", main.name);
+        bottom.description = phrase("the dashed circle that it stands on");
+        for (Region* one : {&main, &section, &bottom}) {
+            one->path = objects[i].path;
+            if (!one->rings.empty()) one->at = place_in(*one);
+        }
     }
+    for (std::size_t i = regions.size(); i-- > count;)
+        if (regions[i].rings.empty()) {
+            regions.erase(regions.begin() + static_cast<std::ptrdiff_t>(i));
+            height.erase(height.begin() + static_cast<std::ptrdiff_t>(i));
+        }
     return in_reading_order(std::move(regions), height);
 }
 
-std::vector<Phrase> fold_remarks(const Drawing& drawing, const Phrase& seen, double spread) {
+std::vector<Phrase> fold_remarks(const Drawing& drawing, const std::vector<FoldedObject>& objects, const Phrase& seen,
+                                 double spread) {
     std::vector<Phrase> remarks = {
         phrase("It is drawn {0} without perspective; what cannot be seen from there is folded out beside it.", seen)};
     const auto any = [&](auto which) { return std::any_of(drawing.strokes.begin(), drawing.strokes.end(), which); };
     if (any([](const Stroke& stroke) { return stroke.line == LineClass::thick; }))
         remarks.push_back(phrase("What lies on something has thick lines."));
-    if (any([](const Stroke& stroke) { return stroke.role == Role::dash; }))
+    const auto any_object = [&](auto which) { return std::any_of(objects.begin(), objects.end(), which); };
+    if (any_object([](const FoldedObject& one) { return one.doubled > 0; }))
         remarks.push_back(phrase("A dashed line is a side that is shown twice."));
+    if (any_object([](const FoldedObject& one) { return one.bottom.has_value(); }))
+        remarks.push_back(phrase("A dashed circle is the bottom of a vessel; its opening is a circle without gaps."));
     if (!drawing.areas.empty()) remarks.push_back(phrase("A wedge is a line towards you, thick where it is near."));
     if (spread > 1)
         remarks.push_back(

@@ -26,7 +26,18 @@ enum class PanelKind : std::uint8_t {
     cap,      ///< the end of something round
     opening,  ///< the end of something round that is not closed there
     outline,  ///< what something round or curved looks like from there
+    section,  ///< what something round looks like from there if it is cut through its axis
+    bottom,   ///< the closed end of a vessel, behind its opening in the list: a hand that comes to one comes to the other
     hanging,  ///< what something that a face hides looks like from the side
+};
+
+/// Whether it is a view of a whole part, of which one may do.
+constexpr bool is_view(PanelKind kind) { return kind == PanelKind::outline || kind == PanelKind::section; }
+
+/// A line on a panel that is no border of it.
+struct PanelLine {
+    std::vector<Point3> points;
+    bool closed = false;
 };
 
 struct Panel {
@@ -37,6 +48,8 @@ struct Panel {
     double area = 0;                             ///< mm2
     bool reached = true;                         ///< a hand can lie on it
     std::vector<std::uint32_t> open_sides = {};  ///< of the first ring, that are no lines: a vessel is open there
+    bool is_bordered = true;                     ///< off: its rings say where it is; only its lines are drawn
+    std::vector<PanelLine> lines = {};
 };
 
 /// A connection of two panels. Their sides coincide, or would if both parts had no thickness.
@@ -60,9 +73,6 @@ struct Panels {
     std::vector<Hinge> hinges;
     std::vector<Bar> bars;
 };
-
-/// `thing` says of each part which thing it belongs to: only parts of one thing are hinged to each other.
-Panels panels_of(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view);
 
 /// The same, each part moved by that much.
 Panels moved(Panels panels, const std::vector<Point3>& by);

@@ -8,6 +8,7 @@
 
 #include "tactics/solid/coarse.h"
 #include "tactics/solid/named_part.h"
+#include "tactics/solid/space_box.h"
 
 namespace tactics {
 
@@ -114,23 +115,34 @@ bool is_round(const ModelObject& object) {
     return std::abs(dot(frame.a, frame.c)) < 0.01 * a * c && std::abs(dot(frame.b, frame.c)) < 0.01 * b * c;
 }
 
-PartForm form_of(const ModelPart& part, const ModelObject& object, const PartWish& wish) {
+bool has_end(const Solid& solid, const Point3& normal) {
+    return std::any_of(solid.patches.begin(), solid.patches.end(),
+                       [&](const Patch& patch) { return dot(patch.normal, normal) > 0.999; });
+}
+
+std::optional<Revolution> revolution_in(const Solid& solid, const ModelObject& object) {
+    if (!is_round(object)) return revolution_of(solid);
+    const Point3 along = unit(object.frame.c);
+    return revolution_of(object.primitive, object.frame, has_end(solid, -1 * along), has_end(solid, along));
+}
+
+PartForm form_of(const ModelPart& part, const PartWish& wish) {
     const auto& half = part.box.half;
     if (wish.simplify && half[1] <= wish.slender * half[0]) return PartForm::line;
     if (wish.simplify && half[2] <= wish.flat * half[1]) return PartForm::face;
-    if (is_round(object)) return PartForm::round;
     return is_curved(part.solid) ? PartForm::curved : PartForm::solid;
 }
 
 ModelPart part_of(Solid solid, const ModelObject& object, std::uint32_t place, const PartWish& wish) {
     ModelPart part;
     part.object = place;
-    part.primitive = object.primitive;
-    part.frame = object.frame;
     part.solid = std::move(solid);
     part.box = box_along(directions_of(part.solid), part.solid);
-    part.form = form_of(part, object, wish);
+    part.form = form_of(part, wish);
     part.folds = wish.fold;
+    if (part.form != PartForm::curved && part.form != PartForm::solid) return part;
+    part.round = revolution_in(part.solid, object);
+    if (part.round) part.form = PartForm::round;
     return part;
 }
 
@@ -138,6 +150,39 @@ ModelPart part_of(Solid solid, const ModelObject& object, std::uint32_t place, c
 void add_to(Solid& crowd, Solid solid) {
     crowd.closed = false;
     std::move(solid.patches.begin(), solid.patches.end(), std::back_inserter(crowd.patches));
+}
+
+// What is on something round and smaller, of the same object, is its handle or its spout.
+void take_handles(std::vector<ModelPart>& parts, std::size_t first) {
+    constexpr std::size_t kMostHandles = 8;
+    constexpr double kSmaller = 0.4;  // of its surface
+    constexpr double kNear = 0.05;    // of its extent
+    const auto surface = [](const ModelPart& part) {
+        double sum = 0;
+        for (const Patch& patch : part.solid.patches) sum += patch.area;
+        return sum;
+    };
+    for (std::size_t one = first; one < parts.size(); ++one) {
+        std::size_t tried = 0;
+        for (std::size_t other = first; other < parts.size() && parts[one].round && tried < kMostHandles; ++other) {
+            const double reach = kNear * extent_of(parts[one]);
+            if (other == one || parts[other].round || parts[one].round->primitive == Primitive::sphere ||
+                surface(parts[other]) > kSmaller * surface(parts[one]) ||
+                apart(space_of(parts[one]), space_of(parts[other])) > reach)
+                continue;
+            ++tried;
+            Solid both = parts[one].solid;
+            add_to(both, parts[other].solid);
+            auto whole = revolution_of(both, *parts[one].round);
+            if (!whole || !whole->has_handle()) continue;
+            parts[one].box = box_along(directions_of(both), both);
+            parts[one].solid = std::move(both);
+            parts[one].round = std::move(whole);
+            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(other));
+            if (other < one) --one;
+            --other;
+        }
+    }
 }
 
 double distance_to_side(const Point3& at, const Point3& from, const Point3& to) {
@@ -193,6 +238,7 @@ std::vector<ModelPart> parts_of(const Model& whole, const PartWish& wish, const 
         WeldedSurface surface = weld(model, faces, tolerance, dropped);
         const auto shells = shells_of(surface);
         const bool is_crowd = shells.size() > kMostShells;
+        const std::size_t before = parts.size();
         Solid crowd;
         for (const auto& shell : shells) {
             face_outwards(surface, shell);
@@ -202,6 +248,7 @@ std::vector<ModelPart> parts_of(const Model& whole, const PartWish& wish, const 
             else if (!solid.patches.empty())
                 parts.push_back(part_of(std::move(solid), object, place, wishes[place]));
         }
+        take_handles(parts, before);
         if (crowd.patches.empty()) continue;
         parts.push_back(part_of(std::move(crowd), object, place, wishes[place]));
         parts.back().form = PartForm::curved;

@@ -6,10 +6,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tactics/model.h"
+#include "tactics/solid/revolution.h"
 #include "tactics/solid/solid.h"
 #include "tactics/text/phrase.h"
 
@@ -19,7 +21,7 @@ enum class PartForm : std::uint8_t {
     solid,   ///< plane sides that can be folded out
     face,    ///< flat: its larger side represents it
     line,    ///< slender: its axis represents it
-    round,   ///< a cylinder, a cone or a sphere: its outline and its ends
+    round,   ///< a surface of revolution: a section or an outline, and its ends
     curved,  ///< many small patches: its outline
 };
 std::string_view name_of(PartForm form);  ///< "solid", "face", ...
@@ -34,11 +36,10 @@ struct PartBox {
 struct ModelPart {
     std::uint32_t object = 0;  ///< place in Model::objects
     PartForm form = PartForm::solid;
-    Primitive primitive = Primitive::none;
-    PrimitiveFrame frame;  ///< of a primitive
     Solid solid;
     PartBox box;
-    bool folds = true;  ///< its faces may be folded out
+    std::optional<Revolution> round;  ///< of something round
+    bool folds = true;                ///< its faces may be folded out
 };
 
 struct PartWish {

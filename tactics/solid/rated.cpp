@@ -28,7 +28,7 @@ Rating rating_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, 
     }
     for (const Panel& panel : panels.panels) {
         if (panel.kind == PanelKind::hanging || hangs[panel.part]) continue;
-        if (panel.kind == PanelKind::outline && ++outlines[panel.part] > most_outlines(parts[panel.part].form)) continue;
+        if (is_view(panel.kind) && ++outlines[panel.part] > most_outlines(parts[panel.part].form)) continue;
         if (!panel.reached) continue;
         ++all;
         all_area += panel.area;

@@ -86,16 +86,24 @@ void cut_best(View& view, const std::vector<ModelPart>& parts) {
     view = std::move(best);
 }
 
-// Lines of a view in the drawing: those that a finger can tell apart.
-std::vector<Stroke> lines_of(const View& view, double scale, double touching, const Medium& medium) {
+double length_of(const std::vector<Stroke>& strokes) {
+    double sum = 0;
+    for (const Stroke& stroke : strokes) sum += length_of(stroke);
+    return sum;
+}
+
+// Lines of a view in the drawing: those that a finger can tell apart. `dropped` grows by the mm of the others.
+std::vector<Stroke> lines_of(const View& view, double scale, double touching, const Medium& medium, double& dropped) {
     std::vector<DrawnSide> sides = view.sides;
     std::erase_if(sides, [&](const DrawnSide& side) { return !(distance(side.from, side.to) > touching); });
     std::vector<Stroke> strokes = joined(merged(sides, touching), touching);
     for (Stroke& stroke : strokes)
         for (Point& at : stroke.points)
             at = {view.at.x + (at.x - view.box.left) * scale, view.at.y + (at.y - view.box.top) * scale};
+    const double whole = length_of(strokes);
     strokes = apart_lines(std::move(strokes), least_apart(medium, medium.line, medium.line), medium.shortest);
     for (Stroke& stroke : strokes) stroke.line = LineClass::normal;
+    dropped += whole - length_of(strokes);
     return strokes;
 }
 
@@ -165,6 +173,8 @@ public:
         return std::move(made_);
     }
 
+    double dropped() const { return dropped_; }  ///< mm of lines that could not be told apart from others
+
 private:
     // As large as there is room, all in the same scale: top over front, section over side.
     void place_views(double width, double height) {
@@ -215,7 +225,7 @@ private:
     }
 
     void lay(View& view) {
-        const std::vector<Stroke> strokes = lines_of(view, made_.scale, touching_, medium_);
+        const std::vector<Stroke> strokes = lines_of(view, made_.scale, touching_, medium_, dropped_);
         if (strokes.empty()) return;
         Drawing& drawing = made_.drawing;
         drawing.names.push_back({{view.at.x + view.box.width() * made_.scale / 2, view.at.y - kTitle / 2},
@@ -301,6 +311,7 @@ private:
     FoldOut made_;
     std::vector<Region> regions_;
     std::vector<char> small_;  // of each part
+    double dropped_ = 0;       // mm
 };
 
 }  // namespace
@@ -336,7 +347,13 @@ FoldOut views_of(const Model& whole, double width, double height, const Medium& 
         cut(views[3], parts, depth_at(parts, *views[3].plane, wish.section));
     else
         cut_best(views[3], parts);
-    return Laying(model, parts, views, medium, wish.language).run(width, height);
+    Laying laying(model, parts, views, medium, wish.language);
+    FoldOut made = laying.run(width, height);
+    if (laying.dropped() > medium.shortest)
+        notes.push_back(
+            phrase("{0} mm of lines are so close to others that they are left out of the views; draw a part alone to feel them",
+                   numeral(std::round(laying.dropped()))));
+    return made;
 }
 
 }  // namespace tactics

@@ -29,6 +29,7 @@
 #include "tactics/error.h"
 #include "tactics/readers/model.h"
 #include "tactics/solid/lay_flat.h"
+#include "tactics/solid/panels.h"
 #include "tactics/solid/thing.h"
 #include "tests/geos_shape.h"
 
@@ -200,8 +201,8 @@ Scores ours(const Model& model, const Geos& geos) {
     const FlatLayout layout = flat.laid(LayoutWish{}.effort);
     std::vector<std::size_t> outlines(parts.size(), 0);
     for (const Panel& panel : panels.panels)
-        scores.reached += panel.reached &&
-                          (panel.kind != PanelKind::outline || ++outlines[panel.part] <= most_outlines(parts[panel.part].form));
+        scores.reached +=
+            panel.reached && (!is_view(panel.kind) || ++outlines[panel.part] <= most_outlines(parts[panel.part].form));
     std::vector<Face> faces;
     std::vector<std::vector<std::size_t>> of_object(model.objects.size());
     std::vector<GeosShape> shapes;

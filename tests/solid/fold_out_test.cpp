@@ -195,6 +195,45 @@ TEST(FoldOut, EveryObjectIsDrawnOrTold) {
     }
 }
 
+// What is said of a thing and what a finger finds at its place.
+TEST(FoldOut, EveryPlaceThatIsToldLiesInARegionOfItsObject) {
+    Model scene = table(1200);
+    add_cylinder(scene, "Bottle", -1, {100, 0, 840}, 40, 200);
+    add_turned(scene, "Pot", {-300, 0, 740}, {{0, 0}, {90, 0}, {90, 120}}, 24);
+    add_box(scene, "Box", -1, {-300, -250, 790}, {200, 120, 100});
+    add_box(scene, "Rod", -1, {450, 0, 940}, {10, 10, 400});
+    for (const FoldPlane plane : {FoldPlane::above, FoldPlane::front, FoldPlane::side}) {
+        std::vector<Phrase> notes;
+        const FoldOut made = fold_out(scene, 170, 240, find_medium("swell", ""), {.plane = plane}, notes);
+        int wedges = 0;
+        for (const FoldedObject& one : made.objects) {
+            const auto holding = [&](Point at) {
+                return std::count_if(made.drawing.regions.begin(), made.drawing.regions.end(), [&](const Region& region) {
+                    return region.path == one.path && !region.rings.empty() && holds(region, at);
+                });
+            };
+            if (one.fate != FoldedObject::Fate::drawn) {
+                EXPECT_EQ(holding(one.at), 0) << one.path;
+                continue;
+            }
+            EXPECT_GE(holding(one.at), 1) << one.path << ' ' << name_of(plane);
+            for (const auto& end : {one.opening, one.bottom})
+                if (end) {
+                    EXPECT_GE(holding(*end), 1) << one.path;
+                }
+            wedges += one.wedges;
+        }
+        EXPECT_EQ(static_cast<int>(made.drawing.areas.size()), wedges);
+        // A wedge is within the region of its bar.
+        for (const Area& area : made.drawing.areas)
+            for (const Point& corner : area.rings.front())
+                EXPECT_TRUE(std::any_of(made.drawing.regions.begin(), made.drawing.regions.end(), [&](const Region& region) {
+                    return !region.rings.empty() &&
+                           holds(region, {corner.x, corner.y + (corner.y > area.rings.front()[0].y ? -0.1 : 0.1)});
+                }));
+    }
+}
+
 TEST(FoldOut, AVesselHasAnOpeningAndNoLid) {
     Model model;
     add_cylinder(model, "Pot", -1, {0, 0, 60}, 80, 120, true);
@@ -203,10 +242,12 @@ TEST(FoldOut, AVesselHasAnOpeningAndNoLid) {
         return made.panels.panels[one.panel].kind == PanelKind::opening;
     });
     EXPECT_TRUE(opening);
-    // From the side it is a U: two walls and a bottom, and no line where it is open.
-    double length = 0;
-    for (const Stroke& stroke : lines_of(made.layout, made.parts, made.panels, made.thing).strokes) length += length_of(stroke);
+    // From the side it is a U: two walls and a bottom, and no line where it is open. Its bottom is a second circle, dashed.
+    double length = 0, dashed = 0;
+    for (const Stroke& stroke : lines_of(made.layout, made.parts, made.panels, made.thing).strokes)
+        (stroke.role == Role::dash ? dashed : length) += length_of(stroke);
     EXPECT_NEAR(length, 2 * std::numbers::pi * 80 + 2 * 120 + 160, 2);
+    EXPECT_NEAR(dashed, 2 * std::numbers::pi * 80, 1);
 }
 
 TEST(FoldOut, ARodTowardsTheReaderHasTheScaleOfItsLength) {

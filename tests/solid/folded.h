@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tactics/solid/lay_flat.h"
+#include "tactics/solid/panels.h"
 #include "tactics/solid/reach.h"
 #include "tactics/solid/thing.h"
 #if TACTICS_HAS_GEOS

@@ -5,6 +5,7 @@
 
 #include "tactics/solid/fold_out.h"
 #include "tactics/solid/lay_flat.h"
+#include "tactics/solid/panels.h"
 #include "tactics/solid/reach.h"
 #include "tactics/solid/thing.h"
 #include "tests/solid/models.h"

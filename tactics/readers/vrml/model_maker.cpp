@@ -90,6 +90,10 @@ void ModelMaker::set_title(std::string_view title, int line) {
     if (model_.title.empty()) model_.title = name_of(title, line);
 }
 
+void ModelMaker::set_viewed_from(const Point3& direction) {
+    if (model_.viewed_from == Point3{} && is_finite(direction)) model_.viewed_from = unit(direction);
+}
+
 void ModelMaker::begin_object(std::string_view name, int line) {
     add_object(name_of(name, line), line);
     open_.push_back(static_cast<int>(model_.objects.size() - 1));

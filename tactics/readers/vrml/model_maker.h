@@ -26,6 +26,8 @@ public:
 
     /// Title of the whole model; the first one counts.
     void set_title(std::string_view title, int line);
+    /// The direction to a viewpoint; the first one counts.
+    void set_viewed_from(const Point3& direction);
 
     /// `weak`: the name is one for want of a better.
     void add_shape(const WorldShape& shape, const Placing& placing, std::string_view name, bool weak, int line);

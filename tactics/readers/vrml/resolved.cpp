@@ -123,6 +123,11 @@ Placing transform_of(const ResolvedWorld& world, const WorldPlace& at, std::stri
     return placing_of(fields);
 }
 
+Point3 viewer_of(const ResolvedWorld& world, const WorldPlace& at, const Placing& placing) {
+    const auto turn = world.turn(at, "orientation");
+    return placing.direction(turned(turn.axis, turn.angle).direction({0, 0, 1}));
+}
+
 Placing matrix_of(const ResolvedWorld& world, const WorldPlace& at) {
     constexpr std::size_t kNumbers = 16;
     const std::span<const double> rows = world.several(at, "matrix", kNumbers);

@@ -72,6 +72,8 @@ private:
 
 /// The fields of a Transform node in either dialect.
 Placing transform_of(const ResolvedWorld& world, const WorldPlace& at, std::string_view scale);
+/// The direction to who looks through a Viewpoint or a camera: along their z.
+Point3 viewer_of(const ResolvedWorld& world, const WorldPlace& at, const Placing& placing);
 /// MatrixTransform, which VRML97 lost and some programs still write.
 Placing matrix_of(const ResolvedWorld& world, const WorldPlace& at);
 

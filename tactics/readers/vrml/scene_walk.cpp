@@ -90,6 +90,8 @@ private:
                                      std::to_string(kMostWorldDepth)));
         const Part part = part_of(at->node->type);
         if (at->node->type == "WorldInfo") maker_.set_title(world_.text(*at, "title"), line);
+        if (at->node->type == "Viewpoint" || at->node->type == "OrthoViewpoint")
+            maker_.set_viewed_from(viewer_of(world_, *at, placing));
         if (part == Part::nothing) return;
         if (part == Part::elsewhere) {
             maker_.leave_out(

@@ -177,6 +177,7 @@ private:
     }
     void no_faces(const WorldPlace& at, int) { maker_.leave_out(at.node->type + ", which has no faces", at.node->line); }
     void nothing(const WorldPlace&, int) {}
+    void camera(const WorldPlace& at, int) { maker_.set_viewed_from(viewer_of(world_, at, state_.placing)); }
     void unknown(const WorldPlace& at, int depth) {
         maker_.leave_out(
             at.node->type + ", a node that is not known here" + (at.node->children.empty() ? "" : "; what is in it is kept"),
@@ -256,7 +257,8 @@ Visit StateWalk::visit_of(std::string_view type) {
                                 "PickStyle"sv,  "Normal"sv,      "VertexProperty"sv, "Background"sv,  "NavigationInfo"sv,
                                 "Fog"sv,        "WorldInfo"sv};
     constexpr std::array kBeginnings{"Material"sv, "Texture"sv, "NormalB"sv};
-    constexpr std::array kEnds{"Light"sv, "Camera"sv, "Binding"sv};
+    if (type.ends_with("Camera")) return &StateWalk::camera;
+    constexpr std::array kEnds{"Light"sv, "Binding"sv};
     const bool looks = std::find(kLooks.begin(), kLooks.end(), type) != kLooks.end() ||
                        std::any_of(kBeginnings.begin(), kBeginnings.end(), [&](auto word) { return type.starts_with(word); }) ||
                        std::any_of(kEnds.begin(), kEnds.end(), [&](auto word) { return type.ends_with(word); });

@@ -31,6 +31,24 @@ TEST(VrmlScene, NamesAndHierarchyAreKept) {
     EXPECT_EQ(names("DEF Board Transform { children [ Shape { geometry DEF Board-FACES Box {} } ] }"), "Board");
 }
 
+// A viewpoint looks along -z of its own; y up in a file is z up here.
+TEST(VrmlScene, TheFirstViewpointIsKept) {
+    const std::string box = "Shape { geometry Box {} }";
+    const auto from = [](const Model& model) { return model.viewed_from; };
+    EXPECT_EQ(from(scene(box).model), Point3{});
+    EXPECT_NEAR(length_of(from(scene("Viewpoint {} " + box).model) - Point3{0, -1, 0}), 0, 1e-9);
+    EXPECT_NEAR(
+        length_of(from(scene("Viewpoint { orientation 1 0 0 -1.570796326794897 } Viewpoint {} " + box).model) - Point3{0, 0, 1}),
+        0, 1e-9);
+    EXPECT_NEAR(
+        length_of(from(scene("Transform { scale 5 5 5 rotation 0 1 0 1.570796326794897 children Viewpoint {} } " + box).model) -
+                  Point3{1, 0, 0}),
+        0, 1e-9);
+    const Model old =
+        read_world("#VRML V1.0 ascii\nSeparator { PerspectiveCamera { orientation 0 1 0 1.570796326794897 } Cube {} }").model;
+    EXPECT_NEAR(length_of(from(old) - Point3{1, 0, 0}), 0, 1e-9);
+}
+
 TEST(VrmlScene, ANameInAnotherEncodingIsTurnedAndNoted) {
     const ReadWorld world = scene(
         "DEF K\xfc"
