@@ -6,9 +6,8 @@
 //   levels alone        each value by itself;
 //   neighbours          the exact values of 1 to 10 cells that come before it, as many as four counters a cell hold, and no more
 //                       than 2^18 (as JBIG does);
-//   chain               the exact values of 1 to 10 cells before it in the row, of up to 64 levels (chain_code.h); where the
-//   doubt is
-//                       asked for, also of those above it in the column;
+//   chain               the exact values of 1 to 10 cells before it in the row, of up to 64 levels (chain_code.h); for the doubt
+//                       also of those above it in the column;
 //   prediction          the error of the median edge detector of JPEG-LS (ITU-T T.87, A.4.1; on voxels the median of the three
 //                       cells before it), by how rough it is around. Of over 256 levels large errors are counted in classes of
 //                       an eighth of a power of two, whose rest is written as it is;
