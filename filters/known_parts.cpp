@@ -26,7 +26,7 @@ constexpr float kStrength = 255;
 // A barb is felt as a line from 6.4 mm on (media.inc, swell paper); longer ones would be lines of their own. 35 degrees off the
 // line its end has 3.6 mm of it, and a corner of 29 degrees or more is no gap (rules/narrow.h).
 constexpr double kLeastBarb = 6.4, kMostBarb = 10, kLeastTurn = 35, kMostTurn = 45;
-constexpr double kLongestHead = 14;  // mm of a head as it is drawn
+constexpr double kLongestHead = 20;  // mm of a head as it is drawn
 
 Stroke head_of(const InkedHead& head, double mm) {
     const Point tip{head.tip.x * mm, head.tip.y * mm}, neck{head.neck.x * mm, head.neck.y * mm};
@@ -42,11 +42,11 @@ Stroke head_of(const InkedHead& head, double mm) {
     return {{barb(1), tip, barb(-1)}, false, LineClass::normal, kStrength, Role::arrow};
 }
 
-// Dashes as drawing tools make them: on the page up to 8 mm long, 1.2 mm wide, with gaps of no more than 4 mm.
-constexpr double kLongestDash = 8, kWidestDash = 1.2, kMostGap = 4;
+// Dashes as drawing tools make them: on the page up to 11 mm long, 1.6 mm wide, with gaps of no more than 5.5 mm.
+constexpr double kLongestDash = 11, kWidestDash = 1.6, kMostGap = 5.5;
 
 // A point is as large as it is drawn, but as wide as two of the dots of braille, which it is not taken for then.
-constexpr double kLeastPoint = 0.5, kMostPoint = 3.5, kFeltPoint = 1.6;  // radius, mm
+constexpr double kLeastPoint = 0.5, kMostPoint = 4.8, kFeltPoint = 1.6;  // radius, mm
 constexpr std::size_t kMostMeasured = 1000;
 
 // Smaller where most of them are near others, so that more of them have room; the gap is that between any two things.

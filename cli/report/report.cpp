@@ -81,6 +81,10 @@ std::string made_json(const Outcome& outcome, const Made& made) {
     json.add("drawing_top_mm", layout.place.drawing.top);
     json.add("drawing_width_mm", layout.place.drawing.width);
     json.add("drawing_height_mm", layout.place.drawing.height);
+    if (const Rect& part = outcome.part; part.width < 1 || part.height < 1)
+        json.add_raw("part_percent",
+                     json_array({to_text(100 * part.left), to_text(100 * part.top), to_text(100 * (part.left + part.width)),
+                                 to_text(100 * (part.top + part.height))}));
     json.add("strokes", static_cast<double>(layout.strokes));
     json.add("stroke_length_mm", layout.stroke_length);
     json.add("areas", static_cast<double>(layout.areas));

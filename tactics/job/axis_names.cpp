@@ -8,17 +8,30 @@
 
 namespace tactics {
 
+namespace {
+
+bool is_alone_at_side(const PrintPlace& name, const std::vector<PrintPlace>& places, double width) {
+    constexpr double kSide = 0.15, kNear = 0.15;  // of the width; settings
+    if (name.at.x > kSide * width && name.at.x < (1 - kSide) * width) return false;
+    return std::none_of(places.begin(), places.end(), [&](const PrintPlace& other) {
+        return &other != &name && other.upwards && !other.number && std::abs(other.at.x - name.at.x) < kNear * width;
+    });
+}
+
+}  // namespace
+
 void place_axis_names(std::vector<PrintPlace>& places, double width) {
     for (PrintPlace& name : places) {
-        if (!name.upwards) continue;
+        if (!name.upwards || name.number) continue;  // R sets numbers upwards, too
         std::optional<Point> top;
         std::size_t above = 0, below = 0;
         for (const PrintPlace& other : places) {
-            if (other.upwards || std::abs(other.at.x - name.at.x) > width / 4) continue;
+            if ((other.upwards && !other.number) || std::abs(other.at.x - name.at.x) > width / 4) continue;
             ++(other.at.y < name.at.y ? above : below);
             if (!top || other.at.y < top->y) top = other.at;
         }
-        // An axis has numbers on both sides of the middle, where its name is.
+        // An axis has numbers on both sides of the middle, where its name is. One without any has its name alone at the side.
+        if (above == 0 && below == 0) name.loose = is_alone_at_side(name, places, width);
         if (above == 0 || below == 0) continue;
         name.at = {(name.at.x + top->x) / 2, top->y - 2 * name.height};
         name.loose = true;

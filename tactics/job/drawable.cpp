@@ -18,6 +18,7 @@
 #include "tactics/job/reading.h"
 #include "tactics/job/surface_heights.h"
 #include "tactics/job/table.h"
+#include "tactics/job/trimmed.h"
 #include "tactics/readers/model.h"
 #include "tactics/readers/svg/figure.h"
 #include "tactics/readers/svg/own_page.h"
@@ -89,7 +90,18 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
 }
 
 Drawable drawable_of_picture(Source& source, const Job& job, const Sheet& sheet) {
-    return drawable_of_pixels(inspect_picture(source), std::make_shared<Reading>(source), job.words, job, sheet);
+    const auto reading = std::make_shared<Reading>(source);
+    Drawable drawable = drawable_of_pixels(inspect_picture(source), reading, job.words, job, sheet);
+    if (drawable.recipe.has_words && draws_whole(drawable.recipe)) {
+        Image left = reading->get({kLookForWords, false});
+        take_out(left, drawable.words.lettering, true);
+        const Rect inked = inked_part(to_grey(std::move(left)));
+        // Fewer pixels are not spread over a whole sheet: curves would come out as the steps of their pixels.
+        constexpr double kFewestPixels = 250;
+        if (std::max(inked.width * drawable.info.width, inked.height * drawable.info.height) >= kFewestPixels)
+            drawable.inked = inked;
+    }
+    return drawable;
 }
 
 // What is lines already goes no way through pixels.
@@ -149,6 +161,7 @@ Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, 
     }
     if (figure->page.tells_size) drawable.width = figure->page.file_width;
     drawable.aspect = [aspect = figure->aspect()](const Sheet&) { return aspect; };
+    drawable.inked = inked_part(figure->page);
     drawable.draw = [figure, parts](const Sheet& on, const Rect& place, const PrintWords& words, DrawingWay& way) {
         Drawing drawing = drawing_of_figure(figure->page, place.width);
         draw_parts(*parts, place.width / figure->page.page.width, !words.told.empty(), on, drawing, way);
@@ -257,6 +270,24 @@ Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, Notes& 
         case Holds::picture: break;
     }
     return drawable_of_picture(source, job, sheet);
+}
+
+bool may_trim(const Job& job, const Sheet& sheet) {
+    return !sheet.bare && !sheet.drawing_width && !sheet.real_width &&
+           std::all_of(job.labels.begin(), job.labels.end(), [](const PlacedWords& label) { return label.share; });
+}
+
+void trim(Drawable& drawable) {
+    const Rect part = drawable.part = drawable.inked;
+    if (part.width >= 1 && part.height >= 1) return;
+    drawable.aspect = [part, aspect = std::move(drawable.aspect)](const Sheet& sheet) {
+        return aspect(sheet) * part.width / part.height;
+    };
+    drawable.draw = [part, draw = std::move(drawable.draw)](const Sheet& sheet, const Rect& place, const PrintWords& words,
+                                                            DrawingWay& way) {
+        const Rect whole{place.left, place.top, place.width / part.width, place.height / part.height};
+        return cut_out(draw(sheet, whole, words, way), part);
+    };
 }
 
 }  // namespace tactics

@@ -36,6 +36,8 @@ struct Drawable {
     std::string title = {}, title_origin = {};
     std::optional<double> width = {};      ///< real width from the file, mm
     std::string model_json = {};           ///< of a folded-out model: what was done with its objects
+    Rect inked = kWhole;                   ///< what trim() would leave of it, in shares of the picture's sides
+    Rect part = kWhole;                    ///< what is drawn of it, likewise
     bool made_for_sheet = false;           ///< it is drawn for each sheet by the sheet's rules, and needs no mending
     std::shared_ptr<const Page> own = {};  ///< a page that we wrote, as it was (own_pages.h)
     /// Width / height of its drawing on that sheet.
@@ -49,5 +51,10 @@ struct Drawable {
 /// `sheet` is the first one needed. `source` must outlive it. `notes` receives anything that the user might not expect. Throws
 /// Error.
 Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, Notes& notes);
+
+/// Unless the user measures the whole picture, or on the drawing.
+bool may_trim(const Job& job, const Sheet& sheet);
+/// From then on it draws its inked part only.
+void trim(Drawable& drawable);
 
 }  // namespace tactics

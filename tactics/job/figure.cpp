@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "tactics/error.h"
+#include "tactics/geometry/box.h"
 #include "tactics/job/figure_title.h"
 #include "tactics/job/letter_picture.h"
 #include "tactics/job/letter_shapes.h"
@@ -40,14 +41,17 @@ Phrase left_out_words(std::size_t count, const std::string& places, const Phrase
     return trouble.empty() ? text : phrase("{0}. {1}", std::move(text), trouble);
 }
 
-// Where its lines and areas begin, in percent from the top.
+// Where its lines and areas begin, but for a frame around the whole, in percent from the top.
 double first_ink(const Page& page) {
+    constexpr double kWhole = 0.95;  // of the width and the height
     double top = page.height;
-    for (const PageStroke& stroke : page.strokes)
-        for (const Point& p : stroke.points) top = std::min(top, p.y - stroke.width / 2);
+    const auto take = [&](const std::vector<Point>& points, double half) {
+        const Box box = box_of(points);
+        if (box.width() < kWhole * page.width || box.height() < kWhole * page.height) top = std::min(top, box.top - half);
+    };
+    for (const PageStroke& stroke : page.strokes) take(stroke.points, stroke.width / 2);
     for (const Area& area : page.areas)
-        for (const auto& ring : area.rings)
-            for (const Point& p : ring) top = std::min(top, p.y);
+        for (const auto& ring : area.rings) take(ring, 0);
     return 100 * top / page.height;
 }
 

@@ -10,10 +10,8 @@ namespace tactics {
 
 namespace {
 
-// A4 upright has room for 30 cells between its margins, which is some 36 letters in contracted braille. Settings, as the others
-// are.
-constexpr std::size_t kOneLine = 36;
-constexpr double kTop = 20, kMiddle = 25;  // percent: the title stands above that, and its middle not nearer to a side
+// Settings.
+constexpr double kTop = 20, kMiddle = 25;  // percent: not farther below what is highest, and its middle not nearer to a side
 constexpr double kNextLine = 2.6;          // heights of capitals from line to line
 constexpr double kSameMiddle = 3;          // percent; lines of a title are centred
 
@@ -43,10 +41,12 @@ std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlac
     for (std::size_t i = 0; i < told.size(); ++i)
         if (!places[i].upwards && !places[i].elsewhere) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return told[a].y < told[b].y; });
+    double highest = first_ink;
+    for (const std::size_t i : order) highest = std::min(highest, told[i].y - places[i].height / 2);
     std::vector<std::size_t> lines;
     for (const std::size_t i : order) {
         const ToldWords& one = told[i];
-        const bool begins = lines.empty() && one.y < kTop && one.x > kMiddle && one.x < 100 - kMiddle;
+        const bool begins = lines.empty() && one.y - highest < kTop && one.x > kMiddle && one.x < 100 - kMiddle;
         const bool goes_on = !lines.empty() && std::abs(one.x - told[lines.front()].x) < kSameMiddle &&
                              one.y - told[lines.back()].y < kNextLine * std::max(places[i].height, places[lines.back()].height);
         if (!begins && !goes_on) break;
@@ -60,8 +60,8 @@ std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlac
             return "";
     std::string title;
     for (const std::size_t i : lines) title += (title.empty() ? "" : " ") + told[i].text;
-    const bool above = told[lines.back()].y + places[lines.back()].height / 2 <= first_ink;
-    if (!above && lines.size() < 2 && letters_in(title) <= kOneLine) return "";  // in a box, say, which it names
+    // Else it is in a box, say, which it names.
+    if (told[lines.back()].y + places[lines.back()].height / 2 > first_ink) return "";
     std::vector<double> others;
     for (std::size_t i = 0; i < told.size(); ++i)
         if (std::find(lines.begin(), lines.end(), i) == lines.end()) others.push_back(places[i].height);

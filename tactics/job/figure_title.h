@@ -9,9 +9,10 @@
 
 namespace tactics {
 
-/// The topmost words are the page's title if no line is drawn above or beside them. Words in several lines, or too long for one
-/// braille line, are the title in any case, since only a title has room for them. They are marked, because no name represents
-/// them then. Empty: there is no title. `places` are those of `told`; the lines begin at `first_ink` from the top, in percent.
+/// The topmost words are the page's title if they stand above all that is drawn, in one line or several, with no words beside
+/// them, and are larger than others, say more than a name, or stand free. They are marked, because no name represents them then.
+/// Empty: there is no title. `places` are those of `told`; what is drawn begins at `first_ink` from the top, in percent, but for
+/// a frame around the whole.
 std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlace>& places, double first_ink);
 
 }  // namespace tactics

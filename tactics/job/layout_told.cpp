@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "tactics/braille/braille.h"
 #include "tactics/geometry/dashed_line.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -30,6 +32,40 @@ void tell_layout(Layout& layout, const Pages& pages) {
     layout.empty =
         layout.strokes == 0 && page.areas.empty() && page.textured.empty() && !(page.picture && has_black(*page.picture));
     for (const PageName& name : page.names) layout.names.push_back(name.text);
+}
+
+Phrase left_out_words(const std::vector<Name>& left_out, const Phrase& more_room) {
+    std::vector<Phrase> names;
+    for (const Name& name : left_out) names.push_back(phrase("\"{0}\" ({1})", beginning_of(name.text), name.origin));
+    return phrases(
+        names.size(),
+        "{1} is left out, as there is no room for it in braille; take {2}, or shorter names with {3} and {4} remove",
+        "{0} names are left out, as there is no room for them in braille: {1}; take {2}, or shorter names with {3} and "
+        "{4} remove",
+        row_of(names), more_room, spelled("label"), spelled("words"));
+}
+
+Phrase thinned_words(std::size_t numbers, const Phrase& more_room) {
+    return phrase(
+        "{0} numbers in rows are left out, every second or more, as the page has no room for all in braille; {1} shows "
+        "more",
+        std::to_string(numbers), more_room);
+}
+
+Phrase no_room_for_words(bool print_is_left, const Phrase& more_room) {
+    return print_is_left
+               ? phrase("print in it is left in the lines, as the page has no room for it in braille; take {0}, or {1} remove",
+                        more_room, spelled("words"))
+               : phrase("its words are left out, as the page has no room for them in braille; take {0}, or {1} remove", more_room,
+                        spelled("words"));
+}
+
+Phrase note_of_long_title(const Sheet& sheet) {
+    if (sheet.title_cells <= 0 || sheet.title.empty()) return {};
+    const std::size_t cells = to_braille(sheet.title, sheet.braille_table, sheet.title_origin).size();
+    if (cells <= static_cast<std::size_t>(sheet.title_cells)) return {};
+    return phrase("the display shows the first {0} of the {1} cells of the title; shorten it", std::to_string(sheet.title_cells),
+                  std::to_string(cells));
 }
 
 std::string name_of_input(const Outcome& outcome) {

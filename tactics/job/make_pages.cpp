@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <mutex>
 #include <set>
+#include <tuple>
 
-#include "tactics/braille/braille.h"
 #include "tactics/braille/foreign_letters.h"
 #include "tactics/error.h"
 #include "tactics/geometry/dashed_line.h"
@@ -26,7 +27,6 @@
 #include "tactics/job/written.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/layout/place.h"
-#include "tactics/text/utf8.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 
@@ -35,9 +35,6 @@ namespace tactics {
 namespace {
 
 int page_of(const Job& job) { return job.pdf_page > 0 ? job.pdf_page : job.page; }
-
-// Every second number of an axis, then every fourth; with fewer it is no scale any more.
-constexpr int kThinnings = 2;
 
 class PageMaking {
 public:
@@ -49,7 +46,9 @@ public:
         if (job_.as_text) return run_text(source);
         const Sheet sheet = sheet_for(job_, *job_.outputs.front().format, job_);
         from_ = drawable_of(source, job_, sheet, outcome_.notes);
+        if (may_trim(job_, sheet)) trim(from_);
         outcome_.picture = from_.info;
+        outcome_.part = from_.part;
         outcome_.recipe = from_.recipe.name;
         outcome_.reason = from_.reason;
         outcome_.keeps_some = keeps_some(from_.recipe);
@@ -137,12 +136,7 @@ private:
         if (Phrase note = note_of_foreign_letters(sheet.title, sheet.braille_table); !note.empty())
             tell_once(to_act_on(std::move(note)));
         if (sheet.window) more_room_ = phrase("show {0} 2", spelled("zoom"));
-        if (sheet.title_cells > 0 && !sheet.title.empty())
-            if (const std::size_t cells = to_braille(sheet.title, sheet.braille_table, sheet.title_origin).size();
-                cells > static_cast<std::size_t>(sheet.title_cells))
-                outcome_.notes.push_back(
-                    to_act_on(phrase("the display shows the first {0} of the {1} cells of the title; shorten it",
-                                     std::to_string(sheet.title_cells), std::to_string(cells))));
+        if (Phrase note = note_of_long_title(sheet); !note.empty()) outcome_.notes.push_back(to_act_on(std::move(note)));
         // Letters are set one after the other to the right, so such print would come out reversed. Braille always runs so.
         if (sheet.print_title && !sheet.bare && runs_from_right(sheet.title)) {
             sheet.print_title = false;
@@ -167,18 +161,25 @@ private:
     }
 
     // Whole pixels and whole dots may have made it a little wider or narrower than was planned.
-    static void fit_shape(const Sheet& sheet, const Drawing& drawing, Arrangement& arrangement) {
+    void fit_shape(const Sheet& sheet, const Drawing& drawing, Arrangement& arrangement) const {
         constexpr double kSame = 1e-12;
-        const Rect& place = arrangement.place.drawing;
-        if (std::abs(place.height * drawing.width - place.width * drawing.height) > kSame * place.height * drawing.width)
+        Rect& place = arrangement.place.drawing;
+        if (std::abs(place.height * drawing.width - place.width * drawing.height) <= kSame * place.height * drawing.width) return;
+        if (!beside_names_) {
             arrangement = arrange(sheet, drawing.width / drawing.height);
+            return;
+        }
+        const double scale = std::min(place.width / drawing.width, place.height / drawing.height);
+        place.width = scale * drawing.width;
+        place.height = scale * drawing.height;
     }
 
     // The drawing for that place: the last one, if it is as large in mm and for the same medium.
     const Drawing& draw(const Sheet& sheet, Arrangement& arrangement) {
+        constexpr double kSame = 1e-6;  // mm
         const Rect place = arrangement.place.drawing;
-        if (place.width != drawn_.width || place.height != drawn_.height || sheet.medium != drawn_medium_ ||
-            from_.made_for_sheet) {
+        if (std::abs(place.width - drawn_.width) > kSame || std::abs(place.height - drawn_.height) > kSame ||
+            sheet.medium != drawn_medium_ || from_.made_for_sheet) {
             begin(JobStep::drawing);
             DrawingWay way;
             Drawing drawing = from_.draw(sheet, place, from_.words, way);
@@ -188,18 +189,9 @@ private:
             mended_ = mend_for(*sheet.medium, arrangement.place.drawing.width, std::move(drawing),
                                job_.chain.as_drawn || from_.made_for_sheet);
             // For the first layout; others differ in the needs of their media.
-            if (outcome_.steps.empty()) {
-                outcome_.steps = std::move(way.steps);
-                outcome_.chosen = std::move(way.chosen);
-            }
+            if (outcome_.steps.empty())
+                std::tie(outcome_.steps, outcome_.chosen) = std::pair(std::move(way.steps), std::move(way.chosen));
             if (outcome_.chart_json.empty()) outcome_.chart_json = std::move(way.chart_json);
-            std::vector<Name> own = std::move(mended_.drawing.names);
-            mended_.drawing.names = names_on(mended_.drawing, job_.labels);
-            mended_.drawing.names.insert(mended_.drawing.names.end(), own.begin(), own.end());
-            for (Name& name : from_.words.names_on(mended_.drawing)) {
-                name.optional = job_.words == WordsWish::automatic;
-                mended_.drawing.names.push_back(std::move(name));
-            }
             drawn_ = place;
             drawn_medium_ = sheet.medium;
         } else {
@@ -208,22 +200,22 @@ private:
         return mended_.drawing;
     }
 
+    // With the labels and the words of the picture, at their places for its size.
+    Drawing named(Drawing drawing) const {
+        std::vector<Name> names = names_on(drawing, job_.labels, from_.part);
+        for (Name& name : from_.words.names_on(drawing, from_.part)) {
+            name.optional = job_.words == WordsWish::automatic;
+            names.push_back(std::move(name));
+        }
+        draw_near(names, drawing.width, drawing.height);
+        std::move(names.begin(), names.end(), std::back_inserter(drawing.names));
+        return drawing;
+    }
+
     // Words of the picture that no page of braille has room for.
     void tell_left_out(const Page& page) {
-        std::vector<Phrase> names;
-        for (const Name& name : page.left_out) names.push_back(phrase("\"{0}\" ({1})", beginning_of(name.text), name.origin));
-        if (!names.empty())
-            tell_once(to_act_on(phrases(
-                names.size(),
-                "{1} is left out, as there is no room for it in braille; take {2}, or shorter names with {3} and {4} remove",
-                "{0} names are left out, as there is no room for them in braille: {1}; take {2}, or shorter names with {3} and "
-                "{4} remove",
-                row_of(names), more_room_, spelled("label"), spelled("words"))));
-        outcome_.words = from_.words.told;
-        std::set<std::string_view> origins;
-        for (const Name& name : page.left_out) origins.insert(name.origin);
-        for (ToldWords& one : outcome_.words)
-            if (!origins.empty() && origins.count(origin_of(one)) > 0) one.set = false;
+        if (!page.left_out.empty()) tell_once(to_act_on(left_out_words(page.left_out, more_room_)));
+        outcome_.words = without(page.left_out, from_.words.told);
     }
 
     // Even a smaller drawing has no room for its words. The layout then refuses words that the user asked for.
@@ -231,44 +223,50 @@ private:
         if (job_.words != WordsWish::automatic) return;
         from_.words = PrintWords{};
         for (ToldWords& one : outcome_.words) one.set = false;
-        outcome_.notes = {to_act_on(
-            from_.print_is_left
-                ? phrase("print in it is left in the lines, as the page has no room for it in braille; take {0}, or {1} remove",
-                         more_room_, spelled("words"))
-                : phrase("its words are left out, as the page has no room for them in braille; take {0}, or {1} remove",
-                         more_room_, spelled("words")))};
+        outcome_.notes = {to_act_on(no_room_for_words(from_.print_is_left, more_room_))};
         drawn_medium_ = nullptr;
     }
 
-    // Braille is several times larger than the print it replaces, so the drawing may have to shrink.
+    // Braille is several times larger than the print it replaces, so the drawing may have to shrink, and to move.
     void make_room_for_words(Layout& layout, Arrangement& arrangement) {
-        if (!from_.words.any_set() || layout.sheet.drawing_width) return;
-        const double whole = layout.place.drawing.width, aspect = whole / layout.place.drawing.height;
-        const auto find_width = [&] {
-            drawn_medium_ = nullptr;
-            return width_with_room(layout.sheet, whole, aspect,
-                                   [&](const Sheet& narrower, Arrangement& arranged) { return draw(narrower, arranged); });
+        beside_names_ = from_.words.any_set() && !layout.sheet.drawing_width;
+        if (!beside_names_) return;
+        const Rect whole = arrangement.place.drawing;
+        const double aspect = whole.width / whole.height;
+        drawn_medium_ = nullptr;
+        const auto of_size = [&](double width) {
+            Drawing drawing;
+            drawing.width = width;
+            drawing.height = width / aspect;
+            return drawing;
         };
-        auto found = find_width();
-        std::size_t thinned = 0;
-        for (int round = 0; round < kThinnings && found && found->left_out > 0; ++round) {
-            const std::size_t more = thin_out(from_.words.told);
-            if (more == 0) break;
-            thinned += more;
-            found = find_width();
+        // Drawn anew only for the first width, which is probably the best.
+        const SizedDrawing sized{[&](double width) { return named(of_size(width)).names; },
+                                 [&](double width) {
+                                     if (drawn_medium_ == nullptr) {
+                                         Arrangement first = arrangement;
+                                         first.place.drawing = {whole.left, whole.top, width, width / aspect};
+                                         draw(layout.sheet, first);
+                                     }
+                                     return named(scaled_to(mended_.drawing, width));
+                                 }};
+        std::optional<RoomFound> found;
+        const std::size_t thinned = thin_out_until(from_.words.told, [&] {
+            found = place_with_room(layout.sheet, aspect, sized);
+            return !found || found->left_out == 0;
+        });
+        if (thinned > 0) outcome_.notes.push_back(to_act_on(thinned_words(thinned, more_room_)));
+        if (found) {
+            arrangement = std::move(found->arrangement);
+            return;
         }
-        if (thinned > 0)
-            outcome_.notes.push_back(
-                to_act_on(phrase("{0} numbers in rows are left out, every second or more, as the page has no room for all in "
-                                 "braille; {1} shows more",
-                                 std::to_string(thinned), more_room_)));
-        if (found && found->width < whole) layout.sheet.drawing_width = found->width;
-        if (!found) give_up_words();
+        give_up_words();
+        beside_names_ = false;
         arrangement = arrange(layout.sheet, aspect);
     }
 
     Pages lay_out_one(const Sheet& sheet, Arrangement arrangement) {
-        const Drawing& drawing = draw(sheet, arrangement);
+        const Drawing drawing = named(draw(sheet, arrangement));
         begin(JobStep::laying_out);
         advise(sheet, mended_, finer_);
         Pages pages = pages_of(drawing, sheet, std::move(arrangement));
@@ -373,7 +371,8 @@ private:
     Rect drawn_;
     const Medium* drawn_medium_ = nullptr;
     std::optional<DetailChoice> detail_;
-    bool finer_ = false;  // more would be drawn on a larger sheet
+    bool finer_ = false;         // more would be drawn on a larger sheet
+    bool beside_names_ = false;  // the drawing stands where its names have room, on the layout that is being made
 };
 
 Outcome outcome_of(const Job& job, const Watch& watch, const std::function<Source(std::vector<Phrase>& notes)>& open) {

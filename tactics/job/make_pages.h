@@ -65,6 +65,7 @@ struct Outcome {
     std::string input;
     int pdf_page = 0;  ///< page of a PDF, if several are made
     PictureInfo picture;
+    Rect part = kWhole;                 ///< what is drawn of it, in shares of its sides
     std::string recipe;                 ///< its name
     Phrase reason;                      ///< why auto chose it; empty if the user named it
     bool keeps_some = false;            ///< keeps a part of the lines found, by a line budget; wishes can raise it

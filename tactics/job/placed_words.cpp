@@ -73,10 +73,16 @@ SubjectWish parse_subject(std::string_view text, const std::string& file, Subjec
     return wish;
 }
 
-std::vector<Name> names_on(const Drawing& drawing, const std::vector<PlacedWords>& labels) {
+std::vector<Name> names_on(const Drawing& drawing, const std::vector<PlacedWords>& labels, const Rect& part) {
     std::vector<Name> names;
     for (const PlacedWords& label : labels) {
-        const Point at{label.share ? label.x * drawing.width : label.x, label.share ? label.y * drawing.height : label.y};
+        const Point at = label.share ? Point{(label.x - part.left) / part.width * drawing.width,
+                                             (label.y - part.top) / part.height * drawing.height}
+                                     : Point{label.x, label.y};
+        if (label.share) {
+            names.push_back({at, label.text, label.origin});
+            continue;
+        }
         if (at.x > drawing.width || at.y > drawing.height)
             throw Error(Fault::usage, label.origin,
                         phrase("it is outside of the drawing, which is {0} mm wide and {1} mm high",

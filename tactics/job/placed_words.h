@@ -9,8 +9,12 @@
 
 #include "tactics/drawing.h"
 #include "tactics/job/subject_wish.h"
+#include "tactics/page.h"
 
 namespace tactics {
+
+/// A whole picture, as a part of it in shares of its sides.
+inline constexpr Rect kWhole{0, 0, 1, 1};
 
 inline constexpr std::size_t kMostLabels = 1000;  ///< per picture; far more than a page has room for
 
@@ -32,7 +36,8 @@ SubjectWish parse_subject(std::string_view text, const std::string& file, Subjec
 /// A label from text with a place and words. Throws Error(usage) at `origin`.
 PlacedWords label_of(std::string_view place, std::string_view words, const std::string& origin);
 
-/// The names on a drawing of that size. Throws Error(usage) for a place outside it.
-std::vector<Name> names_on(const Drawing& drawing, const std::vector<PlacedWords>& labels);
+/// The names on a drawing of that size. Shares are of the whole picture, of which that part is drawn, and mm are on the drawing.
+/// Throws Error(usage) for a place in mm outside it.
+std::vector<Name> names_on(const Drawing& drawing, const std::vector<PlacedWords>& labels, const Rect& part = kWhole);
 
 }  // namespace tactics

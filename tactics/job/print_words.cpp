@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <set>
 
 #include "filters/inked_legend.h"
 #include "tactics/braille/braille.h"
@@ -20,6 +21,8 @@ namespace {
 
 // The distance from its place at which the name of an axis needs no lead line, mm. A setting: two braille lines.
 constexpr double kLoose = 24;
+
+constexpr double kFrame = 0.02;  // of the longer side: nearer to the edge stands no more than a frame. A setting
 
 bool is_one_number(std::string_view text) {
     if (text.starts_with("\u2212")) text.remove_prefix(std::string_view("\u2212").size());
@@ -131,6 +134,26 @@ std::size_t thin_out(std::vector<ToldWords>& told) {
     return in_rows + thin_out(told, &ToldWords::y, &ToldWords::x);
 }
 
+std::size_t thin_out_until(std::vector<ToldWords>& told, const std::function<bool()>& has_room) {
+    constexpr int kThinnings = 2;
+    std::size_t thinned = 0;
+    for (int round = 0; !has_room() && round < kThinnings; ++round) {
+        const std::size_t more = thin_out(told);
+        if (more == 0) break;
+        thinned += more;
+        if (round + 1 == kThinnings) has_room();
+    }
+    return thinned;
+}
+
+std::vector<ToldWords> without(const std::vector<Name>& left_out, std::vector<ToldWords> told) {
+    std::set<std::string_view> origins;
+    for (const Name& name : left_out) origins.insert(name.origin);
+    for (ToldWords& one : told)
+        if (!origins.empty() && origins.count(origin_of(one)) > 0) one.set = false;
+    return told;
+}
+
 void PrintWords::take_from(Image& picture) const {
     take_out(picture, lettering, !remove_all);
     constexpr int kFades = 2;  // pixels around a sample in which it fades into the ground
@@ -156,11 +179,12 @@ bool PrintWords::any_set() const {
 
 std::string origin_of(const ToldWords& words) { return "the print at " + tenths(words.x) + " %, " + tenths(words.y) + " %"; }
 
-std::vector<Name> PrintWords::names_on(const Drawing& drawing) const {
+std::vector<Name> PrintWords::names_on(const Drawing& drawing, const Rect& part) const {
     std::vector<Name> names;
     for (const ToldWords& words : told)
         if (words.set && !words.title)
-            names.push_back({{words.wanted.x / 100 * drawing.width, words.wanted.y / 100 * drawing.height},
+            names.push_back({{(words.wanted.x / 100 - part.left) / part.width * drawing.width,
+                              (words.wanted.y / 100 - part.top) / part.height * drawing.height},
                              words.text,
                              origin_of(words),
                              words.loose ? kLoose : 0});
@@ -169,19 +193,20 @@ std::vector<Name> PrintWords::names_on(const Drawing& drawing) const {
 
 namespace {
 
-// The beginning of the first thing other than print, in percent from the top.
+// The beginning of the first thing other than print and a frame around the whole, in percent from the top.
 double first_ink(Reading& reading, const Lettering& lettering) {
     constexpr int kInk = 64;  // grey levels from the ground: what is paler is a grid or a shade
-    Image picture = reading.get({kLookForWords, false});
+    Image picture = to_grey(reading.get({kLookForWords, false}));
     take_out(picture, lettering, true);
     if (picture.width == 0 || picture.height == 0) return 0;
-    const auto samples = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels);
-    std::vector<std::uint8_t> first(picture.pixels.begin(), picture.pixels.begin() + static_cast<std::ptrdiff_t>(samples));
-    std::nth_element(first.begin(), first.begin() + static_cast<std::ptrdiff_t>(samples / 2), first.end());
-    const int ground = first[samples / 2];
-    const auto found =
-        std::find_if(picture.pixels.begin(), picture.pixels.end(), [&](std::uint8_t p) { return std::abs(p - ground) > kInk; });
-    return 100 * std::floor(static_cast<double>(found - picture.pixels.begin()) / static_cast<double>(samples)) / picture.height;
+    std::vector<std::uint8_t> first(picture.row(0), picture.row(0) + picture.width);
+    std::nth_element(first.begin(), first.begin() + picture.width / 2, first.end());
+    const int ground = first[static_cast<std::size_t>(picture.width / 2)];
+    const int frame = static_cast<int>(kFrame * std::max(picture.width, picture.height));
+    for (int y = std::min(frame, picture.height / 2); y < picture.height; ++y)
+        for (int x = std::min(frame, picture.width / 2); x < picture.width - frame; ++x)
+            if (std::abs(picture.row(y)[x] - ground) > kInk) return 100.0 * y / picture.height;
+    return 100;
 }
 
 // A person must look at each, but of many pictures a line for each picture is enough to send them there.

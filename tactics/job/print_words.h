@@ -2,6 +2,7 @@
 // Print in a picture, for convert: when it is read, what happens to it, and what is reported.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,8 @@ struct PrintWords {
     /// Paints over the print that does not stay in the drawing. Uncertain print stays, because nothing replaces it.
     void take_from(Image& picture) const;
     bool any_set() const;
-    std::vector<Name> names_on(const Drawing& drawing) const;
+    /// On a drawing of that part of the picture (in shares of its sides); names may lie outside of it.
+    std::vector<Name> names_on(const Drawing& drawing, const Rect& part) const;
 };
 
 /// Nothing if no print is to be read. Throws Error(failed) if the user asked for it and it cannot be read.
@@ -56,6 +58,11 @@ void keep_what_has_braille(std::vector<ToldWords>& told, const std::string& tabl
 /// Removes every second of four or more numbers in a row or column, as transcribers do where braille has no room for all. Returns
 /// how many it removed.
 std::size_t thin_out(std::vector<ToldWords>& told);
+/// The same, once and once more, until the rest has room; then it is no scale any more.
+std::size_t thin_out_until(std::vector<ToldWords>& told, const std::function<bool()>& has_room);
+
+/// Names that were left out are no longer set.
+std::vector<ToldWords> without(const std::vector<Name>& left_out, std::vector<ToldWords> told);
 
 /// The form in messages: "the print at 30 %, 40 %".
 std::string origin_of(const ToldWords& words);

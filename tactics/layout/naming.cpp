@@ -24,6 +24,9 @@ namespace {
 
 // A finger that has found the thing finds what is no farther than this without a line that leads there; twice the least gap.
 constexpr double kBeside = 6.4;  // mm
+// A shape within the span of a hand names itself by words beside it; own choice.
+constexpr double kLargestShape = 45;  // mm
+constexpr double kInMiddle = 0.2;     // of its sides: so near to its middle stands what names it
 // Lead lines: 3/4 to 1 1/2 in, the least line there is, no arrowhead (GSTG 3.4.3.5, second-hand; medium confidence).
 constexpr double kLongestLead = 38;  // mm
 constexpr std::size_t kMostLeads =
@@ -139,7 +142,7 @@ public:
         std::vector<Piece> keyed;
         const std::size_t most = count_of_keys();
         for (Piece& piece : pieces) {
-            if (stands_beside(piece) || stands_apart(piece, Way::open)) continue;
+            if (stands_beside(piece) || stands_beside_shape(piece) || stands_apart(piece, Way::open)) continue;
             // Whatever the others find, not all will have a key: of thousands of names each would be looked for in vain.
             if (keyed.size() == most && !sheet_.braille_table.empty())
                 leave_out(piece, phrase("a key"));
@@ -163,10 +166,39 @@ private:
         return true;
     }
 
+    // Words that a box has no room for stand right beside the box.
+    bool stands_beside_shape(Piece& piece) {
+        const auto shape = smallest_around(piece.name.at);
+        if (!shape) return false;
+        const Box near = grown(*shape, kBeside);
+        const auto place = room_.nearest(
+            piece.name.at, piece.block.width, piece.block.height, std::hypot(shape->width(), shape->height()) / 2 + kBeside,
+            [&](const Rect& rect) { return is_whole(rect) && meet(box_of(rect), near) && !meet(box_of(rect), *shape); });
+        if (!place) return false;
+        put(piece, *place);
+        return true;
+    }
+
+    // The smallest closed line around a place, if a hand feels it as one thing.
+    std::optional<Box> smallest_around(Point at) const {
+        std::optional<Box> best;
+        for (const PageStroke& stroke : page_.strokes) {
+            if (!stroke.closed || stroke.points.size() < 3) continue;
+            const Box box = box_of(stroke.points);
+            if (!box.holds(at) || std::max(box.width(), box.height()) > kLargestShape) continue;
+            const Point middle{(box.left + box.right) / 2, (box.top + box.bottom) / 2};
+            if (std::abs(at.x - middle.x) > kInMiddle * box.width() || std::abs(at.y - middle.y) > kInMiddle * box.height())
+                continue;
+            if (!best || box.width() * box.height() < best->width() * best->height()) best = box;
+        }
+        return best;
+    }
+
     enum class Way { open, across };  // of a lead line: meeting no line, or crossing some, which is better than no name
 
     bool stands_apart(Piece& piece, Way way) {
         if (leads_tried_ >= kMostLeadsOfPage) return false;
+        if (piece.name.optional && !page_.live.holds(piece.name.at)) return false;  // print beside a large drawing
         const auto ends = leads_.ends_for(piece.name.at);
         return std::any_of(ends.begin(), ends.end(), [&](Point end) { return is_led_to(piece, end, way); });
     }

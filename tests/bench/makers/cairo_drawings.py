@@ -168,6 +168,9 @@ def cycle(b):
 DRAWINGS = [circuit, triangle, cell, island, clock, number_line, axes, cycle]
 
 
+TITLES = {number_line: "Numbers from −3 to 3", axes: "A falling ball"}
+
+
 def needs():
     return None if cairo else "python3-cairo"
 
@@ -186,4 +189,4 @@ def make(folder, dpi):
                 surface.write_to_png(stem + ".png")
             surface.finish()
         yield figure.Figure("cairo", draw.__name__, {"SVG glyphs": stem + ".svg", "PNG": stem + ".png", "PDF": stem + ".pdf"}, board.words,
-                            board.arrows, board.curves)
+                            board.arrows, board.curves, title=TITLES.get(draw, ""))

@@ -281,6 +281,9 @@ def needs():
 PIXELS = {"Order of goods": "Order of ...", "Boiler": "", "y = x": ""}
 
 
+TITLES = ("Planets", "Sales by region", "Height of a plant", "Old town", "Numbers below ten")
+
+
 def truth(size, arrows=(), curves=(), bars=(), points=()):
     """In percent, of places in the units of a drawing of that size."""
     wide, high = size
@@ -300,4 +303,4 @@ def make(folder, dpi):
             files |= figure.renderings(path, dpi)
         shown = [(PIXELS.get(text, text), x, y) for text, x, y in words]
         yield figure.Figure("drawn", draw.__name__, files, words, pixel_words=[label for label in shown if label[0]],
-                            **truth(**drawn))
+                            title=next((text for text, _, _ in words if text in TITLES), ""), **truth(**drawn))

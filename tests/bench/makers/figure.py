@@ -18,6 +18,7 @@ class Figure:
     bars: list = dataclasses.field(default_factory=list)  # (look, left, top, right, bottom)
     points: list = dataclasses.field(default_factory=list)  # (x, y) of filled marks
     samples: list = dataclasses.field(default_factory=list)  # of a legend: (look, words, left, top, right, bottom)
+    title: str = ""  # what is its title at the top; most drawings and graphs have none
     pixel_words: list = None  # words, where a picture of it shows others
 
 

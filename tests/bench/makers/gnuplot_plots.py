@@ -2,6 +2,7 @@
 """Figures of gnuplot: SVG with its letters as text, PNG and PDF by its cairo terminals."""
 import math
 import os
+import re
 
 import figure
 
@@ -166,4 +167,4 @@ def make(folder, dpi):
                                  ("pdfcairo size 6in,5in", "pdf")):
             figure.run("gnuplot", text=f"set terminal {terminal}\nset output '{stem}.{ending}'\n{COMMON}{script}")
         yield figure.Figure("gnuplot", name, {"SVG": stem + ".svg", "PNG": stem + ".png", "PDF": stem + ".pdf"},
-                            [(text, None, None) for text in words], **truth_of(name))
+                            [(text, None, None) for text in words], title=re.search('set title "(.*?)"', script)[1], **truth_of(name))

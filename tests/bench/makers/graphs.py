@@ -95,7 +95,7 @@ def make(folder, dpi):
         stem = os.path.join(folder, "graphviz-" + name)
         files = {"SVG": stem + ".svg", "SVG glyphs": stem + "-cairo.svg", "PNG": stem + ".png", "PDF": stem + ".pdf"}
         for form, kind in (("SVG", "svg"), ("SVG glyphs", "svg:cairo"), ("PNG", "png:cairo"), ("PDF", "pdf")):
-            figure.run(program, "-T" + kind, "-Gpad=0.1", *([f"-Gdpi={dpi}"] if form == "PNG" else []), "-o", files[form], text=graph)
+            figure.run(program, "-T" + kind, "-Gpad=0.1", "-Gmargin=0", *([f"-Gdpi={dpi}"] if form == "PNG" else []), "-o", files[form], text=graph)
         known = places(files["SVG"])
         curves, arrows = drawn(files["SVG"])
         yield figure.Figure("graphviz", name, files, [(text, *known.get(text, (None, None))) for text in words], arrows, curves)

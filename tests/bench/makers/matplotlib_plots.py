@@ -123,7 +123,7 @@ def look_of(artist):
 
 def truth_of(plot, wide, high):
     """Members of Figure, of a figure that has been drawn, so many pixels large."""
-    truth = {"arrows": [], "curves": [], "bars": [], "points": [], "samples": []}
+    truth = {"arrows": [], "curves": [], "bars": [], "points": [], "samples": [], "title": plot.axes[0].get_title()}
     place = lambda points: [(100 * x / wide, 100 - 100 * y / high) for x, y in points]
     for axes in plot.axes:
         for line in axes.lines:

@@ -15,7 +15,7 @@ say <- function(text, x, y, ...) { text(x, y, text, ...); note(text, across(x), 
 # Of a line of the margin, counted from the edge of the plot.
 line_height <- function() par("mai")[1] / par("mar")[1] / par("din")[2] * 100
 middle <- function(axis) mean(par("usr")[if (axis == 1) 1:2 else 3:4])
-heading <- function(text) { title(main = text); note(text, 50 + 0 * across(middle(1)), down(par("usr")[4]) - 2.2 * line_height()) }
+heading <- function(text) { title(main = text); note(text, 50 + 0 * across(middle(1)), down(par("usr")[4]) - 2.2 * line_height()); note(text, 0, 0, "title") }
 names_of_axes <- function(x, y) {
   title(xlab = x, ylab = y)
   note(x, across(middle(1)), down(par("usr")[3]) + 3.2 * line_height())

@@ -20,9 +20,11 @@ def make(folder, dpi):
             for line in file.read().splitlines():
                 kind, x, y, text = line.split("\t")
                 x, y = float(x), float(y)
-                places = [tuple(map(float, place.split(","))) for place in text.split() if "," in place] if kind != "word" else []
+                places = [tuple(map(float, place.split(","))) for place in text.split() if "," in place] if kind not in ("word", "title") else []
                 if kind == "word":
                     made.words.append((text, x, y))
+                elif kind == "title":
+                    made.title = text
                 elif kind == "arrow":
                     made.arrows.append((x, y, *places[0]))
                 elif kind == "bar":

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """What became of a figure's words on the page that the program made of it."""
+import html
 import json
 import re
 import subprocess
 
 import line_score
 
-COLUMNS = ("figures", "words", "right", "wrong", "told", "silent", "blank", "failed")
+COLUMNS = ("figures", "words", "right", "wrong", "told", "silent", "titles", "titles right", "titles wrong", "blank", "failed")
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻₀₁₂₃₄₅₆₇₈₉", "0123456789-0123456789")
 NEAR = 6  # percent: a line of braille off its place, or the middle of words that were guessed to be longer
 
@@ -42,6 +43,14 @@ def score(program, source, figure, form, page):
     row["seconds"] = answer["seconds"]
     row["blank"] = int(answer["outputs"][0]["empty"])
     row["lines"] = line_score.score(page, answer, figure)
+    with open(page, encoding="utf-8") as file:
+        title = re.search('data-tactics-title="([^"]*)"', file.read())
+    title = plain(html.unescape(title[1])) if title else ""
+    row["titles"] = int(figure.title != "")
+    row["titles right"] = int(title != "" and title == plain(figure.title))
+    row["titles wrong"] = int(title != "" and title != plain(figure.title))
+    if title != plain(figure.title):
+        row["faults"].append(f'title "{title}"')
     found = answer.get("words", [])
     stands = [w for w in found if w["set"]]
     told = [w for w in found if not w["set"]]

@@ -26,10 +26,27 @@ TEST(AxisNames, WithoutNumbersOnBothSidesStaysWhereItIs) {
     std::vector<PrintPlace> alone{upwards(2, 50), number(60, 10), number(60, 90)};
     place_axis_names(alone, 100);
     EXPECT_EQ(std::pair(alone[0].at.x, alone[0].at.y), std::pair(2.0, 50.0));
-    EXPECT_FALSE(alone[0].loose);
     std::vector<PrintPlace> above{upwards(2, 50), number(8, 60), number(8, 90)};
     place_axis_names(above, 100);
     EXPECT_EQ(std::pair(above[0].at.x, above[0].at.y), std::pair(2.0, 50.0));
+}
+
+TEST(AxisNames, NumbersThatRunUpwardsAreTheNumbersOfTheAxis) {
+    std::vector<PrintPlace> places{upwards(8, 10), upwards(8, 50), upwards(8, 90), upwards(2, 50)};
+    for (int i = 0; i < 3; ++i) places[static_cast<std::size_t>(i)].number = true;
+    place_axis_names(places, 100);
+    EXPECT_LT(places[3].at.y, 10 - 3);
+    EXPECT_EQ(places[1].at.y, 50);
+    EXPECT_FALSE(places[1].loose);
+}
+
+TEST(AxisNames, AloneAtTheSideMayStandAnywhereNearIt) {
+    std::vector<PrintPlace> axis{upwards(4, 50), {{50, 96}, 3}};
+    place_axis_names(axis, 100);
+    EXPECT_TRUE(axis[0].loose);
+    std::vector<PrintPlace> columns{upwards(10, 50), upwards(22, 50), upwards(34, 50)};  // each names its own thing
+    place_axis_names(columns, 100);
+    for (const PrintPlace& name : columns) EXPECT_FALSE(name.loose);
 }
 
 TEST(AxisNames, OfALevelAxisStandsLowerWhenARowOfNumbersIsCloseAboveIt) {

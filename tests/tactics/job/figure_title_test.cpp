@@ -28,12 +28,12 @@ TEST(FigureTitle, IsWhatStandsAboveAllInLinesOrAtLength) {
     Words two = chart();
     two.add("Prices of food", 50, 4);
     two.add("in Munich", 50.5, 9);
-    EXPECT_EQ(take_title(two.told, two.places, 0), "Prices of food in Munich");
+    EXPECT_EQ(take_title(two.told, two.places, 12), "Prices of food in Munich");
     EXPECT_TRUE(two.told[4].title && two.told[5].title);
     EXPECT_FALSE(two.told[3].title);
     Words lengthy = chart();
     lengthy.add("How many pupils came to the school by bus in May", 50, 5);
-    EXPECT_EQ(take_title(lengthy.told, lengthy.places, 0), "How many pupils came to the school by bus in May");
+    EXPECT_EQ(take_title(lengthy.told, lengthy.places, 8), "How many pupils came to the school by bus in May");
 }
 
 TEST(FigureTitle, AShortOneStandsAboveAllLines) {
@@ -72,6 +72,21 @@ TEST(FigureTitle, ShortOnesInLinesAndOthersAreNames) {
     EXPECT_EQ(take_title(row.told, row.places, 0), "");
     for (const Words& words : {brief, unsure, row})
         for (const ToldWords& one : words.told) EXPECT_FALSE(one.title);
+}
+
+TEST(FigureTitle, TheRowsOfABoxAreNone) {
+    Words box;
+    for (const double y : {6.0, 14.0, 22.0}) box.add("Given name", 50, y);
+    box.add("Family name", 50, 80);
+    EXPECT_EQ(take_title(box.told, box.places, 2), "") << "the box begins above them";
+    EXPECT_FALSE(box.told[0].title);
+}
+
+TEST(FigureTitle, WhiteAboveItDoesNotMatter) {
+    Words low;
+    low.add("Prices of food", 50, 44);
+    for (const double x : {20.0, 50.0, 80.0}) low.add("5", x, 92);
+    EXPECT_EQ(take_title(low.told, low.places, 60), "Prices of food");
 }
 
 TEST(FigureTitle, IsNotTheWordsOfALegend) {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "tactics/error.h"
+#include "tactics/geometry/box.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/layout/room.h"
 #include "tactics/rules/rule.h"
@@ -128,15 +129,41 @@ TEST(Naming, EveryNameStandsOnceAndClearOfEverything) {
 }
 
 TEST(Naming, LeadLinesMeetNoOtherLineIfTheyCan) {
-    // A thing in a narrow ring that has room for no words: out of it every way crosses the ring, so it is crossed once.
+    // A thing in a narrow ring that has room for no words and is no shape of its own: out of it every way crosses the ring, so it
+    // is crossed once.
     Drawing drawing{270, 180, {}, {}, {}};
-    Stroke ring{{}, true};
+    Stroke ring{{}, false};
     for (int i = 0; i < 60; ++i) ring.points.push_back({135 + 6 * std::cos(i * 0.10472), 90 + 6 * std::sin(i * 0.10472)});
     drawing.strokes = {ring, Stroke{{{10, 90}, {100, 90}}}};
     drawing.names = {{{135, 90}, "well"}, {{60, 90}, "road"}};
     const Page page = lay_out(drawing, sheet());
     ASSERT_EQ(page.names.size(), 2u);
     EXPECT_EQ(page.strokes.size(), 3u);
+}
+
+TEST(Naming, WordsThatABoxHasNoRoomForStandBesideIt) {
+    Drawing drawing{270, 180, {Stroke{{{120, 84}, {150, 84}, {150, 96}, {120, 96}}, true}}, {}, {}};
+    drawing.names = {{{135, 90}, "Evaporation of water"}};
+    const Page page = lay_out(drawing, sheet());
+    const PageName& name = page.names.at(0);
+    EXPECT_EQ(name.key, "");
+    EXPECT_EQ(page.strokes.size(), 1u) << "no lead is needed";
+    const Box box = box_of(page.strokes[0].points);
+    const double away = between(name.place, {box.left, box.top, box.width(), box.height()});
+    EXPECT_GE(away, kGap - 1e-9);
+    EXPECT_LE(away, 6.4 + 1e-9);
+    // What is in a corner of it is something else than the box.
+    drawing.names = {{{147, 94}, "Evaporation of water"}};
+    EXPECT_GT(lay_out(drawing, sheet()).strokes.size(), 1u);
+}
+
+TEST(Naming, NoLineLeadsIntoTheMargin) {
+    Drawing drawing{271.6, 184.6, {}, {}, {}};
+    for (double y = 0; y <= 184; y += 5) drawing.strokes.push_back(Stroke{{{0, y}, {200, y}}});
+    for (int i = 0; i < 8; ++i) drawing.names.push_back({{205, 190}, "Hours", "print", 0, true});
+    const Page page = lay_out(drawing, sheet());
+    EXPECT_TRUE(std::none_of(page.strokes.begin(), page.strokes.end(), [](const PageStroke& s) { return s.role == Role::lead; }));
+    EXPECT_FALSE(page.left_out.empty()) << "which is told";
 }
 
 TEST(Naming, OnAnEmptyPlaceTheWordsStandAroundTheThing) {
