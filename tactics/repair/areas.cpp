@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -19,6 +20,12 @@ double extent_of(const Area& area) {
     for (const auto& ring : area.rings) points.insert(points.end(), ring.begin(), ring.end());
     return greatest_extent(points);
 }
+
+constexpr int kPushes = 8;        // rounds in which small areas are pushed apart
+constexpr double kPushed = 0.05;  // mm that they are pushed farther than the rule asks
+constexpr double kNoticed = 0.1;  // mm: less is not worth a word
+
+bool is_small(const Area& area) { return area.texture == 0 && !area.rings.empty() && extent_of(area) < kRecognised; }
 
 // To this much less than the limit, in percent of the paper; then it is measured again.
 constexpr double kInkToSpare = 1;
@@ -56,6 +63,61 @@ Mend to_outline(Drawing& drawing, std::size_t index) {
     return {Mend::Kind::outlined, at, length};
 }
 
+// The closest place between each two areas, by their numbers, the lower first.
+std::map<std::pair<std::size_t, std::size_t>, NearPair> close_areas(const Seen& seen) {
+    std::map<std::pair<std::size_t, std::size_t>, NearPair> closest;
+    for (NearPair pair : seen.near.pairs) {
+        const Chain *one = &seen.geometry.chains[seen.geometry.pieces[pair.one].chain],
+                    *other = &seen.geometry.chains[seen.geometry.pieces[pair.other].chain];
+        if (!one->ring || !other->ring || one->owner == other->owner) continue;
+        if (one->owner > other->owner) {
+            std::swap(one, other);
+            std::swap(pair.at, pair.other_at);
+        }
+        const auto [known, fresh] = closest.try_emplace({one->owner, other->owner}, pair);
+        if (!fresh && pair.lacks > known->second.lacks) known->second = pair;
+    }
+    return closest;
+}
+
+// How far each area is from its place; no farther than a fingertip can tell, and within the drawing.
+class Shifts {
+public:
+    explicit Shifts(const Drawing& drawing) : drawing_(drawing), by_(drawing.areas.size()) {
+        for (const Area& area : drawing.areas) {
+            small_.push_back(is_small(area));
+            Box box = kNothing;
+            for (const auto& ring : area.rings)
+                for (const Point& p : ring) box.take(p);
+            boxes_.push_back(box);
+        }
+    }
+    bool is_small_at(std::size_t i) const { return small_[i]; }
+    double size_at(std::size_t i) const { return std::hypot(by_[i].x, by_[i].y); }
+
+    void push(std::size_t i, Point way) {
+        Point by{by_[i].x + way.x, by_[i].y + way.y};
+        if (const double size = std::hypot(by.x, by.y); size > kFarthestMove)
+            by = {by.x / size * kFarthestMove, by.y / size * kFarthestMove};
+        const Box& box = boxes_[i];
+        by_[i] = {std::clamp(by.x, std::min(0.0, -box.left), std::max(0.0, drawing_.width - box.right)),
+                  std::clamp(by.y, std::min(0.0, -box.top), std::max(0.0, drawing_.height - box.bottom))};
+    }
+    Drawing shifted() const {
+        Drawing result = drawing_;
+        for (std::size_t i = 0; i < by_.size(); ++i)
+            for (auto& ring : result.areas[i].rings)
+                for (Point& p : ring) p = {p.x + by_[i].x, p.y + by_[i].y};
+        return result;
+    }
+
+private:
+    const Drawing& drawing_;
+    std::vector<Point> by_;
+    std::vector<bool> small_;
+    std::vector<Box> boxes_;
+};
+
 void drop_empty(std::vector<Area>& areas) {
     std::erase_if(areas, [](const Area& area) { return area.rings.empty(); });
 }
@@ -82,6 +144,36 @@ Mends lighten(Drawing& drawing, const Medium& medium) {
         }
     }
     drop_empty(drawing.areas);
+    return changes;
+}
+
+Mends move_areas_apart(Drawing& drawing, const Medium& medium, const Seen& seen) {
+    Shifts shifts(drawing);
+    auto close = close_areas(seen);
+    const std::size_t first = close.size();
+    Drawing shifted = drawing;
+    for (int round = 0; round < kPushes && !close.empty(); ++round) {
+        bool pushed = false;
+        for (const auto& [areas, pair] : close) {
+            const double apart = distance(pair.at, pair.other_at);
+            const bool one = shifts.is_small_at(areas.first), other = shifts.is_small_at(areas.second);
+            if (apart == 0 || pair.lacks > 2 * kFarthestMove || !(one || other)) continue;
+            const double by = (pair.lacks + kPushed) / (one && other ? 2 : 1) / apart;
+            const Point way{(pair.at.x - pair.other_at.x) * by, (pair.at.y - pair.other_at.y) * by};
+            if (one) shifts.push(areas.first, way);
+            if (other) shifts.push(areas.second, {-way.x, -way.y});
+            pushed = true;
+        }
+        if (!pushed) break;
+        shifted = shifts.shifted();
+        close = close_areas(Seen(shifted, medium));
+    }
+    Mends changes;
+    if (close.size() >= first) return changes;
+    for (std::size_t i = 0; i < drawing.areas.size(); ++i)
+        if (shifts.size_at(i) >= kNoticed)
+            changes.push_back({Mend::Kind::shifted, first_point(drawing.areas[i]), shifts.size_at(i)});
+    drawing = std::move(shifted);
     return changes;
 }
 

@@ -29,7 +29,12 @@ std::optional<Mends> move_apart(Drawing& drawing, const Medium& medium);
 /// place.
 inline constexpr double kFarthestMove = 1;  // mm
 
-/// Areas that are too close to others, or have slits that are too narrow, become outlines; small ones go.
+/// Small areas that are too close to others, as points of a chart are, move away as they are, each by at most kFarthestMove.
+/// Nothing if that does not help.
+Mends move_areas_apart(Drawing& drawing, const Medium& medium, const Seen& seen);
+
+/// Areas that are too close to others, or have slits that are too narrow, become outlines; small ones go. Others may then be
+/// too close across the place that became free.
 Mends outline_areas(Drawing& drawing, const Seen& seen);
 
 /// If the page is too black, turns the largest areas into outlines.

@@ -49,8 +49,10 @@ public:
 
     // `mean` gets what is seen and gives what it did.
     template <typename Mean>
-    void use(Mean mean) {
-        if (add(mean(seen()))) seen_.reset();
+    bool use(Mean mean) {
+        if (!add(mean(seen()))) return false;
+        seen_.reset();
+        return true;
     }
 
     void thin(double times) {
@@ -62,7 +64,10 @@ public:
     void cut_hopeless() {
         constexpr double kHopeless = 2 * kFarthestMove;
         Vicinity all(drawing_.width, drawing_.height);
-        if (seen_) return use([&](const Seen& seen) { return cut_lesser(drawing_, medium_, seen, kHopeless, all); });
+        if (seen_) {
+            use([&](const Seen& seen) { return cut_lesser(drawing_, medium_, seen, kHopeless, all); });
+            return;
+        }
         const Seen hopeless(drawing_, medium_, nullptr, kHopeless);
         add(cut_lesser(drawing_, medium_, hopeless, kHopeless, all));
     }
@@ -79,7 +84,10 @@ public:
     // Crossings are known without searching for close pairs.
     void break_crossings() {
         const auto mean = [this](const PageGeometry& geometry) { return tactics::break_crossings(drawing_, medium_, geometry); };
-        if (seen_) return use([&](const Seen& seen) { return mean(seen.geometry); });
+        if (seen_) {
+            use([&](const Seen& seen) { return mean(seen.geometry); });
+            return;
+        }
         const Page page = page_of(drawing_, medium_);
         add(mean(PageGeometry(page)));
     }
@@ -149,7 +157,10 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         repairing.use([&](const Seen& seen) { return join_ends(mended, medium, seen); });
         if (!mended.areas.empty()) {
             repairing.use([&](const Seen&) { return lighten(mended, medium); });
-            repairing.use([&](const Seen& seen) { return outline_areas(mended, seen); });
+            repairing.use([&](const Seen& seen) { return move_areas_apart(mended, medium, seen); });
+            const auto outline = [&](const Seen& seen) { return outline_areas(mended, seen); };
+            for (int round = 0; round < kMostRounds && repairing.use(outline); ++round) {
+            }
         }
         repairing.cut_hopeless();
         repairing.bend();

@@ -2,7 +2,8 @@
 // A drawing made fit to be felt: what would break a hard rule is joined, moved, broken or left out, the least change first.
 //
 // Order of the means: of far too much line the strongest stays; an end that nearly meets a line is led onto it; lines too close
-// to each other are moved apart, by no more than a fingertip can tell; areas too close or too black become outlines; at a
+// to each other are moved apart, by no more than a fingertip can tell, and small areas before them; areas too close or too black
+// become outlines; at a
 // crossing the lesser line is broken; of what is still too close the lesser part goes; dashed lines are cut into dashes. Lesser
 // is: a line beside an area, a thinner line, less evidence (evidence.h).
 #pragma once
@@ -21,6 +22,7 @@ struct Mend {
     enum class Kind {
         joined,     ///< an end was led onto the line that it nearly met
         moved,      ///< `mm`: how far at most
+        shifted,    ///< a small area, as it is; `mm`: how far
         outlined,   ///< an area is drawn as its outline
         broken,     ///< a gap was left in a line, at a crossing or where another comes near; `mm`: how much of it went
         shortened,  ///< the end of a line went

@@ -185,6 +185,46 @@ TEST(Repair, AreasTooCloseBecomeOutlinesAndSmallOnesGo) {
     EXPECT_FALSE(repaired.drawing.strokes.empty());
 }
 
+std::vector<Area> discs_at(const std::vector<Point>& middles, double radius) {
+    std::vector<Area> discs;
+    for (const Point& middle : middles) {
+        std::vector<Point> ring;
+        for (int i = 0; i < 24; ++i)
+            ring.push_back(
+                {middle.x + radius * std::cos(i * 3.14159265 / 12), middle.y + radius * std::sin(i * 3.14159265 / 12)});
+        discs.push_back({{ring}});
+    }
+    return discs;
+}
+
+// 3.2 mm should be between them.
+TEST(Repair, PointsOfAChartMoveAsFarAsAFingerCannotTell) {
+    Drawing drawing = blank();
+    drawing.areas = discs_at({{20, 20}, {25, 20}, {60, 20}}, 1.5);
+    const Repaired repaired = repair(drawing, swell());
+    EXPECT_EQ(hard_places(repaired.drawing), 0u);
+    ASSERT_EQ(repaired.drawing.areas.size(), 3u);
+    EXPECT_EQ(count(repaired, Mend::Kind::shifted), 2u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point from = drawing.areas[i].rings[0][0], to = repaired.drawing.areas[i].rings[0][0];
+        EXPECT_LE(distance(from, to), i < 2 ? 1.01 : 0.011);
+    }
+}
+
+// Of three in a row the middle one hides that the outer ones are too close.
+TEST(Repair, PointsThatCannotMoveFarEnoughGoUntilNoneIsTooClose) {
+    Drawing drawing = blank();
+    std::vector<Point> heap;
+    for (int i = 0; i < 9; ++i) heap.push_back({40 + 1.7 * (i % 3), 40 + 1.7 * (i / 3)});
+    heap.insert(heap.end(), {{80, 80}, {83, 80}, {86, 80}, {30, 90}});
+    drawing.areas = discs_at(heap, 1.5);
+    const Repaired repaired = repair(drawing, swell());
+    EXPECT_EQ(hard_places(repaired.drawing), 0u);
+    EXPECT_EQ(repaired.broken_after, 0u);
+    EXPECT_GE(repaired.drawing.areas.size(), 3u);
+    EXPECT_GT(count(repaired, Mend::Kind::left_out), 0u);
+}
+
 // A texture lies along its outline; only things near the outline conflict, and the pattern yields on its own.
 TEST(Repair, TexturesStayInTheirOutlines) {
     Drawing drawing = blank();
