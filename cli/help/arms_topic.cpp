@@ -11,26 +11,26 @@ namespace {
 // Lines of at most 80 letters.
 std::string folded(std::string line, const std::string& set_in) {
     constexpr std::size_t kWidth = 80;
-    std::string arms_text;
+    std::string text;
     while (line.size() > kWidth) {
         const auto blank = line.rfind(' ', kWidth);
-        arms_text += line.substr(0, blank) + "\n";
+        text += line.substr(0, blank) + "\n";
         line = set_in + line.substr(blank + 1);
     }
-    return arms_text + line + "\n";
+    return text + line + "\n";
 }
 
 std::string keys() {
-    std::string arms_text;
+    std::string text;
     const auto all = plot_keys();
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::string letter = all[i].letter == 0 ? "" : std::string(1, all[i].letter);
         const std::string number = i < kNumberedKeys ? std::to_string(i + 1) : "";
-        arms_text += folded("  " + number + (number.empty() || letter.empty() ? "" : " or ") + letter + ": " +
+        text += folded("  " + number + (number.empty() || letter.empty() ? "" : " or ") + letter + ": " +
                                 std::string(all[i].name.text) + ", " + std::string(all[i].what),
                             "    ");
     }
-    return arms_text;
+    return text;
 }
 
 std::string chosen_names() {

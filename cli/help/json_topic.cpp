@@ -17,7 +17,7 @@ bool promises(const Command& command) {
 }
 
 std::string json_topic_text() {
-    std::string json_topic_text =
+    std::string text =
         "With --json a command writes JSON objects to standard output, one per line (JSON\n"
         "Lines), in UTF-8, each as soon as it is ready, and nothing else. Messages for\n"
         "people still go to standard error. The exit code does not change.\n"
@@ -27,8 +27,8 @@ std::string json_topic_text() {
         ".\n"
         "A JSON Schema (2020-12) for each command is installed under the prefix:\n";
     for (const Command* command : commands())
-        if (promises(*command)) json_topic_text += "  share/tactics/schemas/" + std::string(command->name) + ".schema.json\n";
-    return json_topic_text +
+        if (promises(*command)) text += "  share/tactics/schemas/" + std::string(command->name) + ".schema.json\n";
+    return text +
            "New members may appear without a new version, so ignore members you do not know.\n"
            "Removing or renaming a member, or changing what it means, raises the version. The\n"
            "output of play and evaluate has no version and may change at any time.\n"

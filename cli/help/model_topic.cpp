@@ -11,10 +11,10 @@ namespace {
 constexpr std::size_t kColumns = 80;
 
 // Words in lines of at most 80 characters, those after the first set in.
-std::string wrapped(const std::string& model_text) {
+std::string wrapped(const std::string& text) {
     std::string lines;
     std::size_t column = 0;
-    for (const std::string_view word : words_of(model_text)) {
+    for (const std::string_view word : words_of(text)) {
         if (column > 0 && column + 1 + word.size() > kColumns) {
             lines += "\n    ";
             column = 4;

@@ -15,13 +15,13 @@ namespace tactics {
 namespace {
 
 std::string in_hexadecimal(std::span<const std::uint8_t> bytes) {
-    std::string mouse_text;
+    std::string text;
     for (const std::uint8_t byte : bytes) {
         char digits[3];
         std::snprintf(digits, sizeof digits, "%02X", byte);
-        mouse_text += (mouse_text.empty() ? "" : " ") + std::string(digits);
+        text += (text.empty() ? "" : " ") + std::string(digits);
     }
-    return mouse_text;
+    return text;
 }
 
 std::string range_of(std::size_t first, std::size_t last) {
@@ -29,10 +29,10 @@ std::string range_of(std::size_t first, std::size_t last) {
 }
 
 std::string mouse_layout(std::span<const ReportField> fields) {
-    std::string mouse_text;
+    std::string text;
     for (const ReportField& field : fields)
-        mouse_text += "  " + range_of(field.first, field.last) + ": " + std::string(field.what) + "\n";
-    return mouse_text;
+        text += "  " + range_of(field.first, field.last) + ": " + std::string(field.what) + "\n";
+    return text;
 }
 
 // HID 1.11, 6.2.2: the kind of an item by its first byte, whose two lowest bits give its length.
@@ -53,38 +53,38 @@ std::string_view name_of_item(std::uint8_t first) {
 }
 
 std::string descriptor() {
-    std::string mouse_text;
+    std::string text;
     for (std::span<const std::uint8_t> rest(kMouseDescriptor); !rest.empty();) {
         const std::size_t size = std::min<std::size_t>(rest.size(), 1 + ((rest[0] & 3) == 3 ? 4 : rest[0] & 3));
-        mouse_text += "  " + in_hexadecimal(rest.first(size)) + ": " + std::string(name_of_item(rest[0])) + "\n";
+        text += "  " + in_hexadecimal(rest.first(size)) + ": " + std::string(name_of_item(rest[0])) + "\n";
         rest = rest.subspan(size);
     }
-    return mouse_text;
+    return text;
 }
 
 // Too long for one line; in udev rules a backslash continues the line.
 std::string rule() {
-    std::string mouse_text = udev_rule("0003:00001209:00000005");
-    const auto second = mouse_text.find("ATTRS{idProduct}");
-    if (second != std::string::npos) mouse_text.insert(second, "\\\n    ");
-    return "  " + mouse_text + "\n";
+    std::string text = udev_rule("0003:00001209:00000005");
+    const auto second = text.find("ATTRS{idProduct}");
+    if (second != std::string::npos) text.insert(second, "\\\n    ");
+    return "  " + text + "\n";
 }
 
 template <typename Presets>
 std::string names_of(const Presets& presets) {
-    std::string mouse_text;
+    std::string text;
     for (std::size_t i = 0; i < presets.size(); ++i)
-        mouse_text += (i == 0 ? "" : i + 1 < presets.size() ? ", " : " or ") + std::string(presets[i].name);
-    return mouse_text;
+        text += (i == 0 ? "" : i + 1 < presets.size() ? ", " : " or ") + std::string(presets[i].name);
+    return text;
 }
 
 std::string indented(const std::string& lines) {
-    std::string mouse_text = "  ";
+    std::string text = "  ";
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        mouse_text += lines[i];
-        if (lines[i] == '\n' && i + 1 < lines.size()) mouse_text += "  ";
+        text += lines[i];
+        if (lines[i] == '\n' && i + 1 < lines.size()) text += "  ";
     }
-    return mouse_text;
+    return text;
 }
 
 const std::string& hold() {
