@@ -23,6 +23,7 @@ double extent_of(const Area& area) {
 
 constexpr int kPushes = 8;        // rounds in which small areas are pushed apart
 constexpr double kPushed = 0.05;  // mm that they are pushed farther than the rule asks
+constexpr double kRim = 0.15;     // mm that a line around an area may be off its edge
 constexpr double kNoticed = 0.1;  // mm: less is not worth a word
 
 bool is_small(const Area& area) { return area.texture == 0 && !area.rings.empty() && extent_of(area) < kRecognised; }
@@ -63,6 +64,12 @@ Mend to_outline(Drawing& drawing, std::size_t index) {
     return {Mend::Kind::outlined, at, length};
 }
 
+Box box_around(const std::vector<Point>& points) {
+    Box box = kNothing;
+    for (const Point& p : points) box.take(p);
+    return box;
+}
+
 // The closest place between each two areas, by their numbers, the lower first.
 std::map<std::pair<std::size_t, std::size_t>, NearPair> close_areas(const Seen& seen) {
     std::map<std::pair<std::size_t, std::size_t>, NearPair> closest;
@@ -86,10 +93,7 @@ public:
     explicit Shifts(const Drawing& drawing) : drawing_(drawing), by_(drawing.areas.size()) {
         for (const Area& area : drawing.areas) {
             small_.push_back(is_small(area));
-            Box box = kNothing;
-            for (const auto& ring : area.rings)
-                for (const Point& p : ring) box.take(p);
-            boxes_.push_back(box);
+            boxes_.push_back(area.rings.empty() ? kNothing : box_around(area.rings[0]));
         }
     }
     bool is_small_at(std::size_t i) const { return small_[i]; }
@@ -145,6 +149,35 @@ Mends lighten(Drawing& drawing, const Medium& medium) {
     }
     drop_empty(drawing.areas);
     return changes;
+}
+
+bool drop_rims(Drawing& drawing, const Seen& seen) {
+    std::vector<Box> boxes;
+    for (const Area& area : drawing.areas)
+        if (is_small(area)) boxes.push_back(box_around(area.rings[0]));
+    const auto more_left = [](const Box& one, const Box& other) { return one.left < other.left; };
+    std::sort(boxes.begin(), boxes.end(), more_left);
+    const auto is_rim = [&](const Stroke& stroke) {
+        const bool closed =
+            stroke.closed || (stroke.points.size() > 2 && distance(stroke.points.front(), stroke.points.back()) < kRim);
+        if (!closed) return false;
+        const Box own = box_around(stroke.points), from{own.left - kRim, 0, 0, 0};
+        for (auto box = std::lower_bound(boxes.begin(), boxes.end(), from, more_left);
+             box != boxes.end() && box->left < own.left + kRim; ++box)
+            if (std::max({std::abs(box->top - own.top), std::abs(box->right - own.right), std::abs(box->bottom - own.bottom)}) <
+                kRim)
+                return true;
+        return false;
+    };
+    const auto is_crowded = [&](std::uint32_t piece) {
+        const Chain& chain = seen.geometry.chains[seen.geometry.pieces[piece].chain];
+        return chain.ring ? is_small(drawing.areas[chain.owner]) : is_rim(drawing.strokes[chain.owner]);
+    };
+    const auto& pairs = seen.near.pairs;
+    if (std::none_of(pairs.begin(), pairs.end(),
+                     [&](const NearPair& pair) { return is_crowded(pair.one) || is_crowded(pair.other); }))
+        return false;
+    return std::erase_if(drawing.strokes, is_rim) > 0;
 }
 
 Mends move_areas_apart(Drawing& drawing, const Medium& medium, const Seen& seen) {

@@ -29,6 +29,10 @@ std::optional<Mends> move_apart(Drawing& drawing, const Medium& medium);
 /// place.
 inline constexpr double kFarthestMove = 1;  // mm
 
+/// Where small areas are too close to others, lines that only go round one of them go, of all small areas alike, so that they
+/// stay alike; true: some went. What is drawn stays, by half a line's width smaller.
+bool drop_rims(Drawing& drawing, const Seen& seen);
+
 /// Small areas that are too close to others, as points of a chart are, move away as they are, each by at most kFarthestMove.
 /// Nothing if that does not help.
 Mends move_areas_apart(Drawing& drawing, const Medium& medium, const Seen& seen);

@@ -139,7 +139,7 @@ Repaired repair(Drawing drawing, const Medium& medium) {
     Repaired repaired{std::move(drawing), {}, 0, 0, 1, true};
     Drawing& mended = repaired.drawing;
     Repairing repairing(mended, medium);
-    const double length_before = length_of_all(mended);
+    double length_before = length_of_all(mended);
     const auto finish = [&] {
         repaired.changes = repairing.take_changes();
         repaired.kept = length_before > 0 ? std::min(1.0, length_of_all(mended) / length_before) : 1;
@@ -153,20 +153,31 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         finish();
         return repaired;
     }
+    const auto part_areas = [&] {
+        bool parted = repairing.use([&](const Seen& seen) { return move_areas_apart(mended, medium, seen); });
+        int round = 0;
+        while (round++ < kMostRounds && repairing.use([&](const Seen& seen) { return outline_areas(mended, seen); }))
+            parted = true;
+        return parted;
+    };
     if (before.places > 0) {
         repairing.use([&](const Seen& seen) { return join_ends(mended, medium, seen); });
         if (!mended.areas.empty()) {
-            repairing.use([&](const Seen&) { return lighten(mended, medium); });
-            repairing.use([&](const Seen& seen) { return move_areas_apart(mended, medium, seen); });
-            const auto outline = [&](const Seen& seen) { return outline_areas(mended, seen); };
-            for (int round = 0; round < kMostRounds && repairing.use(outline); ++round) {
+            if (drop_rims(mended, repairing.seen())) {
+                repairing.look_again();
+                length_before = length_of_all(mended);
             }
+            repairing.use([&](const Seen&) { return lighten(mended, medium); });
+            part_areas();
         }
         repairing.cut_hopeless();
         repairing.bend();
     }
     repairing.break_crossings();
     repairing.cut();
+    // Lines that joined areas, or stood between them, may be gone.
+    for (int round = 0; round < kMostRounds && !mended.areas.empty() && repairing.has_changed() && part_areas(); ++round)
+        repairing.cut();
     finish();  // gaps between dashes are no loss
     if (cut_dashes(mended, medium)) {
         put_on_steps(mended);

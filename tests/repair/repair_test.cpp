@@ -211,6 +211,20 @@ TEST(Repair, PointsOfAChartMoveAsFarAsAFingerCannotTell) {
     }
 }
 
+TEST(Repair, PointsThatLoseTheirRimsStayAlike) {
+    Drawing drawing = blank();
+    drawing.areas = discs_at({{20, 20}, {25.5, 20}, {60, 20}}, 1.5);
+    for (const Area& disc : drawing.areas) drawing.strokes.push_back({disc.rings[0], true});
+    drawing.strokes.push_back({{{20, 60}, {100, 60}}, false});
+    const Repaired repaired = repair(drawing, swell());
+    EXPECT_EQ(hard_places(repaired.drawing), 0u);
+    EXPECT_EQ(repaired.drawing.areas.size(), 3u);
+    EXPECT_EQ(repaired.drawing.strokes.size(), 1u);
+    drawing.areas[1] = discs_at({{80, 80}}, 1.5)[0];
+    drawing.strokes[1].points = drawing.areas[1].rings[0];
+    EXPECT_EQ(repair(drawing, swell()).drawing.strokes.size(), 4u);
+}
+
 // Of three in a row the middle one hides that the outer ones are too close.
 TEST(Repair, PointsThatCannotMoveFarEnoughGoUntilNoneIsTooClose) {
     Drawing drawing = blank();
