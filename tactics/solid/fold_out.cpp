@@ -99,7 +99,8 @@ void lay_felt(Fitted& fitted, const Model& model, double between, const FoldWish
     const std::vector<std::uint32_t> thing = things_of(model, fitted.felt);
     constexpr int kFirstEffort = 4;  // what is to be hidden is not known yet
     const bool first = fitted.scale == 0;
-    const double gap = first ? 0 : between / fitted.scale;
+    // As wide yet at the scale that it leads to.
+    const double gap = first ? 0 : (1 + kSameScale) * between / fitted.scale;
     FoldWish now = wish;
     if (first) now.effort = std::min(wish.effort, kFirstEffort);
     // The plane stays what it was at first, so that what is hidden does not turn the drawing over.

@@ -57,6 +57,7 @@ struct Hinge {
     std::uint32_t one = 0, other = 0;  ///< places in Panels::panels
     Point3 one_from, one_to;           ///< as the one goes round it
     Point3 other_from, other_to;       ///< the same ends, on the other
+    bool is_tangent = false;           ///< their borders meet in a point there, as a circle and a straight line do
 };
 
 /// A slender part by its axis, or a face by the edge that it turns to the reader.

@@ -175,7 +175,7 @@ private:
         const Point3 on_end = foot + radius * out, on_side = foot + round_.widest * out;
         // From the end of the axis it runs the other way.
         const Point3 half = radius * across;
-        made_.hinges.push_back({end, side, on_end - half, on_end + half, on_side - half, on_side + half});
+        made_.hinges.push_back({end, side, on_end - half, on_end + half, on_side - half, on_side + half, true});
     }
 
     Panels& made_;
