@@ -176,16 +176,15 @@ std::vector<Name> names_of(const std::vector<FoldedObject>& objects, std::vector
 // Of vessels with their opening and their bottom; where there are many, the line tells them apart.
 void name_ends(std::vector<Name>& names, const std::vector<FoldedObject>& objects, const std::string& language) {
     constexpr std::ptrdiff_t kMostNamed = 3;
-    if (std::count_if(objects.begin(), objects.end(), [](const FoldedObject& one) { return one.bottom.has_value(); }) >
+    if (std::count_if(objects.begin(), objects.end(), [](const FoldedObject& one) { return one.bottom || one.opening; }) >
         kMostNamed)
         return;
     const auto add = [&](Point at, const Phrase& text) {
         names.push_back({.at = at, .text = text.in(language), .origin = "the model", .within = 0, .optional = true});
     };
     for (const FoldedObject& one : objects) {
-        if (!one.bottom) continue;
         if (one.opening && distance(*one.opening, one.at) > 0) add(*one.opening, phrase("opening"));
-        add(*one.bottom, phrase("bottom"));
+        if (one.bottom) add(*one.bottom, phrase("bottom"));
     }
 }
 
