@@ -99,7 +99,8 @@ void lay_felt(Fitted& fitted, const Model& model, double between, const FoldWish
     const std::vector<std::uint32_t> thing = things_of(model, fitted.felt);
     constexpr int kFirstEffort = 4;  // what is to be hidden is not known yet
     const bool first = fitted.scale == 0;
-    const double gap = first ? 0 : between / fitted.scale;
+    // As wide yet at the scale that it leads to.
+    const double gap = first ? 0 : (1 + kSameScale) * between / fitted.scale;
     FoldWish now = wish;
     if (first) now.effort = std::min(wish.effort, kFirstEffort);
     // The plane stays what it was at first, so that what is hidden does not turn the drawing over.
@@ -175,16 +176,15 @@ std::vector<Name> names_of(const std::vector<FoldedObject>& objects, std::vector
 // Of vessels with their opening and their bottom; where there are many, the line tells them apart.
 void name_ends(std::vector<Name>& names, const std::vector<FoldedObject>& objects, const std::string& language) {
     constexpr std::ptrdiff_t kMostNamed = 3;
-    if (std::count_if(objects.begin(), objects.end(), [](const FoldedObject& one) { return one.bottom.has_value(); }) >
+    if (std::count_if(objects.begin(), objects.end(), [](const FoldedObject& one) { return one.bottom || one.opening; }) >
         kMostNamed)
         return;
     const auto add = [&](Point at, const Phrase& text) {
         names.push_back({.at = at, .text = text.in(language), .origin = "the model", .within = 0, .optional = true});
     };
     for (const FoldedObject& one : objects) {
-        if (!one.bottom) continue;
         if (one.opening && distance(*one.opening, one.at) > 0) add(*one.opening, phrase("opening"));
-        add(*one.bottom, phrase("bottom"));
+        if (one.bottom) add(*one.bottom, phrase("bottom"));
     }
 }
 

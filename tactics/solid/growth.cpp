@@ -169,7 +169,10 @@ PlacedPanel Growth::folded(const State& state, const Hinge& hinge, bool other_wa
     const Point3 edge = unit(child_to - child_from);
     Point3 across = unit(cross(edge, panels_.panels[child].normal));
     if (dot(across, middles_[child] - child_from) < 0) across = -1 * across;
-    placed.placement = {child_from, edge, across, from, along, {side * along.y, -side * along.x}};
+    const Point away{side * along.y, -side * along.x};
+    // Lines that meet at no angle would be one for a finger long before they meet.
+    const double gap = hinge.is_tangent ? wish_.gap : 0;
+    placed.placement = {child_from, edge, across, {from.x + gap * away.x, from.y + gap * away.y}, along, away};
     placed.shape = shape_of(child, placed.placement);
     return placed;
 }

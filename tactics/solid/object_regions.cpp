@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/region_place.h"
@@ -122,60 +124,93 @@ std::vector<Region> in_reading_order(std::vector<Region> regions, const std::vec
     return sorted;
 }
 
+namespace {
+
+// Regions of objects, in their order; behind them those of the sections and the bottoms of vessels, where these are drawn.
+class RegionPlaces {
+public:
+    RegionPlaces(const std::vector<FoldedObject>& objects, const std::vector<ModelPart>& felt, const Panels& panels,
+                 const FlatLayout& layout)
+        : felt_(felt), panels_(panels), count_(objects.size()), has_main_(count_, 0) {
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (objects[i].object >= place_.size()) place_.resize(objects[i].object + 1, 0);
+            place_[objects[i].object] = i;
+        }
+        for (const PlacedPanel& placed : layout.panels)
+            if (!is_further(panels.panels[placed.panel])) has_main_[of_part(panels.panels[placed.panel].part)] = 1;
+        for (const PlacedBar& placed : layout.bars) has_main_[of_part(panels.bars[placed.bar].part)] = 1;
+    }
+
+    std::size_t of_part(std::uint32_t part) const { return place_[felt_[part].object]; }
+
+    std::size_t of_panel(std::uint32_t number) {
+        const Panel& panel = panels_.panels[number];
+        const std::size_t one = of_part(panel.part);
+        // The section stands for a vessel whose opening has no room.
+        if (!is_further(panel) || (panel.kind == PanelKind::section && has_main_[one] == 0)) return one;
+        return further_.try_emplace({one, panel.kind}, count_ + further_.size()).first->second;
+    }
+
+    /// By object and kind.
+    const std::map<std::pair<std::size_t, PanelKind>, std::size_t>& further() const { return further_; }
+
+private:
+    bool is_further(const Panel& panel) const {
+        const auto& round = felt_[panel.part].round;
+        return round && round->is_vessel() && (panel.kind == PanelKind::section || panel.kind == PanelKind::bottom);
+    }
+
+    const std::vector<ModelPart>& felt_;
+    const Panels& panels_;
+    std::size_t count_;
+    std::vector<std::size_t> place_;  // of an object of the model in the list
+    std::vector<char> has_main_;      // something of it is drawn that is no section nor bottom of a vessel
+    std::map<std::pair<std::size_t, PanelKind>, std::size_t> further_;
+};
+
+}  // namespace
+
 std::vector<Region> object_regions(const std::vector<FoldedObject>& objects, const std::vector<ModelPart>& felt,
                                    const Panels& panels, const FlatLayout& layout, const IntoDrawing& into, const Phrase& seen) {
-    std::vector<std::size_t> place;  // of an object of the model in `objects`
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        if (objects[i].object >= place.size()) place.resize(objects[i].object + 1, 0);
-        place[objects[i].object] = i;
-    }
-    // Of each object, then of the sections and the bottoms of vessels.
-    const std::size_t count = objects.size();
-    std::vector<Region> regions(3 * count);
-    std::vector<double> height(3 * count, -kNowhere);
-    std::vector<int> held(count, 0);
+    RegionPlaces places(objects, felt, panels, layout);
+    std::vector<Region> regions(objects.size());
+    std::vector<double> height(objects.size(), -kNowhere);
+    std::vector<int> held(objects.size(), 0);
     for (const PlacedPanel& placed : layout.panels) {
-        const Panel& panel = panels.panels[placed.panel];
-        const ModelPart& part = felt[panel.part];
-        std::size_t one = place[part.object];
-        if (part.round && part.round->is_vessel())
-            one += panel.kind == PanelKind::section ? count : panel.kind == PanelKind::bottom ? 2 * count : 0;
+        const std::size_t one = places.of_panel(placed.panel);
+        if (one == regions.size()) {
+            regions.emplace_back();
+            height.push_back(-kNowhere);
+        }
         add_shape(regions[one], placed.shape, into);
         height[one] = std::max(height[one], placed.height);
     }
     for (const PlacedBar& placed : layout.bars) {
         const Bar& bar = panels.bars[placed.bar];
-        const std::size_t one = place[felt[bar.part].object];
+        const std::size_t one = places.of_part(bar.part);
         const bool is_wedge = placed.handling == Handling::wedge;
         add_strip(regions[one], is_wedge ? in_wedge(into.of(placed.from)) : into.of(placed.from),
                   is_wedge ? in_wedge(into.of(placed.to)) : into.of(placed.to));
         height[one] = std::max(height[one], placed.height);
         if (placed.handling != Handling::flattened || bar.ends_held == 0) continue;
-        if (const std::size_t holder = place[felt[panels.panels[bar.holder].part].object]; holder != one) ++held[holder];
+        if (const std::size_t holder = places.of_part(panels.panels[bar.holder].part); holder != one) ++held[holder];
     }
-    for (std::size_t i = 0; i < count; ++i) {
-        Region &main = regions[i], &section = regions[count + i], &bottom = regions[2 * count + i];
-        if (main.rings.empty()) {  // a vessel whose opening has no room
-            std::swap(main, section);
-            std::swap(height[i], height[count + i]);
-        }
-        main.name = called(objects[i]);
-        main.description = what_was_done(objects[i], held[i], seen);
-        main.counts = counts_of(objects[i]);
-        section.name = phrase("{0}: section", main.name);
-        section.description = phrase("cut through along its axis; its opening is where no line is");
-        bottom.name = phrase("{0}: bottom", main.name);
-        bottom.description = phrase("the dashed circle that it stands on");
-        for (Region* one : {&main, &section, &bottom}) {
-            one->path = objects[i].path;
-            if (!one->rings.empty()) one->at = place_in(*one);
-        }
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        regions[i].name = called(objects[i]);
+        regions[i].description = what_was_done(objects[i], held[i], seen);
+        regions[i].counts = counts_of(objects[i]);
+        regions[i].path = objects[i].path;
     }
-    for (std::size_t i = regions.size(); i-- > count;)
-        if (regions[i].rings.empty()) {
-            regions.erase(regions.begin() + static_cast<std::ptrdiff_t>(i));
-            height.erase(height.begin() + static_cast<std::ptrdiff_t>(i));
-        }
+    for (const auto& [whose, one] : places.further()) {
+        const bool is_bottom = whose.second == PanelKind::bottom;
+        const Phrase& name = regions[whose.first].name;
+        regions[one].name = is_bottom ? phrase("{0}: bottom", name) : phrase("{0}: section", name);
+        regions[one].description = is_bottom ? phrase("the dashed circle that it stands on")
+                                             : phrase("cut through along its axis; its opening is where no line is");
+        regions[one].path = objects[whose.first].path;
+    }
+    for (Region& region : regions)
+        if (!region.rings.empty()) region.at = place_in(region);
     return in_reading_order(std::move(regions), height);
 }
 

@@ -27,7 +27,7 @@ enum class PanelKind : std::uint8_t {
     opening,  ///< the end of something round that is not closed there
     outline,  ///< what something round or curved looks like from there
     section,  ///< what something round looks like from there if it is cut through its axis
-    bottom,   ///< the closed end of a vessel, behind its opening in the list: a hand that comes to one comes to the other
+    bottom,   ///< the closed end of a vessel: a hand that comes to its opening comes to it
     hanging,  ///< what something that a face hides looks like from the side
 };
 
@@ -50,6 +50,7 @@ struct Panel {
     std::vector<std::uint32_t> open_sides = {};  ///< of the first ring, that are no lines: a vessel is open there
     bool is_bordered = true;                     ///< off: its rings say where it is; only its lines are drawn
     std::vector<PanelLine> lines = {};
+    std::uint32_t opening = 0;  ///< of a bottom: the place of its vessel's opening in Panels::panels
 };
 
 /// A connection of two panels. Their sides coincide, or would if both parts had no thickness.
@@ -57,6 +58,7 @@ struct Hinge {
     std::uint32_t one = 0, other = 0;  ///< places in Panels::panels
     Point3 one_from, one_to;           ///< as the one goes round it
     Point3 other_from, other_to;       ///< the same ends, on the other
+    bool is_tangent = false;           ///< their borders meet in a point there, as a circle and a straight line do
 };
 
 /// A slender part by its axis, or a face by the edge that it turns to the reader.

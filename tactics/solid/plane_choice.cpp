@@ -59,10 +59,11 @@ Point3 predominant(const std::vector<Look>& looks) {
 Point3 nearest(const std::vector<Look>& looks, const Point3& from) {
     double all = 0;
     for (const Look& look : looks) all += look.area;
-    Point3 best = kFromTheFront.toward;
+    const Look* best = nullptr;
     for (const Look& look : looks)
-        if (look.area >= kWorthLooking * all && dot(look.way, from) > dot(best, from) + 1e-6) best = look.way;
-    return best;
+        if (look.area >= kWorthLooking * all && (best == nullptr || dot(look.way, from) > dot(best->way, from) + 1e-6))
+            best = &look;
+    return best == nullptr ? kFromTheFront.toward : best->way;
 }
 
 }  // namespace

@@ -75,13 +75,11 @@ void find_reached(Panels& made, const std::vector<ModelPart>& parts, const Reach
             const bool grounded = wish.floor && panel.normal.z < -0.5 && at.z + wish.hand * panel.normal.z < floor;
             free += !grounded && !obstacles.cover(at, panel.normal, panel.part, wish.hand);
         }
-        // From within.
-        if (panel.kind == PanelKind::bottom && (&panel - 1)->reached) {
-            panel.reached = true;
-            continue;
-        }
         panel.reached = places.empty() || static_cast<double>(free) >= kReachedShare * static_cast<double>(places.size());
     }
+    // From within.
+    for (Panel& panel : made.panels)
+        if (panel.kind == PanelKind::bottom && !panel.rings.empty() && made.panels[panel.opening].reached) panel.reached = true;
 }
 
 }  // namespace tactics

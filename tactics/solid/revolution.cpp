@@ -16,14 +16,16 @@ namespace tactics {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr std::size_t kLeastFacets = 10;  // in a surface; with fewer it is not round
+constexpr std::size_t kLeastFacets = 10;  // round an axis; with fewer it is not round
 constexpr int kCuts = 32;                 // half-planes round the axis
 constexpr double kAlike = 0.8;            // of them that have the same profile; the others have a handle
 constexpr double kOffRadius = 0.055;      // of a radius: a decagon's sides are 4.9 % nearer to its middle than its corners
 constexpr double kOffSize = 0.012;        // of the size, as a finger feels at 10 cm
-constexpr double kWholeSide = 0.118;  // of the area round an axis that may look one way: more than a ninth, less than an eighth
-constexpr double kEnd = 0.02;         // of the height, within which a profile ends
-constexpr double kHollow = 0.3;       // of the height, deeper than which a dent is a hollow
+constexpr double kWholeSide = 0.107;      // of the area round an axis that may look one way: more than a tenth, less than a ninth
+constexpr double kEnd = 0.02;             // of the height, within which a profile ends
+constexpr double kFlat = 0.0175;  // slope up to which an end is flat: 1 degree; of a dome it is more wherever a course bends
+constexpr double kLast = 1e-4;    // of the size, as near to the end as to be at it
+constexpr double kHollow = 0.3;   // of the height, deeper than which a dent is a hollow
 
 double distance_to(const std::vector<ProfileLine>& profile, Point at) {
     double least = std::numeric_limits<double>::infinity();
@@ -94,7 +96,7 @@ private:
     static double angle_of(int cut) { return 2 * kPi * (cut + 0.377) / kCuts; }  // none that a file would have its corners at
     double tolerance(Point at) const { return kOffRadius * at.x + kOffSize * size_; }
 
-    // No way that its sides look in has as much area as each of the eight of an octagon.
+    // No way that its sides look in has as much area as each of the nine of a prism of nine sides.
     bool looks_all_ways() const {
         constexpr int kBins = 720;
         std::array<double, kBins> bins{};
@@ -248,12 +250,17 @@ Revolution::End Turned::end_of(bool high) const {
     double last = -std::numeric_limits<double>::infinity();
     for (const ProfileLine& line : profile_)
         for (const Point& at : line.points) last = std::max(last, sign * at.y);
+    // It stands on what is flat, or on a ring round a dent; a round end has neither.
     double inner = std::numeric_limits<double>::infinity(), outer = 0;
     for (const ProfileLine& line : profile_)
-        for (const Point& at : line.points) {
+        for (std::size_t i = 0; i < line.points.size(); ++i) {
+            const Point &at = line.points[i], &next = line.points[(i + 1) % line.points.size()];
             if (sign * at.y < last - kEnd * height) continue;
             inner = std::min(inner, at.x);
-            outer = std::max(outer, at.x);
+            if (sign * at.y >= last - kLast * size_) outer = std::max(outer, at.x);
+            if ((i + 1 < line.points.size() || line.closed) && sign * next.y >= last - kEnd * height &&
+                std::abs(next.y - at.y) <= kFlat * std::abs(next.x - at.x))
+                outer = std::max({outer, at.x, next.x});
         }
     double floor = -std::numeric_limits<double>::infinity();
     for (const double share : {0.03, 0.2, 0.5}) floor = std::max(floor, last_at(profile_, share * inner, sign));
@@ -310,7 +317,7 @@ Revolution Turned::made() {
 }  // namespace
 
 std::optional<Revolution> revolution_of(const Solid& solid) {
-    if (solid.patches.size() < kLeastFacets) return std::nullopt;
+    if (solid.patches.size() < kLeastFacets) return std::nullopt;  // at once; found() sees which of them are round it
     std::optional<Revolution> round;
     any_axis(solid, [&](const SpaceLine& axis) {
         round = Turned(solid, axis).found();

@@ -45,11 +45,9 @@ public:
             right_ = unit(right_);
         }
         away_ = cross(axis, right_);
-        const auto first = static_cast<std::uint32_t>(made_.panels.size());
-        // The opening of a vessel comes before its bottom.
-        const bool high_first = !round_.is_vessel() || round_.high.open;
-        const std::uint32_t high = high_first ? first : first + 1, low = high_first ? first + 1 : first;
-        for (const bool is_high : {high_first, !high_first}) add_end(is_high);
+        const auto high = static_cast<std::uint32_t>(made_.panels.size()), low = high + 1;
+        add_end(true, low);
+        add_end(false, high);
         for (const Point3& out : {-1 * away_, away_, right_, -1 * right_}) {
             // A section shows the handle.
             if (round_.has_handle() && std::abs(dot(out, right_)) > 0.5) continue;
@@ -68,8 +66,8 @@ private:
                                 disc(radius)});
     }
 
-    // What is seen from that end; of a vessel's bottom, the circle that it stands on.
-    void add_end(bool is_high) {
+    // What is seen from that end; of a vessel's bottom, the circle that it stands on. `other`: the panel of the other end.
+    void add_end(bool is_high, std::uint32_t other) {
         const Revolution::End& end = is_high ? round_.high : round_.low;
         const Point3 out = is_high ? round_.axis : -1 * round_.axis;
         const Point3 side = is_high ? away_ : -1 * away_;
@@ -78,6 +76,7 @@ private:
         const bool is_bottom = round_.is_vessel() && !end.open;
         if (is_bottom) {
             panel.kind = PanelKind::bottom;
+            panel.opening = other;
             if (end.radius > kTip * round_.widest) panel.rings = {circle(middle, end.radius * right_, end.radius * side)};
             panel.area = disc(end.radius);
         } else {
@@ -175,7 +174,7 @@ private:
         const Point3 on_end = foot + radius * out, on_side = foot + round_.widest * out;
         // From the end of the axis it runs the other way.
         const Point3 half = radius * across;
-        made_.hinges.push_back({end, side, on_end - half, on_end + half, on_side - half, on_side + half});
+        made_.hinges.push_back({end, side, on_end - half, on_end + half, on_side - half, on_side + half, true});
     }
 
     Panels& made_;

@@ -61,5 +61,24 @@ TEST(PlaneChoice, AViewpointChoosesTheFaceThatItLooksAt) {
     EXPECT_EQ(folded_out(model, FoldPlane::view).plane, FoldPlane::view);
 }
 
+// A pyramid has no face that looks to the front: a viewpoint there chooses one of those that lean.
+TEST(PlaneChoice, AViewpointChoosesAFaceThatThereIs) {
+    Model model;
+    add_object(model, "Pyramid");
+    const Point3 tip{0, 0, 100}, a{-100, -100, 0}, b{100, -100, 0}, c{100, 100, 0}, d{-100, 100, 0};
+    add_face(model, {d, c, b, a});
+    add_face(model, {a, b, tip});
+    add_face(model, {b, c, tip});
+    add_face(model, {c, d, tip});
+    add_face(model, {d, a, tip});
+    for (const Point3& from : {Point3{0, -1, 0}, unit({0.1, -1, 0.1}), unit({0.2, -1, -0.1})}) {
+        model.viewed_from = from;
+        const FoldOut made = folded_out(model, FoldPlane::view);
+        EXPECT_EQ(made.plane, FoldPlane::view);
+        EXPECT_EQ(made.objects.front().kept, 1);
+        EXPECT_EQ(made.objects.front().straightened, 0);
+    }
+}
+
 }  // namespace
 }  // namespace tactics

@@ -91,13 +91,61 @@ TEST(Revolution, PrimitivesAreRemembered) {
 TEST(Revolution, WhatAHandTellsFromARoundThingIsNone) {
     Model model;
     add_box(model, "Box", -1, {0, 0, 50}, {100, 100, 100});
-    for (const int sides : {5, 6, 8})
+    for (const int sides : {5, 6, 8, 9})
         add_turned(model, "Prism", {sides * 300.0, 0, 0}, {{0, 0}, {80, 0}, {80, 120}, {0, 120}}, sides);
     // An oval tub.
     const std::size_t first = model.vertices.size();
     add_turned(model, "Tub", {}, {{0, 0}, {80, 0}, {80, 120}}, 32);
     for (std::size_t i = first; i < model.vertices.size(); ++i) model.vertices[i].x = 1.4 * model.vertices[i].x - 500;
     for (const ModelPart& part : parts_in(model)) EXPECT_FALSE(part.round) << model.objects[part.object].name;
+}
+
+TEST(Revolution, TenSidesAreRound) {
+    for (const bool open : {false, true}) {
+        std::vector<Point> profile = {{0, 0}, {80, 0}, {80, 120}, {0, 120}};
+        if (open) profile.pop_back();
+        Model model;
+        add_turned(model, "Ten", {}, profile, 10);
+        add_turned(model, "Nine", {300, 0, 0}, profile, 9);
+        const std::vector<ModelPart> parts = parts_in(model);
+        ASSERT_EQ(parts.size(), 2u);
+        EXPECT_TRUE(parts[0].round);
+        EXPECT_FALSE(parts[1].round);
+    }
+}
+
+// However fine, whatever the thickness of its wall.
+TEST(Revolution, ARoundBottomIsNoCircle) {
+    for (const int steps : {4, 12, 40, 90}) {
+        std::vector<Point> half, flat, dented = {{0, 12}, {40, 0}, {60, 20}, {80, 90}};
+        for (int i = 0; i <= steps; ++i) {
+            const double turn = std::numbers::pi / 2 * i / steps;
+            half.push_back({100 * std::sin(turn), 100 - 100 * std::cos(turn)});
+            flat.push_back({50 + 50 * std::sin(turn), 100 - 100 * std::cos(turn)});
+        }
+        flat.insert(flat.begin(), {0, 0});
+        std::vector<Point> walled = half;
+        for (std::size_t i = half.size(); i-- > 0;) walled.push_back({0.94 * half[i].x, 100 - 0.94 * (100 - half[i].y)});
+        for (const auto& [profile, radius] : {std::pair(half, 0.0), {walled, 0.0}, {flat, 50.0}, {dented, 40.0}}) {
+            Model model;
+            add_turned(model, "Bowl", {}, profile, 32);
+            const std::vector<ModelPart> parts = parts_in(model);
+            ASSERT_TRUE(parts.size() == 1 && parts[0].round) << steps;
+            ASSERT_TRUE(parts[0].round->is_vessel()) << steps;
+            const Revolution& round = *parts[0].round;
+            // A fillet begins nearly flat.
+            EXPECT_NEAR((round.low.open ? round.high : round.low).radius, radius, radius > 0 ? 2.5 : 0.1) << steps;
+        }
+    }
+    Model model;
+    add_turned(model, "Bowl", {}, {{0, 0}, {38, 8}, {71, 29}, {92, 62}, {100, 100}}, 32);
+    std::vector<Phrase> notes;
+    const FoldOut made = fold_out(model, 170, 240, find_medium("swell", ""), {}, notes);
+    for (const Stroke& stroke : made.drawing.strokes) EXPECT_NE(stroke.role, Role::dash);
+    EXPECT_EQ(made.drawing.regions.size(), 2u);
+    ASSERT_EQ(made.drawing.names.size(), 2u);
+    EXPECT_EQ(made.drawing.names.back().text, "opening");
+    EXPECT_EQ(made.objects.front().left_out, 0);
 }
 
 // In one piece with the cup, or beside it in the same object.
@@ -140,6 +188,50 @@ TEST(Revolution, OpeningAndBottomOfEqualSizeAreToldApart) {
         EXPECT_EQ(names, (std::vector<std::string>{"Pot", "opening", "bottom"}));
         EXPECT_EQ(made.objects.front().shape, "vessel");
     }
+}
+
+// A circle that touched the section would run along it for a while, and its first dash with it.
+TEST(Revolution, EndsLieAGapFromTheSection) {
+    for (const double thick : {0.0, 4.0, 20.0})
+        for (const FoldPlane plane : {FoldPlane::above, FoldPlane::front})
+            for (const char* name : {"swell", "embosser"}) {
+                std::vector<Point> profile = {{0, 0}, {80, 0}, {80, 120}};
+                if (thick > 0) profile.insert(profile.end(), {{80 - thick, 120}, {80 - thick, thick}, {0, thick}});
+                Model model;
+                add_turned(model, "Cup", {}, profile, 32);
+                const Medium medium = find_medium(name, "");
+                std::vector<Phrase> notes;
+                const FoldOut made = fold_out(model, 170, 240, medium, {.plane = plane}, notes);
+                const double least = least_apart(medium, medium.line, medium.line);
+                double nearest = 1e300;
+                for (const Stroke& dashed : made.drawing.strokes)
+                    for (const Stroke& whole : made.drawing.strokes) {
+                        if (dashed.role != Role::dash || whole.role == Role::dash) continue;
+                        for (const Point& at : dashed.points)
+                            for (std::size_t i = 0; i + (whole.closed ? 0 : 1) < whole.points.size(); ++i)
+                                nearest = std::min(nearest, distance_to_segment(at, whole.points[i],
+                                                                                whole.points[(i + 1) % whole.points.size()]));
+                    }
+                EXPECT_GE(nearest, least) << name << thick;
+                EXPECT_LT(nearest, 1.1 * least) << name << thick;
+            }
+}
+
+TEST(Revolution, AHandComesToABottomWhereverItsOpeningIsListed) {
+    Model model;
+    add_turned(model, "Pot", {}, {{0, 0}, {80, 0}, {80, 120}}, 36);
+    Folded made = folded(model);
+    std::vector<Panel>& list = made.panels.panels;
+    const auto bottom = std::find_if(list.begin(), list.end(), [](const Panel& one) { return one.kind == PanelKind::bottom; });
+    ASSERT_NE(bottom, list.end());
+    ASSERT_EQ(list[bottom->opening].kind, PanelKind::opening);
+    EXPECT_TRUE(bottom->reached);
+    const auto place = static_cast<std::uint32_t>(bottom - list.begin());
+    std::swap(*bottom, list[bottom->opening]);
+    Panel& moved = *std::find_if(list.begin(), list.end(), [](const Panel& one) { return one.kind == PanelKind::bottom; });
+    moved.opening = place;
+    find_reached(made.panels, made.parts, {.floor = true});
+    EXPECT_TRUE(moved.reached);
 }
 
 // A cylinder of a file that has one, and the same as a mesh.
