@@ -23,7 +23,7 @@ inline constexpr std::size_t kLineKinds = 5;
 /// The heights of a machine's dots.
 struct DotHeights {
     int levels = 2;  ///< including down
-    /// Shares of the full height that the user gave to kinds of lines; 0: left to the page.
+    /// Shares of the full height that the user gave to kinds of lines, at most 1; 0: left to the page.
     std::array<double, kLineKinds> wished = {};
 
     bool operator==(const DotHeights&) const = default;

@@ -77,7 +77,7 @@ DotSetting graphiti_dots(const Settings& settings) {
     const int full = settings.whole("height");
     pins.heights.levels = full + 1;
     for (std::size_t kind = 1; kind < kLineKinds; ++kind)
-        pins.heights.wished[kind] = static_cast<double>(settings.whole(kKindSettings[kind])) / full;
+        pins.heights.wished[kind] = static_cast<double>(std::min(full, settings.whole(kKindSettings[kind]))) / full;
     return pins;
 }
 

@@ -45,8 +45,8 @@ double log_of(std::uint32_t count) {
     return count < kTable.size() ? kTable[count] : std::log(static_cast<double>(count));
 }
 
-// In place of the logarithm of a count that is itself chance: -gamma - ln 2 of 1, and at each even count 2 / (count - 1) more;
-// near ln n.
+// The logarithm of a count that is left to chance is too low on average. Grassberger's G (2003) takes its place, which is right
+// on average: G(1) = -gamma - ln 2, each even count n adds 2 / (n - 1), an odd one has what the one before has. Near ln n.
 double unbiased_log(std::uint32_t count) {
     static const auto kTable = [] {
         std::array<double, 1024> table{};
@@ -60,7 +60,8 @@ double unbiased_log(std::uint32_t count) {
     return count < kTable.size() ? kTable[count] : log_of(count);
 }
 
-// The digamma function: what the logarithm of a fixed count is put for beside that (DLMF 5.11.2).
+// The digamma function (DLMF 5.11.2), which takes the place of ln n for the number of all that was counted, as unbiased_log does
+// for the counts of each kind.
 double digamma(double n) {
     constexpr double kLarge = 16;
     double less = 0;

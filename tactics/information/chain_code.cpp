@@ -16,9 +16,13 @@ template <typename Take>
 void walk(const ChainCells& cells, std::size_t order, bool restarts, RowRange part, const Take& take) {
     std::size_t top = 1;
     for (std::size_t i = 1; i < order; ++i) top *= cells.levels;
-    for (std::size_t y = part.first; y < part.second; ++y) {
-        if (!cells.counts(y)) continue;
-        const std::uint16_t* const row = cells.values.data() + y * cells.columns;
+    std::vector<std::uint8_t> line(order + cells.columns);  // a row, and what comes before it
+    std::uint8_t* const row = line.data() + order;
+    const std::size_t ahead = restarts ? 0 : std::min(part.first, (order + cells.columns - 1) / cells.columns);
+    for (std::size_t y = part.first - ahead; y < part.second; ++y) {
+        std::copy(line.end() - static_cast<std::ptrdiff_t>(order), line.end(), line.begin());
+        cells.load(row, y);
+        if (y < part.first || !cells.counts(y)) continue;
         const std::size_t behind = restarts ? 0 : std::min(order, y * cells.columns);  // of earlier rows
         std::size_t context = 0;
         for (std::size_t i = behind; i > 0; --i) context = context * cells.levels + *(row - i);
@@ -54,7 +58,7 @@ ChainCode shortest_chain(const ChainCells& cells, std::size_t most) {
     std::size_t counters = cells.levels;
     for (; counts.order < kMostOrder && counters * cells.levels <= most; ++counts.order) counters *= cells.levels;
     if (counts.order == 0) return best;
-    const std::size_t longest = counts.order, rows = cells.values.size() / cells.columns;
+    const std::size_t longest = counts.order, rows = cells.rows;
     for (const bool restarts : {true, false}) {
         counts = {longest, restarts, std::vector<std::uint32_t>(counters), {}};
         for (std::size_t i = 0, size = cells.levels; i < longest; ++i, size *= cells.levels) counts.begins.emplace_back(size);

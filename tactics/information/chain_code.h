@@ -14,11 +14,12 @@
 
 namespace tactics {
 
-/// Whole numbers from 0 to levels - 1, row by row.
+/// Whole numbers from 0 to levels - 1, at most 255, read row by row, so that nobody needs a copy of all.
 struct ChainCells {
-    std::span<const std::uint16_t> values;
-    std::size_t columns = 0, levels = 0;
-    std::function<bool(std::size_t row)> counts;  ///< a row that does not is only looked at
+    std::size_t rows = 0, columns = 0, levels = 0;
+    std::function<void(std::uint8_t* to, std::size_t row)> load;  ///< rows come in order
+    /// Whether the values of this row are counted; if not, they are only known to the row below.
+    std::function<bool(std::size_t row)> counts;
 };
 
 /// What was counted of a chain in which each value is guessed from so many before it.

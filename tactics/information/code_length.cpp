@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -16,10 +17,9 @@ namespace tactics {
 namespace {
 
 constexpr std::size_t kChainLevels = 64;
-constexpr std::size_t kMostPeriod = 64;
 constexpr double kDeviations = 3;
-// Of what is seen n times, n + d^2 / 2 + d sqrt(n + d^2 / 4) may be in store, with d deviations (E. B. Wilson 1927); each time a
-// cell that nobody can foresee.
+// Of an event that was seen n times, up to n + d^2 / 2 + d sqrt(n + d^2 / 4) are to be expected, to d deviations (E. B. Wilson,
+// 1927). So a grid of the same source may have d^2 / 2 cells that nothing in this one foretells.
 constexpr double kUnforeseen = kDeviations * kDeviations / 2;
 double unforeseen_cell(const CountedRows& rows) { return std::log2(rows.cells()); }
 
@@ -53,52 +53,69 @@ double variance_of(const std::vector<float>& costs, std::size_t parts) {
     return std::max(alone, mean_of(steps) / 2 / static_cast<double>(size));
 }
 
-// So many rows up all rows are the same; 0: there is no such number.
-std::size_t period_of(const LevelGrid& grid) {
-    const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
-    if (grid.slices != 1) return 0;
-    return grid.values.visit([&](const auto* values) -> std::size_t {
-        const auto is_same = [&](std::size_t y, std::size_t period) {
-            return std::equal(values + y * columns, values + (y + 1) * columns, values + (y - period) * columns);
-        };
-        for (std::size_t period = 1; period <= std::min(kMostPeriod, rows / 2); ++period) {
-            bool repeats = true;
-            constexpr std::size_t kLooks = 16;  // first here and there, as empty rows are often many
-            for (std::size_t i = 0; repeats && i < kLooks; ++i)
-                repeats = is_same(period + i * (rows - 1 - period) / (kLooks - 1), period);
-            for (std::size_t y = period; repeats && y < rows; ++y) repeats = is_same(y, period);
-            if (repeats) return period;
-        }
-        return 0;
-    });
-}
-
 LevelGrid top_of(const LevelGrid& grid, std::size_t rows) {
     std::vector<std::uint16_t> values;
+    values.reserve(rows * static_cast<std::size_t>(grid.columns));
     for (std::size_t i = 0; i < rows * static_cast<std::size_t>(grid.columns); ++i) values.push_back(grid.values[i]);
     return {grid.columns, static_cast<int>(rows), 1, grid.levels, std::move(values)};
+}
+
+// How many times as wide and as high a grid is as one of which each cell became a block of equal cells.
+struct Enlargement {
+    std::size_t across = 1, down = 1;
+};
+
+// Places where anything changes are multiples of the factor.
+Enlargement enlargement_of(const LevelGrid& grid) {
+    const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
+    if (grid.slices != 1) return {};
+    Enlargement by{columns, rows};
+    grid.values.visit([&](const auto* values) {
+        for (std::size_t y = 1; y < rows && by.down > 1; ++y)
+            if (!std::equal(values + y * columns, values + (y + 1) * columns, values + (y - 1) * columns))
+                by.down = std::gcd(by.down, y);
+        for (std::size_t y = 0; y < rows && by.across > 1; y += by.down)
+            for (std::size_t x = 1; x < columns && by.across > 1; ++x)
+                if (values[y * columns + x] != values[y * columns + x - 1]) by.across = std::gcd(by.across, x);
+    });
+    return by;
+}
+
+LevelGrid reduced(const LevelGrid& grid, const Enlargement& by) {
+    const auto columns = static_cast<std::size_t>(grid.columns) / by.across, rows = static_cast<std::size_t>(grid.rows) / by.down;
+    std::vector<std::uint16_t> values;
+    values.reserve(columns * rows);
+    for (std::size_t y = 0; y < rows; ++y)
+        for (std::size_t x = 0; x < columns; ++x)
+            values.push_back(grid.values[y * by.down * static_cast<std::size_t>(grid.columns) + x * by.across]);
+    return {static_cast<int>(columns), static_cast<int>(rows), 1, grid.levels, std::move(values)};
 }
 
 // The codes of a grid, each tried once, with what the shortest one takes for each cell.
 class Codes {
 public:
-    // `columns`: chains down them are tried, too.
-    Codes(const CountedRows& rows, const std::vector<std::uint64_t>& seen, bool columns)
+    Codes(const CountedRows& rows, const std::vector<std::uint64_t>& seen)
         : rows_(rows), ranks_(ranks_of(seen)), occurring_(static_cast<std::size_t>(ranks_.levels)), counting_(rows, ranks_) {
         for (std::size_t i = 0; i < seen.size(); ++i)
             if (seen[i] > 0) occurring_[ranks_.of[i]] = static_cast<std::uint32_t>(seen[i]);
-        try_all(columns);
+        try_all();
     }
 
     const Code& alone() const { return alone_; }
     const Code& least() const { return least_; }
     const Code& spatial() const { return spatial_; }
 
-    // Bits of each cell, of the spatial code or of the levels alone.
-    std::vector<float> costs(bool spatial) const {
-        const std::vector<RowRange> parts = rows_.parts();
+    // Parts of what the spatial code or that of the levels alone reads row by row, or column by column.
+    std::vector<RowRange> parts(bool spatial) const {
+        return spatial && down_
+                   ? parts_of(static_cast<std::size_t>(rows_.grid().columns), static_cast<std::size_t>(rows_.grid().rows))
+                   : rows_.parts();
+    }
+
+    // Bits of each cell of these parts.
+    std::vector<float> costs(bool spatial, const std::vector<RowRange>& parts) const {
         if (!spatial) return alone_costs(parts);
-        if (chain_) return chain_costs(parts);
+        if (chain_) return costs_of(down_ ? columns_as_chain() : rows_as_chain(), *chain_, parts);
         if (used_ > 0) return counting_.near_costs(costs_of(best_near_, counting_.levels()), used_, parts);
         std::vector<float> costs = costs_of(errors_, width());
         for (std::size_t i = 0; i < costs.size(); ++i) costs[i] += static_cast<float>(counting_.classes().rest[i % width()]);
@@ -108,7 +125,7 @@ public:
 private:
     std::size_t width() const { return counting_.classes().rest.size(); }
 
-    void try_all(bool columns) {
+    void try_all() {
         NeighbourCounts counts = counting_.count_all();
         alone_ = adaptive_code(occurring_, occurring_.size());
         const double looked_at = static_cast<double>(rows_.grid().count()) / rows_.cells();  // the levels of all rows
@@ -123,7 +140,7 @@ private:
         reckon(spatial_);
         errors_ = std::move(counts.errors);
         try_near(std::move(counts.near));
-        try_chains(columns);
+        try_chains();
         // Which code it is has to be said, too.
         const double said = ranks_.bits + std::log2(static_cast<double>(counting_.neighbours() + 4));
         alone_.bits += said;
@@ -152,39 +169,46 @@ private:
         }
     }
 
-    void try_chains(bool down) {
+    void try_chains() {
         const LevelGrid& grid = rows_.grid();
         if (counting_.levels() < 2 || counting_.levels() > kChainLevels || grid.slices != 1) return;
-        const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
-        std::vector<std::uint16_t> cells(grid.count());
-        for (std::size_t y = 0; y < rows; ++y) counting_.load(cells.data() + y * columns, y);
-        std::vector<std::uint16_t> turned;
-        if (down && rows_.share() == 1 && rows > 1)
-            for (std::size_t x = 0; x < columns; ++x)
-                for (std::size_t y = 0; y < rows; ++y) turned.push_back(cells[y * columns + x]);
-        try_chain(std::move(cells), columns);
-        if (!turned.empty()) try_chain(std::move(turned), rows);
+        try_chain(rows_as_chain(), false);
+        if (rows_.share() == 1 && grid.rows > 1) try_chain(columns_as_chain(), true);
     }
 
-    void try_chain(std::vector<std::uint16_t> cells, std::size_t columns) {
-        ChainCode chain = shortest_chain(chain_of(cells, columns), most_counters(cells.size()));
+    void try_chain(const ChainCells& cells, bool down) {
+        ChainCode chain = shortest_chain(cells, most_counters(rows_.grid().count()));
         for (const Code& code : chain.tried) reckon(code);
         if (chain.code.bits >= spatial_.bits) return;
         spatial_ = chain.code;
         chain_ = std::move(chain.counts);
-        cells_ = std::move(cells);
-        chain_columns_ = columns;
+        down_ = down;
     }
 
-    // Of a grid with rows that do not count there are chains along rows only.
-    ChainCells chain_of(std::span<const std::uint16_t> cells, std::size_t columns) const {
-        return {cells, columns, counting_.levels(), [this](std::size_t row) { return rows_.share() == 1 || rows_.counts(row); }};
+    ChainCells rows_as_chain() const {
+        const auto columns = static_cast<std::size_t>(rows_.grid().columns);
+        const auto load = [this, row = std::vector<std::uint16_t>(columns)](std::uint8_t* to, std::size_t y) mutable {
+            counting_.load(row.data(), y);
+            std::transform(row.begin(), row.end(), to, [](std::uint16_t value) { return static_cast<std::uint8_t>(value); });
+        };
+        return {static_cast<std::size_t>(rows_.grid().rows), columns, counting_.levels(), load,
+                [this](std::size_t row) { return rows_.counts(row); }};
     }
 
-    std::vector<float> chain_costs(std::span<const RowRange> parts) const {
-        const RowRange all = {0, cells_.size() / chain_columns_};
-        const bool turned = chain_columns_ != static_cast<std::size_t>(rows_.grid().columns);
-        return costs_of(chain_of(cells_, chain_columns_), *chain_, turned ? std::span(&all, 1) : parts);
+    // Of a grid that is counted whole. So many columns are read at a time: neighbours in memory.
+    ChainCells columns_as_chain() const {
+        constexpr std::size_t kStrip = 64;
+        const auto columns = static_cast<std::size_t>(rows_.grid().columns), rows = static_cast<std::size_t>(rows_.grid().rows);
+        const auto load = [=, this, strip = std::vector<std::uint8_t>(), first = columns](std::uint8_t* to,
+                                                                                          std::size_t x) mutable {
+            if (x < first || x >= first + kStrip || strip.empty()) {
+                first = x;
+                strip.resize(kStrip * rows);
+                counting_.load_columns(strip.data(), x, std::min(kStrip, columns - x));
+            }
+            std::copy_n(strip.begin() + static_cast<std::ptrdiff_t>((x - first) * rows), rows, to);
+        };
+        return {columns, rows, counting_.levels(), load, [](std::size_t) { return true; }};
     }
 
     std::vector<float> alone_costs(std::span<const RowRange> parts) const {
@@ -203,29 +227,29 @@ private:
     Ranks ranks_;
     std::vector<std::uint32_t> occurring_;
     NeighbourCounting counting_;
-    std::vector<std::uint16_t> cells_;  // of the chain, in its order
-    std::size_t chain_columns_ = 0;
     Code alone_, spatial_;
     Code least_;
     std::vector<std::uint32_t> errors_, best_near_;
     std::size_t used_ = 0;              // neighbours of the best code; 0: it predicts, or
     std::optional<ChainCounts> chain_;  // it is a chain
+    bool down_ = false;                 // of the columns
 };
 
 // CodeLength::doubt of what is written by the spatial code or by the levels alone.
 double doubt_of(const Codes& codes, bool spatial, const CountedRows& rows) {
     constexpr std::size_t kParts = 64;
-    const std::size_t parts = rows.parts().size();
-    const std::vector<float> costs = codes.costs(spatial);
-    // What was learnt of a share is by chance too good by half a nat, with a deviation of 0.7 (S. S. Wilks 1938).
-    const double cell = unforeseen_cell(rows), variance = variance_of(costs, parts > 1 ? parts : kParts) * rows.cells() +
-                                                          kUnforeseen / 2 * cell * cell +
-                                                          codes.least().free / (2 * std::numbers::ln2 * std::numbers::ln2);
+    const std::vector<RowRange> parts = codes.parts(spatial);
+    const std::vector<float> costs = codes.costs(spatial, parts);
+    // A share that was learnt fits its own grid better than the true one does, by half a nat on average, with a deviation of 0.7
+    // (S. S. Wilks, 1938).
+    const double cell = unforeseen_cell(rows),
+                 variance = variance_of(costs, parts.size() > 1 ? parts.size() : kParts) * rows.cells() +
+                            kUnforeseen / 2 * cell * cell + codes.least().free / (2 * std::numbers::ln2 * std::numbers::ln2);
     return (kDeviations * std::sqrt(variance) + kUnforeseen * cell) / rows.share();
 }
 
 CodeLength length_of(const CountedRows& rows, const std::vector<std::uint64_t>& seen, bool with_doubt) {
-    const Codes codes(rows, seen, with_doubt);
+    const Codes codes(rows, seen);
     const double share = rows.share();
     const auto of_whole = [share](const Code& code) {
         return Code{code.bits / share, code.learnt / share, code.free, code.corrected / share};
@@ -234,11 +258,22 @@ CodeLength length_of(const CountedRows& rows, const std::vector<std::uint64_t>& 
     const bool spatial = length.spatial.bits < length.alone.bits;
     length.best = spatial ? length.spatial : length.alone;
     if (with_doubt) length.doubt = doubt_of(codes, spatial, rows) + rows.unlike() * length.best.bits;
-    if (const std::size_t period = period_of(rows.grid()); period > 0 && share == 1) {
-        const double once = code_length(top_of(rows.grid(), period)).best.bits + std::log2(kMostPeriod);
+    if (const Enlargement by = enlargement_of(rows.whole()); by.across * by.down > 1) {
+        const LevelGrid small = reduced(rows.whole(), by);
+        const CountedRows few(small);
+        const CodeLength once = length_of(few, counts_of(few.grid()), with_doubt);
+        const double said = std::log2(rows.whole().columns) + std::log2(rows.whole().rows);  // by how much
+        if (once.best.bits + said < length.best.bits) {
+            length.best = {once.best.bits + said, once.best.learnt, once.best.free, once.best.corrected};
+            length.least = std::min(length.least, once.least);
+            length.doubt = with_doubt ? once.doubt + said : 0;
+        }
+    }
+    if (const std::size_t period = rows.period(); period > 0) {
+        const double once = code_length(top_of(rows.whole(), period)).best.bits + std::log2(CountedRows::kMostPeriod);
         length.best = {std::min(length.best.bits, once), 0, 0, 0};
         length.least = 0;
-        length.doubt = 2 * kUnforeseen * unforeseen_cell(rows);
+        length.doubt = with_doubt ? 2 * kUnforeseen * unforeseen_cell(rows) : 0;
     }
     if (const double raw = raw_bits(rows.cells() / share, rows.grid().levels); raw < length.best.bits)
         length.best = {raw, std::min(raw, length.alone.learnt), 0, raw};

@@ -2,16 +2,17 @@
 // How short a grid can be written by who looks at where values are: codes that guess each value from its neighbours, with
 // what they cost to learn. Nothing is written, only counted.
 //
-// Five kinds are tried and the shortest counts:
+// Six kinds are tried and the shortest counts:
 //   levels alone        each value by itself;
 //   neighbours          the exact values of 1 to 10 cells that come before it, as many as four counters a cell hold, and no more
 //                       than 2^18 (as JBIG does);
-//   chain               the exact values of 1 to 10 cells before it in the row, of up to 64 levels (chain_code.h); for the doubt
-//                       also of those above it in the column;
+//   chain               the exact values of 1 to 10 cells before it in the row, of up to 64 levels (chain_code.h), or above
+//                       it in the column where all rows are counted;
 //   prediction          the error of the median edge detector of JPEG-LS (ITU-T T.87, A.4.1; on voxels the median of the three
 //                       cells before it), by how rough it is around. Of over 256 levels large errors are counted in classes of
 //                       an eighth of a power of two, whose rest is written as it is;
-//   repetition          rows that are all the same as those up to 64 rows before are written once.
+//   repetition          rows that are all the same as those up to 64 rows before are written once;
+//   enlargement         blocks of equal cells, all as wide and as high, are written as one cell each.
 // Each is an adaptive code by R. E. Krichevsky and V. K. Trofimov (1981), whose length depends only on what was counted, so one
 // pass is enough, and which needs no table: what it costs to learn is in it.
 #pragma once
@@ -37,7 +38,9 @@ struct CodeLength {
     double doubt = 0;
 };
 
-/// Two threads from a million cells on, with the same result. Needs some 20 MB besides the grid. Without the doubt.
+/// Two threads from a million cells on, with the same result. Without the doubt; what is written is the same with it. Besides
+/// the grid it needs counters of up to some 20 MB and 64 columns, of one that is enlarged the smaller one, and of a large one
+/// the rows that are counted.
 CodeLength code_length(const LevelGrid& grid);
 /// With it. `seen`: how often each level is in the rows that are counted (counts_of).
 CodeLength code_length(const CountedRows& rows, const std::vector<std::uint64_t>& seen);

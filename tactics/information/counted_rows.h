@@ -12,9 +12,11 @@ namespace tactics {
 
 using RowRange = std::pair<std::size_t, std::size_t>;  ///< from the first up to, not with, the second
 
-/// Of one slice of 3.75 million cells or more, one and a half million are counted, in bands of eight rows, one at a random
-/// place in each of as many even parts of the height, the same in each run. Every cell is looked at, however: how much it differs
-/// from the one beside it says whether the bands stand for the rest. Where they do not to a twentieth, all rows are counted.
+/// Of one slice of 3.75 million cells and 640 rows or more, one and a half million cells are counted, or 256 rows if that is
+/// more, in bands of eight rows. The height is divided evenly into as many parts as there are bands, and each part has a band at
+/// a random place, the same in each run. Every cell is compared with the one to its left and the one above, however: where the
+/// differences in the bands, of either kind, are not as large as in the whole to a twentieth, all rows are counted. All are
+/// counted, too, where rows repeat.
 class CountedRows {
 public:
     /// `whole` must outlive it.
@@ -22,20 +24,28 @@ public:
 
     /// The bands one under the other, or the grid as it is.
     const LevelGrid& grid() const { return bands_.count() > 0 ? bands_ : whole_; }
-    /// A row of it that is not is there for those below it.
+    /// Whether this row of `grid` is counted. The first two rows of a band are not: they are only the neighbours of those below.
     bool counts(std::size_t row) const { return bands_.count() == 0 || row % kBand >= kBefore; }
-    double cells() const;                      ///< that are counted
-    double share() const;                      ///< of those of the whole grid
-    double unlike() const { return unlike_; }  ///< what the bands have more or less of differences than the rest, as a share
+    double cells() const;  ///< that are counted
+    double share() const;  ///< of those of the whole grid
+    const LevelGrid& whole() const { return whole_; }
+    /// Each row of the whole equals the one so many rows above it; 0: no number up to kMostPeriod does it.
+    std::size_t period() const { return period_; }
+    /// How far the differences between cells in the bands are from those of the whole grid, as a share of these.
+    double unlike() const { return unlike_; }
     /// Parts of it that show how it varies: all of it if that is not much.
     std::vector<RowRange> parts() const;
 
-    static constexpr std::size_t kBefore = 2, kBand = kBefore + 8;
+    static constexpr std::size_t kBefore = 2, kBand = kBefore + 8, kMostPeriod = 64;
 
 private:
     const LevelGrid& whole_;
+    std::size_t period_;
     LevelGrid bands_;
     double unlike_ = 0;
 };
+
+/// Parts of a grid of so many rows, all of which count, that show how it varies.
+std::vector<RowRange> parts_of(std::size_t rows, std::size_t columns);
 
 }  // namespace tactics

@@ -149,6 +149,15 @@ void NeighbourCounting::load(std::uint16_t* to, std::size_t row) const {
     });
 }
 
+void NeighbourCounting::load_columns(std::uint8_t* to, std::size_t first, std::size_t count) const {
+    const auto columns = static_cast<std::size_t>(grid_.columns), rows = static_cast<std::size_t>(grid_.rows);
+    grid_.values.visit([&](const auto* values) {
+        for (std::size_t y = 0; y < rows; ++y)
+            for (std::size_t x = 0; x < count; ++x)
+                to[x * rows + y] = static_cast<std::uint8_t>(ranks_.of[values[y * columns + first + x]]);
+    });
+}
+
 // Calls take with each row that counts, the two before it and that of the slice before; there are cells of these beside them.
 template <typename Take>
 void NeighbourCounting::walk(RowRange part, const Take& take) const {

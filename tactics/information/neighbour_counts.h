@@ -60,6 +60,8 @@ public:
 
     /// The row as numbers of its levels. `to` has room for the columns.
     void load(std::uint16_t* to, std::size_t row) const;
+    /// So many columns from `first` on, each from the top, one after the other; of one slice and at most 256 levels.
+    void load_columns(std::uint8_t* to, std::size_t first, std::size_t count) const;
 
 private:
     template <typename Take>

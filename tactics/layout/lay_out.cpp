@@ -120,10 +120,11 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) 
 }  // namespace
 
 Page lay_out(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) {
-    Page page = draw(drawing, sheet, std::move(arrangement)).page;
-    put_on_steps(page);
-    page.heights = kind_heights({&page, 1}, sheet.heights);
-    return page;
+    Pages pages;
+    pages.all.push_back(draw(drawing, sheet, std::move(arrangement)).page);
+    put_on_steps(pages.all.front());
+    choose_heights(pages, sheet.heights);
+    return std::move(pages.all.front());
 }
 
 Page lay_out(const Drawing& drawing, const Sheet& sheet) {

@@ -92,6 +92,24 @@ TEST(CodeLength, PredictionIsThatOfJpegLs) {
     }
 }
 
+// With the doubt and without it, what is written is the same: amounts are compared. Here values hang on those above.
+TEST(CodeLength, DoesNotHangOnWhetherTheDoubtIsAsked) {
+    RandomNumbers random(4);
+    std::vector<int> up(300, 0);
+    const LevelGrid grid = grid_by(300, 300, 2, [&](int x, int y) {
+        int& above = up[static_cast<std::size_t>(x)];  // the last five, as bits
+        const int value = y < 5 || random.uniform() < 0.02 ? static_cast<int>(random.below(2)) : (above >> 4 ^ above) & 1;
+        above = (above << 1 | value) & 31;
+        return value;
+    });
+    const CountedRows rows(grid);
+    const CodeLength with = code_length(rows, counts_of(grid)), without = code_length(grid);
+    EXPECT_EQ(with.best.bits, without.best.bits);
+    EXPECT_EQ(with.spatial.bits, without.spatial.bits);
+    EXPECT_LT(without.best.bits, 0.3 * static_cast<double>(grid.count()));
+    EXPECT_GT(with.doubt, 0);
+}
+
 // The adaptive code is what coding value by value takes, whatever the order.
 TEST(CodeLength, TheAdaptiveCodeIsTheSumOfItsSteps) {
     const LevelGrid grid = noise(30, 7, 5, 3);

@@ -160,6 +160,37 @@ TEST(KnownEntropy, OfACheckerboardIsNone) {
         }
 }
 
+// Large ones, too, of which other grids are counted by bands of rows.
+TEST(KnownEntropy, OfALargeCheckerboardIsNone) {
+    for (const int columns : {3000, 4000}) {
+        const LevelGrid board = grid_by(columns, 3000, 256, [&](int x, int y) { return (x / 8 + y / 8) % 2 * 255; });
+        EXPECT_EQ(measure(board, {}).low, 0) << columns;
+    }
+}
+
+// Blocks of equal cells hold what one cell of each does, and no more.
+TEST(KnownEntropy, OfAnEnlargedGridIsThatOfTheSmallOne) {
+    for (const int times : {2, 5, 20}) {
+        const LevelGrid small = noise(100, 50, 2, 3);
+        const LevelGrid large = grid_by(100 * times, 50 * times, 2, [&](int x, int y) {
+            return small.values[static_cast<std::size_t>(y / times * 100 + x / times)];
+        });
+        const Measures measures = measure(large, {});
+        EXPECT_LE(measures.low, 5000) << times;
+        EXPECT_GE(measures.low, 4500) << times;
+        EXPECT_GE(measures.high, 5000) << times;
+        EXPECT_LE(measures.high, 5500) << times;
+    }
+}
+
+// Wide ones are counted by part of their rows, too.
+TEST(KnownEntropy, OfAWideGridIsHeldByAPartOfItsRows) {
+    const Measures measures = measure(noise(6000, 1000, 16, 3), {});
+    EXPECT_LT(measures.counted, 0.3);
+    EXPECT_LE(measures.low, 24e6);
+    EXPECT_GE(measures.high, 24e6 - 1);
+}
+
 // Nine million cells, of which a part of the rows is counted.
 TEST(KnownEntropy, OfALargeGridIsHeldByAPartOfItsRows) {
     Chain chain(12, 1, 2.0, 5);
@@ -179,6 +210,14 @@ TEST(KnownEntropy, NothingIsMissedOnALargeGridThatIsNearlyEmpty) {
     const Measures measures = measure(grid, {});
     EXPECT_EQ(measures.counted, 1);
     EXPECT_GT(measures.bits, 2 * 2899 * 8.0);
+}
+
+// Lines over the full width differ from nothing to their left.
+TEST(KnownEntropy, NoLineOverTheFullWidthIsMissed) {
+    const LevelGrid grid = grid_by(2000, 4000, 256, [](int, int y) { return y % 1000 == 801 + y / 1000 ? 0 : 255; });
+    const Measures measures = measure(grid, {});
+    EXPECT_EQ(measures.counted, 1);
+    EXPECT_GT(measures.bits, 30);
 }
 
 // What the bands say of the whole is what the whole says.

@@ -185,6 +185,15 @@ TEST(Graphiti, SendsAHeightForEachPin) {
     EXPECT_EQ(hex(display.thanks), "1b51af");
 }
 
+TEST(Graphiti, NoWishRaisesPinsAboveTheHeightOfAll) {
+    const Format& graphiti = *find_format("graphiti");
+    Settings settings(graphiti.options);
+    settings.set("height", "2", "", "");
+    settings.set("inner", "4", "", "");
+    const DotHeights heights = graphiti.dots(settings).heights;
+    EXPECT_EQ(heights.wished[static_cast<std::size_t>(LineKind::inner)], 1);
+}
+
 TEST(Graphiti, AnswersAreUnderstood) {
     EXPECT_EQ(kinds_of("graphiti", bytes({0x1B, 0x31, 1, 0xCE})), std::vector<Kind>{Kind::told});
     EXPECT_EQ(kinds_of("graphiti", bytes({7, 0x1B, 0x53, 0, 0xAD, 0x1B, 0x53, 3, 0xAA, 0x1B, 0x53, 1, 0xAC})),
