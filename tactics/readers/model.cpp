@@ -96,17 +96,55 @@ const Form* form_of(Source& source) {
     return found;
 }
 
+// For Assimp the name of an object in OBJ ends at its first blank, and objects of one name are one.
+constexpr std::string_view kJoined = "\xC2\xA0";  // U+00A0, a blank that joins
+
+// Copies an OBJ with the blanks within names of objects joined; `to` may be null. True: there were some.
+bool join_names(std::FILE* from, std::FILE* to) {
+    enum class In { beginning, keyword, before_name, name, gap, rest } in = In::beginning;
+    bool joined = false;
+    std::rewind(from);
+    for (int c = std::getc(from); c != EOF; c = std::getc(from)) {
+        const bool is_blank = c == ' ' || c == '\t';
+        if (c == '\n' || c == '\r') {
+            in = In::beginning;
+        } else if (is_blank) {
+            if (in == In::keyword) in = In::before_name;
+            if (in == In::name) in = In::gap;
+        } else {
+            if (in == In::gap) {
+                joined = true;
+                if (to != nullptr) std::fwrite(kJoined.data(), 1, kJoined.size(), to);
+            }
+            in = in == In::beginning && c == 'o'                            ? In::keyword
+                 : in == In::before_name || in == In::name || in == In::gap ? In::name
+                                                                            : In::rest;
+        }
+        if (to != nullptr && in != In::gap) std::putc(c, to);
+    }
+    return joined;
+}
+
 AnsweredMesh read_with_assimp(Source& source, const Form& form, std::vector<Phrase>& notes) {
     std::FILE* file = source.file.get();
-    std::unique_ptr<std::FILE, int (*)(std::FILE*)> copy(nullptr, &std::fclose);
-    if (fileno(file) < 0) {
-        copy = with_descriptor(file);
+    TemporaryFile copy(nullptr, &std::fclose);
+    const bool joined = &form == &kForms[0] && join_names(file, nullptr);
+    if (joined || fileno(file) < 0) {
+        copy = joined ? temporary_file() : with_descriptor(file);
+        if (joined && copy != nullptr) {
+            join_names(file, copy.get());
+            if (std::fflush(copy.get()) != 0 || std::ferror(copy.get()) != 0) copy.reset();
+        }
         file = copy.get();
         if (file == nullptr)
             throw Error(Fault::failed, source.name, phrase("cannot be kept in a temporary file; make room for it"));
     }
     CagedAnswer answer(source.name, CagedRequest{"mesh", form.extension, {}, fileno(file), &caged::kAssimp});
-    return mesh_in(answer, source.name, form.name, notes);
+    AnsweredMesh read = mesh_in(answer, source.name, form.name, notes);
+    for (MeshPart& part : read.mesh.parts)
+        for (std::size_t at = 0; joined && (at = part.name.find(kJoined, at)) != std::string::npos;)
+            part.name.replace(at, kJoined.size(), " ");
+    return read;
 }
 
 }  // namespace

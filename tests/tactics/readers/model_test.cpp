@@ -152,6 +152,16 @@ TEST_F(Model, ColladaKeepsItsHierarchyAndStandsUprightInMillimetres) {
     EXPECT_EQ(mesh.parts[1].name, "Bein");
 }
 
+TEST_F(Model, ANameInObjMayHaveBlanks) {
+    const Mesh mesh =
+        read("o Pot 1\nv 0 0 0\nv 10 0 0\nv 10 20 0\nv 0 20 5\nf 1 2 3\no  Pot \t 2 of two \r\nf 1 3 4\no other\nf 1 2 4\n",
+             notes, "pots.obj");
+    ASSERT_EQ(mesh.parts.size(), 3u);
+    EXPECT_EQ(mesh.parts[0].name, "Pot 1");
+    EXPECT_EQ(mesh.parts[1].name, "Pot 2 of two");
+    EXPECT_EQ(mesh.parts[2].name, "other");
+}
+
 TEST_F(Model, OpensNoOtherFile) {
     for (const std::string& uri : {std::string("/etc/passwd"), std::string("beside.bin"), std::string("http://127.0.0.1/x.bin")})
         EXPECT_THROW(read(gltf(uri), notes), Error) << uri;
