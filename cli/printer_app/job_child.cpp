@@ -140,6 +140,9 @@ class JobChild {
 public:
     JobChild(const std::vector<std::string>& words, int document) {
         const Words request(words);
+        // Some of these may be the file that another becomes.
+        const int apart = fcntl(request.file(), F_DUPFD_CLOEXEC, kRequest + 1);
+        if (apart < 0) throw Error(Fault::failed, "", phrase("there is no room for another file"));
         std::string name = "tactics-printer-app", way(kJobChild);
         const std::array<char*, 3> pointers{name.data(), way.data(), nullptr};
         posix_spawn_file_actions_t files;
@@ -149,8 +152,6 @@ public:
         posix_spawn_file_actions_adddup2(&files, document, STDIN_FILENO);
         posix_spawn_file_actions_adddup2(&files, out_.end(1), STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&files, told_.end(1), STDERR_FILENO);
-        // Some of these may be the file that another becomes.
-        const int apart = fcntl(request.file(), F_DUPFD_CLOEXEC, kRequest + 1);
         posix_spawn_file_actions_adddup2(&files, apart, kRequest);
         posix_spawn_file_actions_addclosefrom_np(&files, kRequest + 1);  // the device is not the child's
         // The child ends by these, whatever the server does with them.
@@ -165,7 +166,7 @@ public:
         const int fault = posix_spawn(&child_, "/proc/self/exe", &files, &how, pointers.data(), environ);
         posix_spawn_file_actions_destroy(&files);
         posix_spawnattr_destroy(&how);
-        if (apart >= 0) close(apart);
+        close(apart);
         if (fault != 0) {
             child_ = -1;
             throw Error(Fault::failed, "", phrase("the program that converts print jobs could not be started"));

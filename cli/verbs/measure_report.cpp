@@ -34,9 +34,9 @@ std::string scene_lines(const MeasureReport& report) {
     const Phrase heights = scene.is_drawn() ? phrase("lines")
                                             : phrase("{0} levels from {1} to {2} mm", std::to_string(grid.levels),
                                                      length(scene.low), length(scene.high));
-    std::string text = line_for_user(phrase("{0}: {1} of {2} x {3} cells, {4} x {5} mm, {6}", report.file, report.found.format,
-                                            std::to_string(grid.columns), std::to_string(grid.rows), length(scene.width),
-                                            length(scene.height), heights));
+    std::string text = line_for_user(phrase("{0}: {1} of {2} x {3} cells, {4} x {5} mm, {6}", report.file,
+                                            format_in_words(report.found.format), std::to_string(grid.columns),
+                                            std::to_string(grid.rows), length(scene.width), length(scene.height), heights));
     text += line_for_user(phrase("bits in it: {0} ({1} to {2} a cell), {3} by the shortest code; {4} as it is written",
                                  interval(measures), for_user(fixed(measures.low / cells, 3)),
                                  for_user(fixed(measures.high / cells, 3)), for_user(fixed_count(measures.bits)),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `tactics relief`: a picture of heights, a height map or a model as another file of heights.
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "cli/command.h"
@@ -25,6 +26,8 @@
 namespace tactics {
 
 namespace {
+
+Phrase in_thousandths(double value) { return numeral(std::round(value / 0.001) * 0.001); }
 
 constexpr Flag kReliefFlags[] = {
     {"--output", "-o", "OUT",
@@ -195,9 +198,9 @@ int run_relief(const Given& given) {
     if (told)
         say(phrase(
             "{0}: {1} of {2} x {3} samples {4} mm apart, {5} x {6} mm; heights {7} to {8} mm, black is {9} and white {10} mm",
-            name, file.format, std::to_string(map.columns), std::to_string(map.rows), to_text(map.pitch),
-            rounded(map.width(), 0.001), rounded(map.height(), 0.001), rounded(static_cast<double>(*least), 0.001),
-            rounded(static_cast<double>(*most), 0.001), rounded(file.low, 0.001), rounded(file.high, 0.001)));
+            name, format_in_words(file.format), std::to_string(map.columns), std::to_string(map.rows), numeral(map.pitch),
+            in_thousandths(map.width()), in_thousandths(map.height()), in_thousandths(static_cast<double>(*least)),
+            in_thousandths(static_cast<double>(*most)), in_thousandths(file.low), in_thousandths(file.high)));
     return 0;
 }
 

@@ -60,7 +60,11 @@ std::string language_of(std::string_view braille_table, std::string_view tag) {
     return language.empty() ? primary(tag) : language;
 }
 
-bool is_hyphen(std::string_view letter) { return letter == "-" || letter == "\u2010" || letter == "\u2013"; }
+// Without counting all of a long text.
+bool has_letters(std::string_view text, std::size_t least) {
+    for (; least > 0 && !text.empty(); --least) take_letter(text);
+    return least == 0;
+}
 
 }  // namespace
 
@@ -68,15 +72,17 @@ std::vector<std::size_t> places_to_divide(std::string_view word, std::string_vie
     const std::string table = hyphenation_table(language_of(braille_table, language));
     const std::vector<bool> divided = table.empty() ? std::vector<bool>() : divisions_by_louis(word, table);
     std::vector<std::size_t> places;
-    std::string_view rest = word, last;
+    std::string_view rest = word;
     for (std::size_t letter = 0; !rest.empty(); ++letter) {
         const std::string_view here = rest;
-        const bool may = is_hyphen(last) || (letter < divided.size() && divided[letter]);
-        if (may && letter >= kLeastLetters && letters_in(here) >= kLeastLetters) places.push_back(word.size() - here.size());
+        const bool may =
+            ends_in_hyphen(word.substr(0, word.size() - here.size())) || (letter < divided.size() && divided[letter]);
+        if (may && letter >= kLeastLetters && has_letters(here, kLeastLetters)) places.push_back(word.size() - here.size());
         if (take_letter(rest) == kNoLetter) return {};
-        last = here.substr(0, here.size() - rest.size());
     }
     return places;
 }
+
+bool ends_in_hyphen(std::string_view part) { return part.ends_with('-') || part.ends_with("\u2010") || part.ends_with("\u2013"); }
 
 }  // namespace tactics

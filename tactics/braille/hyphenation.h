@@ -15,4 +15,7 @@ namespace tactics {
 /// for the language. Thread-safe.
 std::vector<std::size_t> places_to_divide(std::string_view word, std::string_view braille_table, std::string_view language);
 
+/// The last letter of the part is a hyphen of its own: "-", U+2010 or a dash between words (U+2013).
+bool ends_in_hyphen(std::string_view part);
+
 }  // namespace tactics

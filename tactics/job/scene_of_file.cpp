@@ -37,7 +37,7 @@ FileScene of_pixels(Source& source, const HeightWish& wish) {
     if (!wish.high)
         found.notes.push_back(phrase(
             "its lightness is taken for heights from {0} to {1} mm; say others with {2} and {3}, or have it drawn with {4}",
-            to_text(low), to_text(high), spelled("low"), spelled("high"), spelled("recipe")));
+            numeral(low), numeral(high), spelled("low"), spelled("high"), spelled("recipe")));
     return found;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
@@ -21,8 +22,7 @@ using Cells = std::vector<std::uint8_t>;
 
 constexpr std::size_t kIndent = 2, kLeastCells = 10, kLeastRows = 3;
 constexpr std::size_t kMostPages = 20'000;
-constexpr std::size_t kLongestHyphen = 3;  // cells; a table that writes more for it has none
-constexpr std::size_t kCentred = 3;        // cells that stay empty on each side of a heading, at least
+constexpr std::size_t kCentred = 3;  // cells that stay empty on each side of a heading, at least
 
 Cells behind(std::size_t empty, const Cells& cells) {
     Cells line(empty, 0);
@@ -30,53 +30,9 @@ Cells behind(std::size_t empty, const Cells& cells) {
     return line;
 }
 
-// Words in lines, the first moved in. A word that is longer than a line is divided, with a hyphen at the end of each line but its
-// last.
-std::vector<Cells> in_lines(const Cells& cells, std::size_t indent, std::size_t most, const WordDivision& division) {
-    std::vector<Cells> lines;
-    Cells line(indent, 0);
-    std::size_t words = 0, number = 0;  // in the line; before this word
-    const Cells& hyphen = division.hyphen();
-    const auto end_line = [&] {
-        lines.push_back(std::move(line));
-        line.clear();
-        words = 0;
-    };
-    const std::size_t all = words_in(cells);
-    for (auto at = cells.begin(); at != cells.end();) {
-        const auto from = std::find_if(at, cells.end(), [](std::uint8_t cell) { return cell != 0; });
-        auto begin = from;
-        const auto end = std::find(begin, cells.end(), 0), gap = words > 0 ? at : from;
-        if (words > 0 && line.size() + static_cast<std::size_t>(end - gap) > most) end_line();
-        if (words > 0) line.insert(line.end(), gap, from);
-        Cells rest(begin, end);
-        std::string word = line.size() + rest.size() > most ? division.word(number, all) : "";
-        while (line.size() + rest.size() > most) {
-            if (auto parts = division.divide(word, most - line.size())) {
-                line.insert(line.end(), parts->first.begin(), parts->first.end());
-                rest = std::move(parts->rest);
-                word = std::move(parts->rest_word);
-            } else {
-                word.clear();  // what is left of it is no word
-                const auto part = rest.begin() + static_cast<std::ptrdiff_t>(most - hyphen.size() - line.size());
-                line.insert(line.end(), rest.begin(), part);
-                line.insert(line.end(), hyphen.begin(), hyphen.end());
-                rest.erase(rest.begin(), part);
-            }
-            end_line();
-        }
-        line.insert(line.end(), rest.begin(), rest.end());
-        words += rest.empty() ? 0 : 1;
-        ++number;
-        at = end;
-    }
-    if (words > 0) lines.push_back(std::move(line));
-    return lines;
-}
-
 std::vector<Cells> heading_lines(const Cells& cells, std::size_t most, const WordDivision& division) {
     std::vector<Cells> lines;
-    for (const Cells& line : in_lines(cells, 0, most > 4 * kCentred ? most - 2 * kCentred : most, division))
+    for (const Cells& line : wrapped(cells, most > 4 * kCentred ? most - 2 * kCentred : most, division))
         lines.push_back(behind((most - std::min(most, line.size())) / 2, line));
     return lines;
 }
@@ -190,8 +146,7 @@ TextPages text_pages(const std::vector<TextBlock>& blocks, const Sheet& sheet, s
         throw Error(Fault::usage, spelled("braille"), phrase("text is laid out in braille; name a table, or leave it out"));
     Lines lines(sheet, number);
     TextCells setting(sheet.braille_table);
-    Cells hyphen = setting.known("-").value_or(Cells());
-    if (hyphen.size() > kLongestHyphen) hyphen.clear();
+    const Cells hyphen = hyphen_of(sheet.braille_table);
     for (const TextBlock& block : blocks) {
         const std::string text = to_line(block.text);
         const Cells cells = setting.of(text);
@@ -199,7 +154,9 @@ TextPages text_pages(const std::vector<TextBlock>& blocks, const Sheet& sheet, s
         const WordDivision division(hyphen, text, sheet.braille_table, sheet.language,
                                     [&](const std::string& part) { return setting.known(part); });
         if (block.kind == TextBlock::Kind::paragraph) {
-            for (Cells& line : in_lines(cells, kIndent, lines.cells(), division)) lines.add(std::move(line));
+            std::size_t indent = kIndent;
+            for (const Cells& line : wrapped(cells, lines.cells(), division, kIndent))
+                lines.add(behind(std::exchange(indent, 0), line));
             continue;
         }
         std::vector<Cells> heading = heading_lines(cells, lines.cells(), division);

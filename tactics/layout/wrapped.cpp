@@ -13,67 +13,28 @@ namespace {
 
 using Cells = std::vector<std::uint8_t>;
 
-bool ends_with(const Cells& cells, const Cells& end) {
-    return cells.size() >= end.size() && std::equal(end.rbegin(), end.rend(), cells.rbegin());
+// Bytes of text in a cell, at most: where a contraction is longer, a shorter part is taken.
+constexpr std::size_t kMostBytesOfCell = 16;
+
+void extend(Cells& line, const Cells& more) { line.insert(line.end(), more.begin(), more.end()); }
+
+// The longest of the parts, each longer than the one before, that `fits`; 0: none does. Of neighbours the longer may have a cell
+// less, so the two after the first that does not fit are tried, too.
+std::size_t longest_fitting(const std::vector<std::size_t>& parts, const std::function<bool(std::size_t)>& fits) {
+    std::size_t some = 0, too_many = 1;
+    while (too_many <= parts.size() && fits(parts[too_many - 1])) {
+        some = too_many;
+        too_many *= 2;
+    }
+    too_many = std::min(too_many, parts.size() + 1);
+    while (too_many - some > 1) {
+        const std::size_t middle = (some + too_many) / 2;
+        (fits(parts[middle - 1]) ? some : too_many) = middle;
+    }
+    for (std::size_t more = 2; more > 0; --more)
+        if (some + more < parts.size() && fits(parts[some + more])) return parts[some + more];
+    return some == 0 ? 0 : parts[some - 1];
 }
-
-// What is still to be broken into lines.
-class Rest {
-public:
-    Rest(Cells cells, const WordDivision& division) : cells_(std::move(cells)), division_(division), words_(words_in(cells_)) {}
-
-    bool begin_line() {
-        while (at_ < cells_.size() && cells_[at_] == 0) ++at_;
-        return at_ < cells_.size();
-    }
-
-    Cells take_line(std::size_t most) {
-        std::size_t end = std::min(cells_.size(), at_ + most);
-        if (end < cells_.size() && cells_[end] != 0) {
-            std::size_t blank = end;
-            while (blank > at_ && cells_[blank - 1] != 0) --blank;
-            if (blank == at_) return take_part(most);
-            end = blank;
-        }
-        Cells line(place(at_), place(end));
-        while (!line.empty() && line.back() == 0) line.pop_back();
-        number_ += words_in(line);
-        word_.reset();
-        at_ = end;
-        return line;
-    }
-
-private:
-    Cells::const_iterator place(std::size_t at) const { return cells_.begin() + static_cast<std::ptrdiff_t>(at); }
-
-    // Of a word that is longer than the line.
-    Cells take_part(std::size_t most) {
-        if (!word_) word_ = division_.word(number_, words_);
-        if (auto parts = division_.divide(*word_, most)) {
-            const auto end = std::find(place(at_), cells_.cend(), std::uint8_t{0});
-            Cells after = std::move(parts->rest);
-            after.insert(after.end(), end, cells_.cend());
-            cells_ = std::move(after);
-            at_ = 0;
-            word_ = std::move(parts->rest_word);
-            return std::move(parts->first);
-        }
-        word_ = "";  // what is left of it is no word
-        // A line with room for little more than the hyphen gets none: the word's own cells are worth more.
-        const Cells& hyphen = division_.hyphen();
-        const bool room = most > 2 * hyphen.size();
-        const std::size_t end = at_ + most - (room ? hyphen.size() : 0);
-        Cells line(place(at_), place(end));
-        if (room) line.insert(line.end(), hyphen.begin(), hyphen.end());
-        at_ = end;
-        return line;
-    }
-
-    Cells cells_;
-    const WordDivision& division_;
-    std::size_t words_, at_ = 0, number_ = 0;  // the number of the word that the line begins with
-    std::optional<std::string> word_;          // what is left of a word that was divided
-};
 
 }  // namespace
 
@@ -100,20 +61,51 @@ std::string WordDivision::word(std::size_t number, std::size_t words) const {
     return words == words_.size() && number < words ? words_[number] : "";
 }
 
-std::optional<WordDivision::Parts> WordDivision::divide(const std::string& word, std::size_t most) const {
-    if (word.empty() || !cells_of_) return std::nullopt;
-    std::vector<std::size_t> places = places_to_divide(word, table_, language_);
-    std::reverse(places.begin(), places.end());
-    for (const std::size_t place : places) {
-        std::optional<Cells> first = cells_of_(word.substr(0, place));
-        if (!first) return std::nullopt;
-        if (!ends_with(*first, hyphen_) || hyphen_.empty()) first->insert(first->end(), hyphen_.begin(), hyphen_.end());
-        if (first->size() > most) continue;
-        std::optional<Cells> rest = cells_of_(word.substr(place));
-        if (!rest) return std::nullopt;
-        return Parts{std::move(*first), std::move(*rest), word.substr(place)};
+std::vector<Cells> WordDivision::cut(const Cells& cells, std::size_t first, std::size_t most) const {
+    std::vector<Cells> lines;
+    auto at = cells.begin();
+    for (std::size_t room = first; static_cast<std::size_t>(cells.end() - at) > room; room = most) {
+        // A line with room for little more than the hyphen gets none: the word's own cells are worth more.
+        const bool hyphened = room > 2 * hyphen_.size();
+        const auto end = at + static_cast<std::ptrdiff_t>(room - (hyphened ? hyphen_.size() : 0));
+        extend(lines.emplace_back(at, end), hyphened ? hyphen_ : Cells());
+        at = end;
     }
-    return std::nullopt;
+    lines.emplace_back(at, cells.end());
+    return lines;
+}
+
+std::vector<Cells> WordDivision::lines_of(const std::string& word, const Cells& cells, std::size_t first,
+                                          std::size_t most) const {
+    if (word.empty() || !cells_of_ || cells.size() <= first) return cut(cells, first, most);
+    std::vector<std::size_t> places = places_to_divide(word, table_, language_);
+    places.push_back(word.size());
+    std::vector<Cells> lines;
+    std::size_t room = first, from = 0;
+    auto next = places.cbegin();
+    while (from < word.size()) {
+        bool known = true;
+        const auto part_to = [&](std::size_t place) {
+            const std::string part = word.substr(from, place - from);
+            std::optional<Cells> line = cells_of_(part);
+            known = known && line;
+            if (line && place < word.size() && !ends_in_hyphen(part)) extend(*line, hyphen_);
+            return line.value_or(Cells());
+        };
+        const auto end = std::upper_bound(next, places.cend(), from + kMostBytesOfCell * room);
+        const std::size_t to = longest_fitting({next, end}, [&](std::size_t place) { return part_to(place).size() <= room; });
+        if (!known) return cut(cells, first, most);  // it has letters that have cells in other words only
+        if (to == 0) break;
+        lines.push_back(part_to(to));
+        next = std::upper_bound(next, end, to);
+        from = to;
+        room = most;
+    }
+    if (from == word.size()) return lines;
+    const std::optional<Cells> rest = from == 0 ? cells : cells_of_(word.substr(from));
+    if (!rest) return cut(cells, first, most);
+    for (Cells& line : cut(*rest, room, most)) lines.push_back(std::move(line));
+    return lines;
 }
 
 std::vector<std::uint8_t> hyphen_of(const std::string& braille_table) {
@@ -138,10 +130,35 @@ WordDivision division_in(const Sheet& sheet, const std::string& text) {
             }};
 }
 
-std::vector<Cells> wrapped(Cells cells, std::size_t most, const WordDivision& division, std::size_t less) {
+std::vector<Cells> wrapped(const Cells& cells, std::size_t most, const WordDivision& division, std::size_t less) {
     std::vector<Cells> lines;
-    for (Rest rest(std::move(cells), division); rest.begin_line();)
-        lines.push_back(rest.take_line(most - (lines.empty() ? std::min(less, most - 1) : 0)));
+    Cells line;
+    const std::size_t all = words_in(cells);
+    std::size_t room = most - std::min(less, most - 1), number = 0;  // of the line; of the words before this one
+    const auto end_line = [&] {
+        lines.push_back(std::move(line));
+        line.clear();
+        room = most;
+    };
+    for (auto at = cells.begin();;) {
+        const auto begin = std::find_if(at, cells.end(), [](std::uint8_t cell) { return cell != 0; });
+        if (begin == cells.end()) break;
+        const auto end = std::find(begin, cells.end(), std::uint8_t{0});
+        if (!line.empty() && line.size() + static_cast<std::size_t>(end - at) > room) end_line();
+        if (!line.empty()) line.insert(line.end(), at, begin);
+        const auto length = static_cast<std::size_t>(end - begin);
+        if (line.size() + length <= room) {
+            line.insert(line.end(), begin, end);
+        } else {
+            for (Cells& part : division.lines_of(division.word(number, all), {begin, end}, room, most)) {
+                if (!line.empty()) end_line();
+                line = std::move(part);
+            }
+        }
+        ++number;
+        at = end;
+    }
+    if (!line.empty()) lines.push_back(std::move(line));
     return lines;
 }
 

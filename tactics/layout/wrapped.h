@@ -28,19 +28,17 @@ public:
     WordDivision(Cells hyphen, std::string_view text, std::string braille_table, std::string language,
                  std::function<std::optional<Cells>(const std::string& part)> cells_of);
 
-    const Cells& hyphen() const { return hyphen_; }
     /// A word of the text, counted from 0; empty if the text has not as many words as its cells.
     std::string word(std::size_t number, std::size_t words) const;
-
-    struct Parts {
-        Cells first;  ///< with its hyphen
-        Cells rest;
-        std::string rest_word;
-    };
-    /// The longest first part that has at most `most` cells. Nothing: the word has no such part, or is not known.
-    std::optional<Parts> divide(const std::string& word, std::size_t most) const;
+    /// The lines that a word takes alone: the first of at most `first` cells, the others of at most `most`, each as long as it
+    /// can be, and each but the last with a hyphen, if it does not end in one of the word's own. `cells` are those of the whole
+    /// word. It is cut after any cell if it is empty or its letters have no cells in parts of it, and from the first place where
+    /// no part is short enough.
+    std::vector<Cells> lines_of(const std::string& word, const Cells& cells, std::size_t first, std::size_t most) const;
 
 private:
+    std::vector<Cells> cut(const Cells& cells, std::size_t first, std::size_t most) const;
+
     Cells hyphen_;
     std::vector<std::string> words_;
     std::string table_, language_;
@@ -58,7 +56,7 @@ std::size_t words_in(const std::vector<std::uint8_t>& cells);
 
 /// Lines of at most `most` cells, broken at blank cells; the first has `less` cells fewer. A longer word is divided, or cut where
 /// the division does not know it.
-std::vector<std::vector<std::uint8_t>> wrapped(std::vector<std::uint8_t> cells, std::size_t most, const WordDivision& division,
-                                               std::size_t less = 0);
+std::vector<std::vector<std::uint8_t>> wrapped(const std::vector<std::uint8_t>& cells, std::size_t most,
+                                               const WordDivision& division, std::size_t less = 0);
 
 }  // namespace tactics

@@ -35,7 +35,7 @@ Origin wished(std::string_view name) { return {spelled(name)}; }
 
 [[noreturn]] void refuse(const Origin& origin, const Phrase& why) { throw Error(origin.fault, origin.place, why); }
 
-std::string mm(double value) { return to_text(value) + " mm"; }
+Phrase mm(double value) { return phrase("{0} mm", numeral(value)); }
 
 struct Range {
     double low = 0, high = 0;
@@ -255,6 +255,18 @@ std::optional<HeightFile> read(Source& source, const HeightWish& wish, bool any_
 }
 
 }  // namespace
+
+Phrase format_in_words(const std::string& format) {
+    const auto before = [&](std::string_view end) { return format.substr(0, format.size() - end.size()); };
+    if (format.ends_with(" picture")) return phrase("picture ({0})", before(" picture"));
+    if (format.ends_with(" model")) return phrase("{0} model", before(" model"));
+    if (format.starts_with("16-bit ")) return phrase("16-bit {0}", format.substr(7));
+    if (format == "32-bit decimal TIFF") return phrase("32-bit decimal TIFF");
+    if (format == ".felt file") return phrase(".felt file");
+    if (format == "surface") return phrase("surface");
+    if (format == "drawing") return phrase("drawing");
+    return format;
+}
 
 HeightFile read_heights(Source& source, const HeightWish& wish) { return *read(source, wish, true); }
 

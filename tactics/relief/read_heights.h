@@ -39,6 +39,9 @@ struct HeightFile {
     std::vector<Phrase> notes;  ///< defaults used and data lost: one sentence each, for the user
 };
 
+/// A format as a message names it: "16-bit PNG", "STL model", "picture (BMP)", "drawing".
+Phrase format_in_words(const std::string& format);
+
 /// Throws Error(usage) for a wish that contradicts itself or the file, with the option's name as its place, and Error(failed),
 /// naming the file, for what cannot be read.
 HeightFile read_heights(Source& source, const HeightWish& wish);

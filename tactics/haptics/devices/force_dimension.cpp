@@ -135,7 +135,7 @@ std::unique_ptr<HapticDevice> force_dimension_arm(const std::string& library) {
 extern const DeviceKind dhd_device;
 const DeviceKind dhd_device{.name = "dhd",
                             .address = "LIBRARY",
-                            .example = "dhd: or dhd:/opt/sdk/lib/libdhd.so",
+                            .example = "dhd:, dhd:/opt/sdk/lib/libdhd.so",
                             .real = true,
                             .axes = 3,
                             .open = open_dhd};

@@ -156,7 +156,7 @@ std::unique_ptr<HapticDevice> open_hid(const DeviceWish& wish) {
 extern const DeviceKind hid_device;
 const DeviceKind hid_device{.name = "hid",
                             .address = "/dev/hidraw0",
-                            .example = "hid: or hid:/dev/hidraw0",
+                            .example = "hid:, hid:/dev/hidraw0",
                             .finds_place = true,
                             .real = true,
                             .open = open_hid};

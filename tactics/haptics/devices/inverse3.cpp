@@ -218,7 +218,7 @@ std::unique_ptr<HapticDevice> inverse3_arm(const std::string& where) { return st
 extern const DeviceKind inverse3_device;
 const DeviceKind inverse3_device{.name = "inverse3",
                                  .address = "localhost:10001",
-                                 .example = "inverse3: or inverse3:localhost:10001",
+                                 .example = "inverse3:, inverse3:localhost:10001",
                                  .real = true,
                                  .axes = 3,
                                  .open = open_inverse3};

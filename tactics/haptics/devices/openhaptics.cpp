@@ -179,7 +179,7 @@ std::unique_ptr<HapticDevice> openhaptics_arm(const std::string& library) { retu
 extern const DeviceKind openhaptics_device;
 const DeviceKind openhaptics_device{.name = "openhaptics",
                                     .address = "LIBRARY",
-                                    .example = "openhaptics: or openhaptics:/usr/lib/libHD.so",
+                                    .example = "openhaptics:, openhaptics:/usr/lib/libHD.so",
                                     .real = true,
                                     .axes = 3,
                                     .open = open_openhaptics};

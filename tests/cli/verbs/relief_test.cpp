@@ -24,7 +24,7 @@ TEST(Relief, APictureBecomesAllFilesOfHeightsAndTheyComeBack) {
     ASSERT_EQ(made.code, 0) << made.err;
     EXPECT_EQ(
         made.err,
-        "ramp.pgm: PNM picture of 52 x 20 samples 0.5 mm apart, 26 x 10 mm; heights 0 to 5 mm, black is 0 and white 5 mm\n");
+        "ramp.pgm: picture (PNM) of 52 x 20 samples 0.5 mm apart, 26 x 10 mm; heights 0 to 5 mm, black is 0 and white 5 mm\n");
     EXPECT_EQ(made.out, "");
     expect_solid(mesh_of(bytes_of(folder / "a.stl")));
     for (const char* name : {"a.png", "a.tif", "a.exr"}) {
@@ -71,13 +71,41 @@ TEST(Relief, AWorldHasItsSizeAndSaysWhatIsLeftOut) {
         "cube.wrl: VRML97 model of 40 x 20 samples 0.5 mm apart, 20 x 10 mm; heights 5 to 5 mm, black is 0 and white 5 mm\n");
 }
 
+// Whole phrases, with the numbers as the language writes them; what programs read stays as it is.
+TEST(Relief, SaysItInTheUsersLanguage) {
+    const Folder folder;
+    write_bytes(folder / "ramp.pgm", pgm(4, 4));
+    write_bytes(folder / "s.svg",
+                "<svg xmlns='http://www.w3.org/2000/svg' width='20mm' height='20mm'><path d='M2 9H40' "
+                "fill='none' stroke='#000'/></svg>");
+    const auto run = [&](const std::string& locale, const Words& words) {
+        Words all{"env", "-u", "LANGUAGE", "LC_ALL=" + locale, TACTICS_PROGRAM};
+        all.insert(all.end(), words.begin(), words.end());
+        const Ending ending = run_tool(folder, all);
+        return ending.out + ending.err;
+    };
+    const std::string german = run("de_DE.UTF-8", {"relief", "ramp.pgm", "-o", "a.png"});
+    EXPECT_TRUE(holds(german, "ramp.pgm: Bild (PNM) mit 4 x 4 ")) << german;
+    EXPECT_TRUE(holds(german, "0,264583 mm, ")) << german;
+    EXPECT_TRUE(holds(german, " 1,058 x 1,058 mm")) << german;
+    EXPECT_FALSE(holds(german, "0.264583")) << german;
+    const std::string french = run("fr_FR.UTF-8", {"relief", "ramp.pgm", "-o", "a.png"});
+    EXPECT_TRUE(holds(french, "image (PNM)")) << french;
+    const std::string json = run("de_DE.UTF-8", {"relief", "ramp.pgm", "-o", "a.png", "--json", "--quiet"});
+    EXPECT_TRUE(holds(json, "\"PNM picture\"")) << json;
+    EXPECT_FALSE(holds(json, "0,264583")) << json;
+    const std::string measured = run("de_DE.UTF-8", {"measure", "s.svg"});
+    EXPECT_TRUE(holds(measured, "s.svg: Zeichnung mit ")) << measured;
+    EXPECT_FALSE(holds(run("de_DE.UTF-8", {"play", "ramp.pgm", "--device", "nothing"}), " or ")) << "of the devices' examples";
+}
+
 TEST(Relief, SaysWhatItTookAndWhatIsWrong) {
     const Folder folder;
     write_bytes(folder / "ramp.pgm", pgm(4, 4));
     EXPECT_EQ(run_tactics(folder, {"relief", "ramp.pgm", "-o", "a.png"}).err,
               "ramp.pgm: it tells no pitch: 0.264583 mm, a pixel of a screen, is taken; say what it is with --pitch or --width\n"
               "ramp.pgm: it tells no heights: black is 0 mm and white 10 mm; say what they are with --low and --high\n"
-              "ramp.pgm: PNM picture of 4 x 4 samples 0.264583 mm apart, 1.058 x 1.058 mm; heights 0 to 10 mm, black is 0 and "
+              "ramp.pgm: picture (PNM) of 4 x 4 samples 0.264583 mm apart, 1.058 x 1.058 mm; heights 0 to 10 mm, black is 0 and "
               "white 10 mm\n");
     write_bytes(folder / "broken.stl", "solid or not");
     const std::vector<std::pair<Words, std::string>> wrong = {

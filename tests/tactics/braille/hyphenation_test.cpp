@@ -32,7 +32,7 @@ TEST(Hyphenation, DividesAsTheLanguageDoes) {
     EXPECT_EQ(divided("Beamten", "en-ueb-g2.ctb"), divided("Beamten", "en-ueb-g1.ctb")) << "the language counts, not the grade";
     EXPECT_EQ(divided("Beamten", "own.ctb", "de-AT"), "Be|amten") << "a table that says no language has that of the page";
     EXPECT_EQ(divided("\u05E9\u05DC\u05D5\u05DD", "he-IL.utb"), "\u05E9\u05DC\u05D5\u05DD") << "no patterns";
-    EXPECT_EQ(divided("Nord-Ostsee-Kanal,", "de-g2.ctb").substr(0, 6), "Nord-|") << "a hyphen of its own";
+    EXPECT_EQ(divided("Nord-Ostsee-Kanal,", "de-g2.ctb"), "Nord-|Ost|see-|Ka|nal,") << "hyphens of its own";
     EXPECT_EQ(divided("eben", "de-g2.ctb"), "eben") << "one letter alone says nothing";
     EXPECT_EQ(divided(std::string(400, 'n'), "de-g2.ctb"), std::string(400, 'n'));
     EXPECT_EQ(divided("\xFF\xFE", "de-g2.ctb"), "\xFF\xFE");

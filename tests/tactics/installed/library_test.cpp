@@ -148,7 +148,7 @@ TEST_F(InstalledLibrary, IsForPythonToo) {
     }
     const Ending wrong = run({"line.pdf", "made.svg", "paper=a44"});
     EXPECT_EQ(wrong.code, 1);
-    EXPECT_TRUE(holds(wrong.err, "--paper: there is no paper")) << wrong.err;
+    EXPECT_TRUE(wrong.err.starts_with("paper: there is no paper")) << wrong.err << "an option has no dashes here";
 }
 
 }  // namespace
