@@ -273,7 +273,7 @@ Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, Notes& 
 }
 
 bool may_trim(const Job& job, const Sheet& sheet) {
-    return !sheet.bare && !sheet.drawing_width && !sheet.real_width &&
+    return !sheet.bare && !sheet.drawing_width && !sheet.real_width && !sheet.scale &&
            std::all_of(job.labels.begin(), job.labels.end(), [](const PlacedWords& label) { return label.share; });
 }
 

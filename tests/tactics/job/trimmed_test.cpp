@@ -8,6 +8,7 @@
 #include <string>
 
 #include "filters/list.h"
+#include "tactics/geometry/box.h"
 #include "tactics/job/make_pages.h"
 #include "tests/cli/picture.h"
 #include "tests/cli/tool.h"
@@ -84,6 +85,25 @@ TEST_F(TrimmedPages, WhoMeasuresTheWholeFigureGetsIt) {
     page_of(300, "measured", wishes);
     EXPECT_EQ(outcome.part.width, 1);
     EXPECT_EQ(outcome.layouts.at(0).place.drawing.width, 100);
+}
+
+// A side of 200 mm at 1:4: what is measured on the page is what the scale says.
+TEST_F(TrimmedPages, AScaleIsThatOfTheWholeFigure) {
+    tests::write_bytes(folder / "plan.svg",
+                       "<svg xmlns='http://www.w3.org/2000/svg' width='400mm' height='300mm' viewBox='0 0 400 300'><path "
+                       "fill='none' stroke='black' d='M100 100h200v100h-200z'/></svg>");
+    Wishes wishes;
+    wishes.sheet.scale = 0.25;
+    Job job{{(folder / "plan.svg").string(), {output_to((folder / "plan.page.svg").string())}}, wishes};
+    job.outputs.front().path.clear();  // shown
+    outcome = make_pages(job);
+    ASSERT_EQ(outcome.error, "");
+    Box box = kNothing;
+    for (const PageStroke& stroke : outcome.layouts.at(0).shown.at(0).strokes)
+        if (stroke.role == Role::line)
+            for (const Point& p : stroke.points) box.take(p);
+    EXPECT_NEAR(box.width(), 50, 0.5);
+    EXPECT_NEAR(box.height(), 25, 0.5);
 }
 
 }  // namespace
