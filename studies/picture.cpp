@@ -32,7 +32,7 @@ ReadyRecipe ready_drawing(const StudyRequest& request, Source source, const Cand
     ReadyRecipe ready;
     ready.place = place_on(request.sheet, drawable.aspect(request.sheet)).drawing;
     DrawingWay way;
-    ready.from = drawable.draw(request.sheet, ready.place, drawable.words, way);
+    ready.from = drawable.draw(request.sheet, ready.place, drawable.part, drawable.words, way);
     return ready;
 }
 

@@ -72,12 +72,14 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
     const bool chooses = job.chain.detail == "best" && keeps_some(drawable.recipe);
     if (chooses) check_chooses_detail(drawable.recipe);
     drawable.draw = [reading, chooses, recipe = drawable.recipe, as_drawn = job.chain.as_drawn,
-                     longest = std::max(drawable.info.width, drawable.info.height)](const Sheet& on, const Rect& place,
-                                                                                    const PrintWords& print, DrawingWay& way) {
+                     longest = std::max(drawable.info.width, drawable.info.height)](
+                        const Sheet& on, const Rect& place, const Rect& part, const PrintWords& print, DrawingWay& way) {
         Recipe fitting = fit_to(*on.medium, recipe);
-        Image picture = read_for(fitting, place, *reading);
+        Image picture =
+            read_for(fitting, {place.left, place.top, place.width / part.width, place.height / part.height}, *reading);
         way.finer = longest > std::max(picture.width, picture.height);
         print.take_from(picture);
+        picture = cut_out(std::move(picture), part);
         if (chooses) way.detail = choose_detail(fitting, picture, on, place, as_drawn);
         KnownParts parts = known_parts_of(picture, recipe);
         Drawing drawing = drawing_of(run_settling(fitting, std::move(picture), way.chosen));
@@ -92,14 +94,15 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
 Drawable drawable_of_picture(Source& source, const Job& job, const Sheet& sheet) {
     const auto reading = std::make_shared<Reading>(source);
     Drawable drawable = drawable_of_pixels(inspect_picture(source), reading, job.words, job, sheet);
-    if (drawable.recipe.has_words && draws_whole(drawable.recipe)) {
-        Image left = reading->get({kLookForWords, false});
-        take_out(left, drawable.words.lettering, true);
-        const Rect inked = inked_part(to_grey(std::move(left)));
+    if (drawable.recipe.has_words && draws_whole(drawable.recipe) && job.wish.empty()) {
+        Image left = reading->get({kLookForWords, uses_colour(drawable.recipe)});
+        take_out(left, drawable.words.lettering, !drawable.words.remove_all);
+        const Rect inked = inked_part(left);
         // Fewer pixels are not spread over a whole sheet: curves would come out as the steps of their pixels.
         constexpr double kFewestPixels = 250;
-        if (std::max(inked.width * drawable.info.width, inked.height * drawable.info.height) >= kFewestPixels)
-            drawable.inked = inked;
+        const double width = drawable.info.width, height = drawable.info.height,
+                     read = std::min(1.0, kMostPixels / std::max(width, height));
+        if (read * std::max(inked.width * width, inked.height * height) >= kFewestPixels) drawable.inked = inked;
     }
     return drawable;
 }
@@ -162,10 +165,12 @@ Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, 
     if (figure->page.tells_size) drawable.width = figure->page.file_width;
     drawable.aspect = [aspect = figure->aspect()](const Sheet&) { return aspect; };
     drawable.inked = inked_part(figure->page);
-    drawable.draw = [figure, parts](const Sheet& on, const Rect& place, const PrintWords& words, DrawingWay& way) {
-        Drawing drawing = drawing_of_figure(figure->page, place.width);
-        draw_parts(*parts, place.width / figure->page.page.width, !words.told.empty(), on, drawing, way);
-        return drawing;
+    drawable.draw = [figure, parts](const Sheet& on, const Rect& place, const Rect& part, const PrintWords& words,
+                                    DrawingWay& way) {
+        const double width = place.width / part.width;
+        Drawing drawing = drawing_of_figure(figure->page, width);
+        draw_parts(*parts, width / figure->page.page.width, !words.told.empty(), on, drawing, way);
+        return cut_out(std::move(drawing), part);
     };
     if (parts->empty()) tell_what_does_nothing(phrase("lines already"), job, notes);
     return drawable;
@@ -183,7 +188,9 @@ std::optional<Drawable> drawable_of_own_page(Source& source, const Job& job, Not
     Drawable drawable{.info = {"SVG", static_cast<int>(std::lround(own->width)), static_cast<int>(std::lround(own->height))}};
     drawable.own = own;
     drawable.aspect = [own](const Sheet&) { return own->drawing.height > 0 ? own->drawing.width / own->drawing.height : 1; };
-    drawable.draw = [own](const Sheet&, const Rect&, const PrintWords&, DrawingWay&) { return drawing_of_page(*own); };
+    drawable.draw = [own](const Sheet&, const Rect&, const Rect&, const PrintWords&, DrawingWay&) {
+        return drawing_of_page(*own);
+    };
     tell_what_does_nothing(phrase("a page of ours already"), job, notes);
     return drawable;
 }
@@ -200,7 +207,7 @@ Drawable drawable_of_table(Source& source, const Job& job, const Sheet& sheet, N
     drawable.made_for_sheet = true;
     drawable.aspect = chart_aspect;
     draw_chart(*plot, sheet, job.chart, &notes);  // of the first sheet: others show the same, or more
-    drawable.draw = [plot, wish = job.chart](const Sheet& on, const Rect&, const PrintWords&, DrawingWay& way) {
+    drawable.draw = [plot, wish = job.chart](const Sheet& on, const Rect&, const Rect&, const PrintWords&, DrawingWay& way) {
         ChartTold it;
         Drawing drawing = draw_chart(*plot, on, wish, nullptr, &it);
         if (wish.told) way.chart_json = chart_json(*plot, it, on);
@@ -229,7 +236,7 @@ Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view
         const Drawing& made = drawing->on(on).drawing;
         return made.width / made.height;
     };
-    drawable.draw = [drawing](const Sheet& on, const Rect& place, const PrintWords&, DrawingWay&) {
+    drawable.draw = [drawing](const Sheet& on, const Rect& place, const Rect&, const PrintWords&, DrawingWay&) {
         return scaled_to(drawing->on(on).drawing, place.width);
     };
     tell_what_does_nothing(phrase("a model"), job, notes);
@@ -273,7 +280,7 @@ Drawable drawable_of(Source& source, const Job& job, const Sheet& sheet, Notes& 
 }
 
 bool may_trim(const Job& job, const Sheet& sheet) {
-    return !sheet.bare && !sheet.drawing_width && !sheet.real_width &&
+    return !sheet.bare && !sheet.drawing_width && !sheet.real_width && !sheet.scale &&
            std::all_of(job.labels.begin(), job.labels.end(), [](const PlacedWords& label) { return label.share; });
 }
 
@@ -282,11 +289,6 @@ void trim(Drawable& drawable) {
     if (part.width >= 1 && part.height >= 1) return;
     drawable.aspect = [part, aspect = std::move(drawable.aspect)](const Sheet& sheet) {
         return aspect(sheet) * part.width / part.height;
-    };
-    drawable.draw = [part, draw = std::move(drawable.draw)](const Sheet& sheet, const Rect& place, const PrintWords& words,
-                                                            DrawingWay& way) {
-        const Rect whole{place.left, place.top, place.width / part.width, place.height / part.height};
-        return cut_out(draw(sheet, whole, words, way), part);
     };
 }
 

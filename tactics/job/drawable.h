@@ -11,6 +11,7 @@
 #include "tactics/job/best_detail.h"
 #include "tactics/job/job.h"
 #include "tactics/job/print_words.h"
+#include "tactics/job/trimmed.h"
 #include "tactics/readers/read.h"
 #include "tactics/relief/read_heights.h"
 #include "tactics/text/note.h"
@@ -42,8 +43,9 @@ struct Drawable {
     std::shared_ptr<const Page> own = {};  ///< a page that we wrote, as it was (own_pages.h)
     /// Width / height of its drawing on that sheet.
     std::function<double(const Sheet& sheet)> aspect = {};
-    /// Its drawing for that place, without the print that `words` removes.
-    std::function<Drawing(const Sheet& sheet, const Rect& place, const PrintWords& words, DrawingWay& way)> draw = {};
+    /// The drawing of that part of it for that place, without the print that `words` removes.
+    std::function<Drawing(const Sheet& sheet, const Rect& place, const Rect& part, const PrintWords& words, DrawingWay& way)>
+        draw = {};
     /// Its heights, that many mm wide, for height formats; empty: such formats raise its drawing.
     std::function<HeightFile(double width)> heights = {};
 };

@@ -43,11 +43,11 @@ Phrase left_out_words(std::size_t count, const std::string& places, const Phrase
 
 // Where its lines and areas begin, but for a frame around the whole, in percent from the top.
 double first_ink(const Page& page) {
-    constexpr double kWhole = 0.95;  // of the width and the height
+    constexpr double kNearlyAll = 0.95;  // of the width and the height
     double top = page.height;
     const auto take = [&](const std::vector<Point>& points, double half) {
         const Box box = box_of(points);
-        if (box.width() < kWhole * page.width || box.height() < kWhole * page.height) top = std::min(top, box.top - half);
+        if (box.width() < kNearlyAll * page.width || box.height() < kNearlyAll * page.height) top = std::min(top, box.top - half);
     };
     for (const PageStroke& stroke : page.strokes) take(stroke.points, stroke.width / 2);
     for (const Area& area : page.areas)

@@ -83,7 +83,7 @@ void draw_parts(const std::vector<FigurePart>& parts, double scale, bool with_wo
     for (const FigurePart& part : parts) {
         const Rect place = scaled(part.place, scale);
         DrawingWay own;
-        lay_into(figure, part.drawable.draw(sheet, place, with_words ? part.drawable.words : PrintWords{}, own), place,
+        lay_into(figure, part.drawable.draw(sheet, place, kWhole, with_words ? part.drawable.words : PrintWords{}, own), place,
                  scaled(part.shown, scale));
         way.steps = std::move(own.steps);
         way.chosen.insert(way.chosen.end(), own.chosen.begin(), own.chosen.end());

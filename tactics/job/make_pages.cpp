@@ -7,7 +7,6 @@
 #include <iterator>
 #include <mutex>
 #include <set>
-#include <tuple>
 
 #include "tactics/braille/foreign_letters.h"
 #include "tactics/error.h"
@@ -182,15 +181,14 @@ private:
             sheet.medium != drawn_medium_ || from_.made_for_sheet) {
             begin(JobStep::drawing);
             DrawingWay way;
-            Drawing drawing = from_.draw(sheet, place, from_.words, way);
+            Drawing drawing = from_.draw(sheet, place, from_.part, from_.words, way);
             finer_ = way.finer;
             detail_ = std::move(way.detail);
             fit_shape(sheet, drawing, arrangement);
             mended_ = mend_for(*sheet.medium, arrangement.place.drawing.width, std::move(drawing),
                                job_.chain.as_drawn || from_.made_for_sheet);
             // For the first layout; others differ in the needs of their media.
-            if (outcome_.steps.empty())
-                std::tie(outcome_.steps, outcome_.chosen) = std::pair(std::move(way.steps), std::move(way.chosen));
+            if (outcome_.steps.empty()) outcome_.steps = std::move(way.steps), outcome_.chosen = std::move(way.chosen);
             if (outcome_.chart_json.empty()) outcome_.chart_json = std::move(way.chart_json);
             drawn_ = place;
             drawn_medium_ = sheet.medium;
@@ -208,7 +206,8 @@ private:
             names.push_back(std::move(name));
         }
         draw_near(names, drawing.width, drawing.height);
-        std::move(names.begin(), names.end(), std::back_inserter(drawing.names));
+        std::move(drawing.names.begin(), drawing.names.end(), std::back_inserter(names));
+        drawing.names = std::move(names);
         return drawing;
     }
 
@@ -220,7 +219,7 @@ private:
 
     // Even a smaller drawing has no room for its words. The layout then refuses words that the user asked for.
     void give_up_words() {
-        if (job_.words != WordsWish::automatic) return;
+        if (job_.words != WordsWish::automatic || !from_.words.any_set()) return;
         from_.words = PrintWords{};
         for (ToldWords& one : outcome_.words) one.set = false;
         outcome_.notes = {to_act_on(no_room_for_words(from_.print_is_left, more_room_))};
@@ -229,7 +228,7 @@ private:
 
     // Braille is several times larger than the print it replaces, so the drawing may have to shrink, and to move.
     void make_room_for_words(Layout& layout, Arrangement& arrangement) {
-        beside_names_ = from_.words.any_set() && !layout.sheet.drawing_width;
+        beside_names_ = (from_.words.any_set() || any_outside(job_.labels, from_.part)) && !layout.sheet.drawing_width;
         if (!beside_names_) return;
         const Rect whole = arrangement.place.drawing;
         const double aspect = whole.width / whole.height;
@@ -267,6 +266,7 @@ private:
 
     Pages lay_out_one(const Sheet& sheet, Arrangement arrangement) {
         const Drawing drawing = named(draw(sheet, arrangement));
+        check_places(job_.labels, drawing.width, drawing.height);
         begin(JobStep::laying_out);
         advise(sheet, mended_, finer_);
         Pages pages = pages_of(drawing, sheet, std::move(arrangement));

@@ -79,17 +79,24 @@ std::vector<Name> names_on(const Drawing& drawing, const std::vector<PlacedWords
         const Point at = label.share ? Point{(label.x - part.left) / part.width * drawing.width,
                                              (label.y - part.top) / part.height * drawing.height}
                                      : Point{label.x, label.y};
-        if (label.share) {
-            names.push_back({at, label.text, label.origin});
-            continue;
-        }
-        if (at.x > drawing.width || at.y > drawing.height)
-            throw Error(Fault::usage, label.origin,
-                        phrase("it is outside of the drawing, which is {0} mm wide and {1} mm high",
-                               to_text(std::floor(drawing.width * 10) / 10), to_text(std::floor(drawing.height * 10) / 10)));
         names.push_back({at, label.text, label.origin});
     }
     return names;
+}
+
+bool any_outside(const std::vector<PlacedWords>& labels, const Rect& part) {
+    return std::any_of(labels.begin(), labels.end(), [&](const PlacedWords& label) {
+        return label.share && (label.x < part.left || label.x > part.left + part.width || label.y < part.top ||
+                               label.y > part.top + part.height);
+    });
+}
+
+void check_places(const std::vector<PlacedWords>& labels, double width, double height) {
+    for (const PlacedWords& label : labels)
+        if (!label.share && (label.x > width || label.y > height))
+            throw Error(Fault::usage, label.origin,
+                        phrase("it is outside of the drawing, which is {0} mm wide and {1} mm high",
+                               to_text(std::floor(width * 10) / 10), to_text(std::floor(height * 10) / 10)));
 }
 
 }  // namespace tactics

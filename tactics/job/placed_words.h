@@ -9,19 +9,18 @@
 
 #include "tactics/drawing.h"
 #include "tactics/job/subject_wish.h"
+#include "tactics/job/trimmed.h"
 #include "tactics/page.h"
 
 namespace tactics {
 
-/// A whole picture, as a part of it in shares of its sides.
-inline constexpr Rect kWhole{0, 0, 1, 1};
-
 inline constexpr std::size_t kMostLabels = 1000;  ///< per picture; far more than a page has room for
 
-/// "30%,40%" or "12mm,50mm" before the words: the place on the drawing, from its left and top.
+/// "30%,40%" or "12mm,50mm" before the words: the place from the left and top, in percent of the whole picture, also where white
+/// around it is not drawn, or as lengths on the drawing, which is then of the whole picture.
 struct PlacedWords {
     double x = 0, y = 0;
-    bool share = false;  ///< of the drawing's width and height, 0 to 1; else mm on the drawing
+    bool share = false;  ///< of the picture's width and height, 0 to 1; else mm on the drawing
     std::string text;
     std::string origin;
 };
@@ -37,7 +36,10 @@ SubjectWish parse_subject(std::string_view text, const std::string& file, Subjec
 PlacedWords label_of(std::string_view place, std::string_view words, const std::string& origin);
 
 /// The names on a drawing of that size. Shares are of the whole picture, of which that part is drawn, and mm are on the drawing.
-/// Throws Error(usage) for a place in mm outside it.
 std::vector<Name> names_on(const Drawing& drawing, const std::vector<PlacedWords>& labels, const Rect& part = kWhole);
+/// Whether one names what is in the picture, but not in that part.
+bool any_outside(const std::vector<PlacedWords>& labels, const Rect& part);
+/// Throws Error(usage) for a place in mm outside a drawing of that size.
+void check_places(const std::vector<PlacedWords>& labels, double width, double height);
 
 }  // namespace tactics

@@ -137,11 +137,11 @@ std::size_t thin_out(std::vector<ToldWords>& told) {
 std::size_t thin_out_until(std::vector<ToldWords>& told, const std::function<bool()>& has_room) {
     constexpr int kThinnings = 2;
     std::size_t thinned = 0;
-    for (int round = 0; !has_room() && round < kThinnings; ++round) {
+    int round = 0;
+    while (!has_room() && round++ < kThinnings) {
         const std::size_t more = thin_out(told);
         if (more == 0) break;
         thinned += more;
-        if (round + 1 == kThinnings) has_room();
     }
     return thinned;
 }
@@ -199,10 +199,11 @@ double first_ink(Reading& reading, const Lettering& lettering) {
     Image picture = to_grey(reading.get({kLookForWords, false}));
     take_out(picture, lettering, true);
     if (picture.width == 0 || picture.height == 0) return 0;
-    std::vector<std::uint8_t> first(picture.row(0), picture.row(0) + picture.width);
+    const int frame = static_cast<int>(kFrame * std::max(picture.width, picture.height));
+    const std::uint8_t* const inside = picture.row(std::min(frame, picture.height / 2));  // the first row that is no frame
+    std::vector<std::uint8_t> first(inside, inside + picture.width);
     std::nth_element(first.begin(), first.begin() + picture.width / 2, first.end());
     const int ground = first[static_cast<std::size_t>(picture.width / 2)];
-    const int frame = static_cast<int>(kFrame * std::max(picture.width, picture.height));
     for (int y = std::min(frame, picture.height / 2); y < picture.height; ++y)
         for (int x = std::min(frame, picture.width / 2); x < picture.width - frame; ++x)
             if (std::abs(picture.row(y)[x] - ground) > kInk) return 100.0 * y / picture.height;

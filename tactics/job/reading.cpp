@@ -16,9 +16,6 @@ constexpr double kDefaultDpi = 150;  // of the page; drawings made at 300 dpi ag
 // read this size and resample, so that the choice, the page and the embosser's page share one reading.
 constexpr int kLook = 500;
 
-// The maximum: 0.7 m at 150 dpi. It bounds memory and time for any paper and picture.
-constexpr int kMostPixels = 4000;
-
 // The pixels that the longer side of the picture needs for a drawing of that size: as many as resample leaves, so that it is not
 // averaged again for one pixel. Only a recipe that starts with its resolution determines it (a preceding cut changes nothing); a
 // recipe that reduces later needs a finer picture first.

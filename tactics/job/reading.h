@@ -14,6 +14,9 @@
 
 namespace tactics {
 
+/// At most so many pixels on the longer side are read: 0.7 m at 150 dpi. It bounds memory and time for any paper and picture.
+inline constexpr int kMostPixels = 4000;
+
 /// A picture as read for one use, cached for the next use that needs the same.
 class Reading {
 public:

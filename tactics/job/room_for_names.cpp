@@ -8,6 +8,7 @@
 #include "tactics/error.h"
 #include "tactics/layout/label.h"
 #include "tactics/layout/lay_out.h"
+#include "tactics/layout/naming.h"
 #include "tactics/layout/room.h"
 
 namespace tactics {
@@ -17,16 +18,17 @@ namespace {
 // Costs for a hand, as settings: a key must be looked up, a lead line followed; a drawing smaller by a tenth is less bad than one
 // lead line.
 constexpr double kLeftOut = 6, kKeyed = 3, kLed = 1.5, kTenthSmaller = 1;
-constexpr double kBesideThing = 6.5;  // mm: what is farther off has a lead line, or names an axis and stands aside
+constexpr double kRounded = 0.01;  // mm
 constexpr std::array<double, 5> kShares{1, 0.9, 0.8, 0.7, 0.6};
-constexpr double kSmallest = 0.4;  // of the widest: where names beside it would leave less, they have leads or a key
+constexpr std::size_t kHopeless = 100;  // names left out on a page: no other width has room for so many. A setting
+constexpr double kSmallest = 0.4;       // of the widest: where names beside it would leave less, they have leads or a key
 
 double cost_of(const Page& page) {
     double cost = kLeftOut * static_cast<double>(page.left_out.size());
     for (const PageName& name : page.names) {
         if (!name.key.empty())
             cost += kKeyed;
-        else if (distance(nearest_of(name.place, name.thing), name.thing) > kBesideThing)
+        else if (distance(nearest_of(name.place, name.thing), name.thing) > kBesideThing + kRounded)
             cost += kLed;  // with or without a lead line
     }
     return cost;
@@ -195,6 +197,7 @@ std::optional<RoomFound> place_with_room(const Sheet& sheet, double aspect, cons
             if (best && cost >= least) continue;
             best = {arrangement, page.left_out.size()};
             least = cost;
+            if (page.left_out.size() > kHopeless) break;
         } catch (const Error&) {
             continue;  // no room for some name: a smaller drawing leaves more
         }

@@ -2,11 +2,14 @@
 #include "tactics/job/trimmed.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <utility>
 #include <vector>
 
+#include "filters/components.h"
 #include "tactics/geometry/box.h"
 #include "tactics/readers/svg/found_page.h"
 
@@ -27,60 +30,70 @@ Rect with_rim(double left, double top, double right, double bottom, double width
     return !(right > left) || !(bottom > top) || whole ? kWhole : Rect{left, top, right - left, bottom - top};
 }
 
-std::vector<int> edge_of(const Image& picture) {
-    std::vector<int> edge;
+template <typename Take>
+void each_on_edge(const Image& picture, Take take) {
     for (int x = 0; x < picture.width; ++x)
-        for (const int y : {0, picture.height - 1}) edge.push_back(picture.row(y)[x]);
+        for (const int y : {0, picture.height - 1}) take(picture.row(y) + x * picture.channels);
     for (int y = 0; y < picture.height; ++y)
-        for (const int x : {0, picture.width - 1}) edge.push_back(picture.row(y)[x]);
-    return edge;
+        for (const int x : {0, picture.width - 1}) take(picture.row(y) + x * picture.channels);
+}
+
+// The middle level of each channel on the edge.
+std::array<int, 3> ground_of(const Image& picture) {
+    std::array<int, 3> ground{};
+    for (int channel = 0; channel < picture.channels; ++channel) {
+        std::vector<int> edge;
+        each_on_edge(picture, [&](const std::uint8_t* pixel) { edge.push_back(pixel[channel]); });
+        const auto middle = edge.begin() + static_cast<std::ptrdiff_t>(edge.size() / 2);
+        std::nth_element(edge.begin(), middle, edge.end());
+        ground[static_cast<std::size_t>(channel)] = *middle;
+    }
+    return ground;
 }
 
 void move(std::vector<Point>& points, double right, double down) {
     for (Point& p : points) p = {p.x + right, p.y + down};
 }
 
-Image cut_out(const Image& whole, const Rect& part) {
-    const int left = std::clamp(static_cast<int>(std::lround(part.left * whole.width)), 0, whole.width - 1),
-              top = std::clamp(static_cast<int>(std::lround(part.top * whole.height)), 0, whole.height - 1);
-    const int width = std::clamp(static_cast<int>(std::lround(part.width * whole.width)), 1, whole.width - left),
-              height = std::clamp(static_cast<int>(std::lround(part.height * whole.height)), 1, whole.height - top);
-    Image cut = make_image(width, height, whole.channels, whole.mm_per_pixel, 0);
-    for (int y = 0; y < height; ++y) std::copy_n(whole.row(top + y) + left * whole.channels, width * whole.channels, cut.row(y));
-    return cut;
-}
-
 }  // namespace
 
 Rect inked_part(const Image& picture) {
-    // Grey levels from the ground, and pixels in a row that stand out: what is paler or less is a shade or noise of a camera.
-    constexpr int kInk = 24, kFewPixels = 2;
+    // Levels from the ground, and the pixels that hang together at such: what is paler or smaller is noise or a speck. A pale
+    // shade or a thin line is none, as recipes draw both.
+    constexpr int kInk = 24, kPale = 6;
+    constexpr std::size_t kInkPixels = 4, kPalePixels = 64;
     constexpr double kOneGround = 0.98;  // of the edge
-    if (picture.channels != 1 || picture.width < 2 || picture.height < 2) return kWhole;
-    std::vector<int> edge = edge_of(picture);
-    const auto middle = edge.begin() + static_cast<std::ptrdiff_t>(edge.size() / 2);
-    std::nth_element(edge.begin(), middle, edge.end());
-    const int ground = *middle;
-    const auto stands_out = [&](int level) { return std::abs(level - ground) > kInk; };
-    if (static_cast<double>(std::count_if(edge.begin(), edge.end(), stands_out)) >
-        (1 - kOneGround) * static_cast<double>(edge.size()))
-        return kWhole;
-    std::vector<int> in_row(static_cast<std::size_t>(picture.height)), in_column(static_cast<std::size_t>(picture.width));
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x)
-            if (stands_out(picture.row(y)[x])) {
-                ++in_row[static_cast<std::size_t>(y)];
-                ++in_column[static_cast<std::size_t>(x)];
-            }
-    const auto is_inked = [](int count) { return count >= kFewPixels; };
-    const auto span = [&](const std::vector<int>& counts) {
-        const auto first = std::find_if(counts.begin(), counts.end(), is_inked);
-        const auto last = std::find_if(counts.rbegin(), counts.rend(), is_inked);
-        return std::pair(static_cast<double>(first - counts.begin()), static_cast<double>(counts.rend() - last));
+    if (picture.channels > 3 || picture.width < 2 || picture.height < 2) return kWhole;
+    const std::array<int, 3> ground = ground_of(picture);
+    const auto off_ground = [&](const std::uint8_t* pixel) {
+        int off = 0;
+        for (int channel = 0; channel < picture.channels; ++channel)
+            off = std::max(off, std::abs(pixel[channel] - ground[static_cast<std::size_t>(channel)]));
+        return off;
     };
-    const auto [left, right] = span(in_column);
-    const auto [top, bottom] = span(in_row);
-    return with_rim(left, top, right, bottom, picture.width, picture.height);
+    double edge = 0, inked_edge = 0;
+    each_on_edge(picture, [&](const std::uint8_t* pixel) {
+        ++edge;
+        if (off_ground(pixel) > kInk) ++inked_edge;
+    });
+    if (inked_edge > (1 - kOneGround) * edge) return kWhole;
+    const auto width = static_cast<std::size_t>(picture.width);
+    const Components pieces = find_components(picture.width, picture.height, Joined::by_corners, [&](std::size_t i) {
+        return off_ground(picture.row(static_cast<int>(i / width)) + i % width * static_cast<std::size_t>(picture.channels)) >
+               kPale;
+    });
+    const std::vector<std::size_t> areas = pieces.areas();
+    std::vector<std::size_t> inked(pieces.count);
+    for (const Run& run : pieces.runs)
+        for (int x = run.begin; x < run.end; ++x)
+            if (off_ground(picture.row(run.row) + x * picture.channels) > kInk) ++inked[run.component];
+    Box box = kNothing;
+    for (const Run& run : pieces.runs) {
+        if (inked[run.component] < kInkPixels && areas[run.component] < kPalePixels) continue;
+        box.take({static_cast<double>(run.begin), static_cast<double>(run.row)});
+        box.take({static_cast<double>(run.end), static_cast<double>(run.row + 1)});
+    }
+    return with_rim(box.left, box.top, box.right, box.bottom, picture.width, picture.height);
 }
 
 Rect inked_part(const FoundPage& figure) {
@@ -98,7 +111,19 @@ Rect inked_part(const FoundPage& figure) {
     return with_rim(box.left, box.top, box.right, box.bottom, figure.page.width, figure.page.height);
 }
 
+Image cut_out(Image whole, const Rect& part) {
+    if (part.width >= 1 && part.height >= 1) return whole;
+    const int left = std::clamp(static_cast<int>(std::lround(part.left * whole.width)), 0, whole.width - 1),
+              top = std::clamp(static_cast<int>(std::lround(part.top * whole.height)), 0, whole.height - 1);
+    const int width = std::clamp(static_cast<int>(std::lround(part.width * whole.width)), 1, whole.width - left),
+              height = std::clamp(static_cast<int>(std::lround(part.height * whole.height)), 1, whole.height - top);
+    Image cut = make_image(width, height, whole.channels, whole.mm_per_pixel, 0);
+    for (int y = 0; y < height; ++y) std::copy_n(whole.row(top + y) + left * whole.channels, width * whole.channels, cut.row(y));
+    return cut;
+}
+
 Drawing cut_out(Drawing whole, const Rect& part) {
+    if (part.width >= 1 && part.height >= 1) return whole;
     const double right = -part.left * whole.width, down = -part.top * whole.height;
     for (Stroke& stroke : whole.strokes) move(stroke.points, right, down);
     for (Area& area : whole.areas)
@@ -109,7 +134,7 @@ Drawing cut_out(Drawing whole, const Rect& part) {
         for (auto& ring : region.rings) move(ring, right, down);
         region.at = {region.at.x + right, region.at.y + down};
     }
-    if (whole.picture) whole.picture = cut_out(*whole.picture, part);
+    if (whole.picture) whole.picture = cut_out(std::move(*whole.picture), part);
     whole.width *= part.width;
     whole.height *= part.height;
     return whole;

@@ -22,8 +22,6 @@ namespace tactics {
 
 namespace {
 
-// A finger that has found the thing finds what is no farther than this without a line that leads there; twice the least gap.
-constexpr double kBeside = 6.4;  // mm
 // A shape within the span of a hand names itself by words beside it; own choice.
 constexpr double kLargestShape = 45;  // mm
 constexpr double kInMiddle = 0.2;     // of its sides: so near to its middle stands what names it
@@ -159,7 +157,7 @@ public:
 private:
     bool stands_beside(Piece& piece) {
         const auto place =
-            room_.nearest(piece.name.at, piece.block.width, piece.block.height, std::max(kBeside, piece.name.within),
+            room_.nearest(piece.name.at, piece.block.width, piece.block.height, std::max(kBesideThing, piece.name.within),
                           [this](const Rect& rect) { return is_whole(rect); });
         if (!place) return false;
         put(piece, *place);
@@ -170,9 +168,9 @@ private:
     bool stands_beside_shape(Piece& piece) {
         const auto shape = smallest_around(piece.name.at);
         if (!shape) return false;
-        const Box near = grown(*shape, kBeside);
+        const Box near = grown(*shape, kBesideThing);
         const auto place = room_.nearest(
-            piece.name.at, piece.block.width, piece.block.height, std::hypot(shape->width(), shape->height()) / 2 + kBeside,
+            piece.name.at, piece.block.width, piece.block.height, std::hypot(shape->width(), shape->height()) / 2 + kBesideThing,
             [&](const Rect& rect) { return is_whole(rect) && meet(box_of(rect), near) && !meet(box_of(rect), *shape); });
         if (!place) return false;
         put(piece, *place);
@@ -198,7 +196,7 @@ private:
 
     bool stands_apart(Piece& piece, Way way) {
         if (leads_tried_ >= kMostLeadsOfPage) return false;
-        if (piece.name.optional && !page_.live.holds(piece.name.at)) return false;  // print beside a large drawing
+        if (!page_.live.holds(piece.name.at)) return false;  // print beside a large drawing
         const auto ends = leads_.ends_for(piece.name.at);
         return std::any_of(ends.begin(), ends.end(), [&](Point end) { return is_led_to(piece, end, way); });
     }

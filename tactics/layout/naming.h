@@ -10,6 +10,9 @@
 
 namespace tactics {
 
+/// A finger that has found the thing finds what is no farther than this without a line that leads there; twice the least gap. mm.
+inline constexpr double kBesideThing = 6.4;
+
 /// Sets each name in braille (in print if the sheet has no braille) on a page that has all its ink, clear of that ink: around its
 /// thing or beside it; if there is no room, farther off with a lead line; failing that, as two letters beside the thing, with the
 /// words in a key. `names` are in page millimetres. The lead lines become strokes. If there are windows (the parts of a large

@@ -73,7 +73,7 @@ TEST(Labels, StandWhereTheyAreSaidToAndNotOutside) {
     EXPECT_DOUBLE_EQ(names[0].at.y, 25);
     EXPECT_DOUBLE_EQ(names[1].at.x, 200);
     EXPECT_EQ(error_of([&] {
-                  names_on(drawing, {{200.1, 5, false, "c", "--label 1"}});
+                  check_places({{200.1, 5, false, "c", "--label 1"}}, 200, 100);
               }),
               "1 --label 1: it is outside of the drawing, which is 200 mm wide and 100 mm high");
 }

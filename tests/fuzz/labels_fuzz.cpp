@@ -58,6 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         }
         check_subject(parse_subject(text, "fuzzed.labels", {}));
         const Drawing drawing = drawing_of_lines();
+        check_places(labels, drawing.width, drawing.height);
         set(drawing, names_on(drawing, labels));
     } catch (const Error& error) {
         require(error.what()[0] != '\0');
