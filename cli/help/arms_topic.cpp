@@ -27,8 +27,8 @@ std::string keys() {
         const std::string letter = all[i].letter == 0 ? "" : std::string(1, all[i].letter);
         const std::string number = i < kNumberedKeys ? std::to_string(i + 1) : "";
         text += folded("  " + number + (number.empty() || letter.empty() ? "" : " or ") + letter + ": " +
-                                std::string(all[i].name.text) + ", " + std::string(all[i].what),
-                            "    ");
+                           std::string(all[i].name.text) + ", " + std::string(all[i].what),
+                       "    ");
     }
     return text;
 }
