@@ -112,14 +112,14 @@ inline constexpr Flag kBrailleFlag{
     "braille none"};
 inline constexpr Flag kCellFlag{
     "--cell", "", "NAME", "size of the braille, named after its standard; default: marburg-medium", false, "cells"};
-inline constexpr Flag kLabelFlag{
-    "--label",
-    "",
-    "X,Y=WORDS",
-    "label for the thing at this place of the drawing, measured from its left and top, in percent or as lengths: \"30%,40%=City "
-    "Park\". The braille stands beside the thing, clear of the lines. May be given several times",
-    true,
-    ""};
+inline constexpr Flag kLabelFlag{"--label",
+                                 "",
+                                 "X,Y=WORDS",
+                                 "label for the thing at this place, measured from the left and top, in percent of the whole "
+                                 "picture or as lengths in the drawing (white margins then stay): \"30%,40%=City Park\". The "
+                                 "braille stands beside the thing, clear of the lines. May be given several times",
+                                 true,
+                                 ""};
 inline constexpr Flag kLabelsFlag{"--labels",
                                   "",
                                   "FILE|FOLDER",

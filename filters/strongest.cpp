@@ -167,7 +167,7 @@ void fill_up(std::vector<bool>& kept, const Ridges& ridges, const std::vector<bo
     }
 }
 
-// Lengths as people say them: 0.98 m.
+// 0.98, of a length of 98 cm.
 Phrase metres(double pixels, double mm) { return numeral(std::round(pixels * mm * kLengthOfPixel / 10) / 100); }
 
 ChosenSetting settle_strongest(const Artwork& artwork, Settings& settings) {
