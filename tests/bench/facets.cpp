@@ -5,7 +5,8 @@
 // they can be felt. Each tick is timed in several runs of the same stroke, and its least time counts, as other programs take the
 // processor away; "first" is 99.9 % of the first run alone, when nothing is in the caches yet. "work" counts what 99.9 % of the
 // ticks look at (ShadowPoint::work), "moves" those of the ticks beyond.
-//     facets [--csv | --accuracy | --enough | --levels]     --csv, --accuracy and --levels for tactics chart
+//     facets [--csv | --accuracy | --enough | --levels | --shares]     --csv, --accuracy, --levels and --shares for tactics chart
+// --shares: less work a tick, on a million facets, against how far that leaves the finger from where it should be.
 #include <cstdio>
 #include <cstring>
 #include <functional>
