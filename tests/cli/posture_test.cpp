@@ -67,7 +67,7 @@ TEST(Posture, JumpsAndReturnsCanBeChecked) {
     for (const char* library : {"nouns", "rules", "print", "job", "cli"}) {
         const std::string path = std::string(TACTICS_BINARY_DIR) + "/libtactics_" + library + ".a";
         const Ending read = run_tool(folder, {"readelf", "-W", "-n", path});
-        EXPECT_GT(count(read.out, "File: "), 5u) << path;
+        EXPECT_GT(count(read.out, "File: "), 0u) << path;
         EXPECT_EQ(count(read.out, "x86 feature: IBT, SHSTK"), count(read.out, "File: ")) << path;
     }
 }
