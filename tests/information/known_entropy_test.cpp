@@ -15,7 +15,7 @@ namespace {
 // How values follow: each by so many before it. As one line, or in rows that each begin anew.
 class Chain {
 public:
-    Chain(int levels, int order, double sharpness, std::uint64_t seed) : levels_(levels), order_(order), random_(seed) {
+    Chain(int levels, int order, double sharpness, std::uint64_t seed) : levels_(levels), random_(seed) {
         std::size_t contexts = 1;
         for (int i = 0; i < order; ++i) contexts *= static_cast<std::size_t>(levels);
         for (std::size_t context = 0; context < contexts; ++context) {
@@ -71,7 +71,7 @@ private:
             for (const double share : shares_[context]) bits_a_value_ -= often_[context] * share * std::log2(share);
     }
 
-    int levels_, order_;
+    int levels_;
     RandomNumbers random_;
     std::vector<std::vector<double>> shares_;
     std::vector<double> often_;
