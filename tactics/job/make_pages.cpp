@@ -26,6 +26,7 @@
 #include "tactics/job/written.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/layout/place.h"
+#include "tactics/text/utf8.h"
 #include "tactics/transport/file.h"
 #include "tactics/units.h"
 
