@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "tactics/geometry/box.h"
 #include "tactics/repair/means.h"
 #include "tactics/rules/coverage.h"
 
@@ -64,12 +65,6 @@ Mend to_outline(Drawing& drawing, std::size_t index) {
     return {Mend::Kind::outlined, at, length};
 }
 
-Box box_around(const std::vector<Point>& points) {
-    Box box = kNothing;
-    for (const Point& p : points) box.take(p);
-    return box;
-}
-
 // The closest place between each two areas, by their numbers, the lower first.
 std::map<std::pair<std::size_t, std::size_t>, NearPair> close_areas(const Seen& seen) {
     std::map<std::pair<std::size_t, std::size_t>, NearPair> closest;
@@ -93,7 +88,7 @@ public:
     explicit Shifts(const Drawing& drawing) : drawing_(drawing), by_(drawing.areas.size()) {
         for (const Area& area : drawing.areas) {
             small_.push_back(is_small(area));
-            boxes_.push_back(area.rings.empty() ? kNothing : box_around(area.rings[0]));
+            boxes_.push_back(area.rings.empty() ? kNothing : box_of(area.rings[0]));
         }
     }
     bool is_small_at(std::size_t i) const { return small_[i]; }
@@ -154,14 +149,14 @@ Mends lighten(Drawing& drawing, const Medium& medium) {
 bool drop_rims(Drawing& drawing, const Seen& seen) {
     std::vector<Box> boxes;
     for (const Area& area : drawing.areas)
-        if (is_small(area)) boxes.push_back(box_around(area.rings[0]));
+        if (is_small(area)) boxes.push_back(box_of(area.rings[0]));
     const auto more_left = [](const Box& one, const Box& other) { return one.left < other.left; };
     std::sort(boxes.begin(), boxes.end(), more_left);
     const auto is_rim = [&](const Stroke& stroke) {
         const bool closed =
             stroke.closed || (stroke.points.size() > 2 && distance(stroke.points.front(), stroke.points.back()) < kRim);
         if (!closed) return false;
-        const Box own = box_around(stroke.points), from{own.left - kRim, 0, 0, 0};
+        const Box own = box_of(stroke.points), from{own.left - kRim, 0, 0, 0};
         for (auto box = std::lower_bound(boxes.begin(), boxes.end(), from, more_left);
              box != boxes.end() && box->left < own.left + kRim; ++box)
             if (std::max({std::abs(box->top - own.top), std::abs(box->right - own.right), std::abs(box->bottom - own.bottom)}) <
@@ -169,9 +164,12 @@ bool drop_rims(Drawing& drawing, const Seen& seen) {
                 return true;
         return false;
     };
+    std::vector<bool> small, rims;  // areas, strokes
+    for (const Area& area : drawing.areas) small.push_back(is_small(area));
+    for (const Stroke& stroke : drawing.strokes) rims.push_back(is_rim(stroke));
     const auto is_crowded = [&](std::uint32_t piece) {
         const Chain& chain = seen.geometry.chains[seen.geometry.pieces[piece].chain];
-        return chain.ring ? is_small(drawing.areas[chain.owner]) : is_rim(drawing.strokes[chain.owner]);
+        return chain.ring ? small[chain.owner] : rims[chain.owner];
     };
     const auto& pairs = seen.near.pairs;
     if (std::none_of(pairs.begin(), pairs.end(),

@@ -153,8 +153,11 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         finish();
         return repaired;
     }
+    bool moved = false;  // areas move once, so that none goes farther than kFarthestMove
     const auto part_areas = [&] {
-        bool parted = repairing.use([&](const Seen& seen) { return move_areas_apart(mended, medium, seen); });
+        const auto move = [&](const Seen& seen) { return move_areas_apart(mended, medium, seen); };
+        bool parted = !moved && repairing.use(move);
+        moved = moved || parted;
         int round = 0;
         while (round++ < kMostRounds && repairing.use([&](const Seen& seen) { return outline_areas(mended, seen); }))
             parted = true;

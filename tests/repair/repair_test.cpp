@@ -211,6 +211,25 @@ TEST(Repair, PointsOfAChartMoveAsFarAsAFingerCannotTell) {
     }
 }
 
+// However often lines that stood between them go.
+TEST(Repair, NoPointGoesFartherThanAFingerCanTell) {
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        RandomNumbers random(seed);
+        Drawing drawing = blank();
+        std::vector<Point> middles;
+        for (int i = 0; i < 60; ++i) middles.push_back({10 + 100 * random.uniform(), 10 + 100 * random.uniform()});
+        drawing.areas = discs_at(middles, 1.5);
+        for (int i = 0; i < 8; ++i) drawing.strokes.push_back({{{5, 10 + 12.0 * i}, {115, 12 + 11.0 * i}}, false});
+        const Repaired repaired = repair(drawing, swell());
+        EXPECT_EQ(hard_places(repaired.drawing), 0u);
+        for (const Area& disc : repaired.drawing.areas) {
+            double nearest = 1e9;
+            for (const Area& from : drawing.areas) nearest = std::min(nearest, distance(disc.rings[0][0], from.rings[0][0]));
+            EXPECT_LE(nearest, 1.01 + 0.01);
+        }
+    }
+}
+
 TEST(Repair, PointsThatLoseTheirRimsStayAlike) {
     Drawing drawing = blank();
     drawing.areas = discs_at({{20, 20}, {25.5, 20}, {60, 20}}, 1.5);
