@@ -127,8 +127,8 @@ Times with_work(Times times, const std::vector<Point3>& way, Begin begin, Shadow
     return times;
 }
 
-Times times_on(const MeshTree& tree, double radius, const std::vector<Point3>& way) {
-    ShadowPoint shadow(tree, radius);
+Times times_on(const MeshTree& tree, double radius, const std::vector<Point3>& way, int tick_work = ShadowPoint::kTickWork) {
+    ShadowPoint shadow(tree, radius, tick_work);
     const auto begin = [&] {
         shadow.lift();
         shadow.follow({way[0].x, way[0].y, 50});
@@ -264,23 +264,19 @@ void print_shares() {
         const ReliefSurface felt(dilated(map, radius));
         std::vector<Point3> way = stroke(felt, kTicks);
         for (Point3& finger : way) finger.z += radius;
-        std::vector<Point3> settled;
-        ShadowPoint whole(tree, radius, ShadowPoint::kMostWork);
-        whole.follow({way[0].x, way[0].y, 50});
-        for (const Point3& finger : way) settled.push_back(whole.follow(finger));
-        for (const int share : {200, 300, 450, 700, 1'000, 1'500, 3'000}) {
+        const auto places = [&](int share) {
             ShadowPoint shadow(tree, radius, share);
-            const auto begin = [&] {
-                shadow.lift();
-                shadow.follow({way[0].x, way[0].y, 50});
-            };
-            const Times times = timed(way, begin, [&](const Point3& finger) {
-                shadow.follow(finger);
-                return shadow.settled();
-            });
-            begin();
+            shadow.follow({way[0].x, way[0].y, 50});
+            std::vector<Point3> all;
+            for (const Point3& finger : way) all.push_back(shadow.follow(finger));
+            return all;
+        };
+        const std::vector<Point3> settled = places(ShadowPoint::kMostWork);
+        for (const int share : {200, 300, 450, 700, 1'000, 1'500, 3'000}) {
+            const Times times = times_on(tree, radius, way, share);
+            const std::vector<Point3> now = places(share);
             std::vector<double> off;
-            for (std::size_t i = 0; i < way.size(); ++i) off.push_back(length_of(shadow.follow(way[i]) - settled[i]));
+            for (std::size_t i = 0; i < way.size(); ++i) off.push_back(length_of(now[i] - settled[i]));
             std::sort(off.begin(), off.end());
             std::printf("%s,%d,%.0f,%d,%.3g,%.3g\n", radius > 0 ? "ball 2 mm" : "point", share, times.each.p999, times.unsettled,
                         off[off.size() / 1000 * 999], off.back());
