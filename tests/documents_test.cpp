@@ -11,7 +11,7 @@
 
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::documents_test {
 namespace {
 
 using namespace tests;
@@ -80,4 +80,4 @@ TEST(Documents, ShowCommandsAndOptionsThatThereAre) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::documents_test

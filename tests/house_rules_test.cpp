@@ -15,7 +15,7 @@
 #include "tests/patterns.h"
 #include "tests/tree.h"
 
-namespace tactics {
+namespace tactics::house_rules_test {
 namespace {
 
 using namespace tests;
@@ -304,7 +304,8 @@ bool has_word(std::string_view text, std::string_view word) {
 TEST(HouseRules, EveryEntryOfAListIsTestedByName) {
     std::string tests;
     for (const SourceFile& file : tree())
-        if (file.path.starts_with("tests/") && file.path.ends_with("_test.cpp")) tests += file.path + "\n" + file.text;
+        if ((file.path.starts_with("tests/") && file.path.ends_with("_test.cpp")) || file.path == "tests/rules/rule_pages.cpp")
+            tests += file.path + "\n" + file.text;
     std::transform(tests.begin(), tests.end(), tests.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     int entries = 0;
     for (const SourceFile& list : tree()) {
@@ -394,4 +395,4 @@ TEST(HouseRules, TextIsPlain) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::house_rules_test

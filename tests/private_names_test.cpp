@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sources of a room are compiled together (compile_together in CMakeLists.txt), so their private names are names of the room. The
-// compiler sees the few files of a group; this sees the room.
+// compiler sees the few files of a group; this sees the room. Tests have a namespace for each file instead.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include "tests/patterns.h"
 #include "tests/tree.h"
 
-namespace tactics {
+namespace tactics::private_names_test {
 namespace {
 
 using namespace tests;
@@ -73,6 +73,28 @@ bool is_compiled_alone(const SourceFile& file, const std::string& doors) {
            doors.find(file.path) != std::string::npos;
 }
 
+// What a test file would share with its neighbours: what stands outside the namespace of its name, and macros that it leaves
+// defined. GoogleTest finds a PrintTo beside its type.
+std::vector<std::string> shared_lines(const std::string& text, const std::string& name) {
+    std::vector<std::string> shared;
+    std::istringstream lines(text);
+    bool own = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line == "namespace tactics::" + name + " {" || line == "namespace tactics::tests::" + name + " {")
+            own = true;
+        else if (line.starts_with("}  // namespace tactics::") && line.ends_with("::" + name))
+            own = false;
+        else if (line.starts_with("#define ") &&
+                 text.find("#undef " + first_fit(line, R"(^#define (\w+))").at(1)) == std::string::npos)
+            shared.push_back(line);
+        else if (!own && !line.empty() && std::isalpha(static_cast<unsigned char>(line[0])) != 0 &&
+                 !line.starts_with("namespace tactics") && !line.starts_with("void PrintTo("))
+            shared.push_back(line);
+    }
+    if (own) shared.push_back("// namespace tactics::" + name + " has no end");
+    return shared;
+}
+
 TEST(PrivateNames, AreReadFromDeclarations) {
     const std::string text =
         "namespace {\n\nconstexpr int kOne = 1, kTwo[] = {1, 2};  // kThree = 3\nstruct Four {\n    int five = 6;\n};\n"
@@ -103,5 +125,31 @@ TEST(PrivateNames, AreUniqueInTheirRoom) {
     EXPECT_GT(homes.size(), 1000u);
 }
 
+TEST(PrivateNames, WhatIsOutsideANamespaceOfItsOwnIsSeen) {
+    const std::string own =
+        "// what\n#include <map>\n\nnamespace tactics::page_test {\nnamespace {\n\nint one = 1;\n\n}  // namespace\n";
+    EXPECT_EQ(shared_lines(own + "}  // namespace tactics::page_test\n", "page_test"), std::vector<std::string>{});
+    EXPECT_EQ(shared_lines("#define ONE 1\n" + own + "}  // namespace tactics::page_test\n#undef ONE\n", "page_test"),
+              std::vector<std::string>{});
+    EXPECT_EQ(shared_lines(
+                  "#define TWO 2\nusing std::map;\n" + own + "}  // namespace tactics::page_test\nnamespace {\nint three;\n}\n",
+                  "page_test"),
+              (std::vector<std::string>{"#define TWO 2", "using std::map;", "namespace {", "int three;"}));
+    EXPECT_EQ(shared_lines(own, "page_test"), std::vector<std::string>{"// namespace tactics::page_test has no end"});
+    EXPECT_FALSE(shared_lines(own + "}  // namespace tactics::page_test\n", "sheet_test").empty());
+}
+
+TEST(PrivateNames, OfATestAreInTheNamespaceOfItsFile) {
+    std::size_t files = 0;
+    for (const SourceFile& file : tree()) {
+        if (!file.path.starts_with("tests/") || !file.path.ends_with("_test.cpp")) continue;
+        const std::string name = fs::path(file.path).stem().string();
+        for (const std::string& line : shared_lines(file.text, name))
+            ADD_FAILURE() << file.path << " is compiled with others; put this into namespace tactics::" << name << ": " << line;
+        ++files;
+    }
+    EXPECT_GT(files, 300u);
+}
+
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::private_names_test

@@ -7,7 +7,7 @@
 #include "tests/cli/fake_disk.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::chain_test {
 namespace {
 
 using tests::error_of;
@@ -161,4 +161,4 @@ TEST(Chain, ADetailThatNoPictureAllowsIsToldBeforeOneIsOpened) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::chain_test

@@ -4,7 +4,7 @@
 
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::files_from_test {
 namespace {
 
 using namespace tests;
@@ -52,4 +52,4 @@ TEST_F(FilesFrom, RefusesBeforeWork) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::files_from_test

@@ -10,7 +10,7 @@
 #include "tests/cli/print_user.h"
 #include "tests/tactics/transport/processes.h"
 
-namespace tactics {
+namespace tactics::hostile_pdf_test {
 namespace {
 
 using namespace tests;
@@ -84,4 +84,4 @@ TEST_F(HostilePdf, LeavesNoProgramBehind) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::hostile_pdf_test

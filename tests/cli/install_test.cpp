@@ -8,7 +8,7 @@
 #include "tests/cli/tool.h"
 #include "tests/filters/weights.h"
 
-namespace tactics {
+namespace tactics::install_test {
 namespace {
 
 using namespace tests;
@@ -63,4 +63,4 @@ TEST(Install, UnderAnyPrefixAllThatBelongsToItIsFound) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::install_test

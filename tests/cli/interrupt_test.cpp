@@ -8,7 +8,7 @@
 #include <chrono>
 #include <cstdio>
 
-namespace tactics {
+namespace tactics::interrupt_test {
 namespace {
 
 // Libraries have threads of their own from before the program begins (OpenBLAS has), which mask nothing.
@@ -39,4 +39,4 @@ TEST(InterruptDeathTest, IsUndoneWithIt) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::interrupt_test

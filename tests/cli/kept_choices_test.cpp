@@ -5,7 +5,7 @@
 #include "tests/cli/converting.h"
 #include "tests/cli/fake_disk.h"
 
-namespace tactics {
+namespace tactics::kept_choices_test {
 namespace {
 
 using namespace tests;
@@ -168,4 +168,4 @@ TEST_F(KeptByUser, RecipesAreFoundByName) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::kept_choices_test

@@ -8,7 +8,7 @@
 #include "tests/cli/fake_disk.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::labels_test {
 namespace {
 
 using tests::error_of;
@@ -79,4 +79,4 @@ TEST(Labels, StandWhereTheyAreSaidToAndNotOutside) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::labels_test

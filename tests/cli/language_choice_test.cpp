@@ -3,7 +3,7 @@
 #include "tactics/braille/tables.h"
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::language_choice_test {
 namespace {
 
 using namespace tests;
@@ -94,4 +94,4 @@ TEST_F(LanguageChoice, ATitleInAnotherLanguageIsTold) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::language_choice_test

@@ -7,7 +7,7 @@
 #include "tests/cli/picture.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::makefile_test {
 namespace {
 
 using namespace tests;
@@ -49,4 +49,4 @@ TEST(Makefile, MakesAgainOnlyWhatHasChanged) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::makefile_test

@@ -11,7 +11,7 @@
 #include "tests/cli/converting.h"
 #include "tests/cli/fake_disk.h"
 
-namespace tactics {
+namespace tactics::named_subject_test {
 namespace {
 
 using tests::error_of;
@@ -101,4 +101,4 @@ TEST_F(ConvertSubject, IsToldAndSavedInTheRecipe) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::named_subject_test

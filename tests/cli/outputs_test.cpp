@@ -5,7 +5,7 @@
 
 #include "tests/cli/fake_disk.h"
 
-namespace tactics {
+namespace tactics::outputs_test {
 namespace {
 
 using tests::error_of;
@@ -98,4 +98,4 @@ TEST(Outputs, StemLosesFoldersAndTheLastEnding) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::outputs_test

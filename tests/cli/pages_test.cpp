@@ -6,7 +6,7 @@
 #include "tests/cli/converting.h"
 #include "tests/patterns.h"
 
-namespace tactics::tests {
+namespace tactics::tests::pages_test {
 namespace {
 
 // Words that are wider than any page, so that they go to the key, and the key to page 2.
@@ -252,4 +252,4 @@ TEST_F(Pages, PaperSmallerThanACellIsTold) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::pages_test

@@ -4,7 +4,7 @@
 #include "cli/command.h"
 #include "tests/cli/fake_disk.h"
 
-namespace tactics {
+namespace tactics::parse_test {
 namespace {
 
 using tests::error_of;
@@ -58,4 +58,4 @@ TEST(Parse, TellsTheNearestOption) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::parse_test

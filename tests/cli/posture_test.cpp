@@ -9,7 +9,7 @@
 #include "tests/cli/tool.h"
 #include "tests/sanitized.h"
 
-namespace tactics {
+namespace tactics::posture_test {
 namespace {
 
 using namespace tests;
@@ -74,4 +74,4 @@ TEST(Posture, JumpsAndReturnsCanBeChecked) {
 #endif
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::posture_test

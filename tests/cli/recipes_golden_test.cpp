@@ -12,7 +12,7 @@
 #include "tests/filters/weights.h"
 #include "tests/golden/golden.h"
 
-namespace tactics {
+namespace tactics::recipes_golden_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,4 +62,4 @@ std::string test_name(const testing::TestParamInfo<std::string_view>& tested) {
 INSTANTIATE_TEST_SUITE_P(Recipes, RecipeGolden, testing::ValuesIn(names()), test_name);
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::recipes_golden_test

@@ -10,7 +10,7 @@
 #include "cli/command.h"
 #include "tests/cli/picture.h"
 
-namespace tactics {
+namespace tactics::schemas_test {
 namespace {
 
 using namespace tests;
@@ -141,4 +141,4 @@ TEST(SchemaFiles, AreNamedByHelpAndThereForEachCommand) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::schemas_test

@@ -6,7 +6,7 @@
 #include "tests/cli/converting.h"
 #include "tests/cli/fake_disk.h"
 
-namespace tactics {
+namespace tactics::update_test {
 namespace {
 
 using namespace tests;
@@ -150,4 +150,4 @@ TEST(PageChoices, NoOptionIsForgotten) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::update_test

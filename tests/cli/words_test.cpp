@@ -3,7 +3,7 @@
 #include "tactics/job/print_words.h"
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::words_test {
 namespace {
 
 using namespace tests;
@@ -143,4 +143,4 @@ TEST(PrintWordsTest, EverySecondNumberOfARowOrColumnGoes) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::words_test

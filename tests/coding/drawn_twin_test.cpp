@@ -8,7 +8,7 @@
 #include "tactics/coding/drawn_tile.h"
 #include "tests/coding/levels.h"
 
-namespace tactics::tests {
+namespace tactics::tests::drawn_twin_test {
 namespace {
 
 // The message is a number; the interval of what it may be begins at `low` and is `width` long, both in units that get 256 times
@@ -153,4 +153,4 @@ TEST(DrawnTile, APlainReaderReadsEvenGroundWithSpecks) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::drawn_twin_test

@@ -10,7 +10,7 @@
 #include "tactics/error.h"
 #include "tests/coding/levels.h"
 
-namespace tactics::tests {
+namespace tactics::tests::level_map_test {
 namespace {
 
 std::string fault_of(const std::string& bytes) {
@@ -228,4 +228,4 @@ TEST(Bytes, TheSumIsThatOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::level_map_test

@@ -11,7 +11,7 @@
 #include "tactics/error.h"
 #include "tactics/point3.h"
 
-namespace tactics::tests {
+namespace tactics::tests::recording_test {
 namespace {
 
 // A finger that goes about, and what pushes it: a stiff ground with waves and noise, nothing in the air, sometimes a blow.
@@ -296,4 +296,4 @@ TEST(DeviceFilter, AHeightMovesByAtMostHalfTheResolution) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::recording_test

@@ -16,7 +16,7 @@
 #include "tactics/rules/rule.h"
 #include "tactics/units.h"
 
-namespace tactics {
+namespace tactics::bar_chart_test {
 namespace {
 
 Plot bars_of(std::vector<std::vector<double>> values, bool stacked = false) {
@@ -284,4 +284,4 @@ TEST(BarChart, OfAStackTheLargerPartHasItsTexture) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::bar_chart_test

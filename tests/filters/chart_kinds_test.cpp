@@ -20,7 +20,7 @@
 #include "tests/golden/golden.h"
 #include "tests/print/rendered_page.h"
 
-namespace tactics {
+namespace tactics::chart_kinds_test {
 namespace {
 
 Plot waves(int count) {
@@ -348,4 +348,4 @@ TEST(ChartKinds, LookAsTheyDid) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::chart_kinds_test

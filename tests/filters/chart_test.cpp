@@ -17,7 +17,7 @@
 #include "tactics/rules/rule.h"
 #include "tactics/units.h"
 
-namespace tactics {
+namespace tactics::chart_test {
 namespace {
 
 double below(std::mt19937& random, unsigned limit) { return static_cast<double>(random() % limit); }
@@ -345,4 +345,4 @@ TEST(Label, StaysOnThePaper) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::chart_test

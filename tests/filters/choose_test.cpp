@@ -14,7 +14,7 @@
 #include "tests/filters/pictures.h"
 #include "tests/tactics/readers/pictures.h"
 
-namespace tactics {
+namespace tactics::choose_test {
 namespace {
 
 constexpr int kLook = 500;  // what the program looks at
@@ -308,4 +308,4 @@ TEST(Choice, IsMadeForAnyShape) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::choose_test

@@ -7,7 +7,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::components_test {
 namespace {
 
 using namespace pictures;
@@ -66,4 +66,4 @@ TEST(Components, AreThoseThatFloodingFinds) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::components_test

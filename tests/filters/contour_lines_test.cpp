@@ -14,7 +14,7 @@
 #include <set>
 #include <tuple>
 
-namespace tactics {
+namespace tactics::contour_lines_test {
 namespace {
 
 PlotSurface random_surface(std::mt19937& random, std::size_t columns, std::size_t rows, unsigned unknown) {
@@ -176,4 +176,4 @@ TEST(ContourLines, LevelsAreRoundAndWithin) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::contour_lines_test

@@ -3,7 +3,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::contrast_test {
 namespace {
 
 using namespace pictures;
@@ -52,4 +52,4 @@ TEST(Contrast, TreatsTheChannelsOfAColourPictureAlike) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::contrast_test

@@ -4,7 +4,7 @@
 #include "tactics/error.h"
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::crop_test {
 namespace {
 
 using namespace pictures;
@@ -62,4 +62,4 @@ TEST(Crop, LeavesAtLeastOnePixelOrSaysSo) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::crop_test

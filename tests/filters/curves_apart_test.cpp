@@ -9,7 +9,7 @@
 
 #include "tactics/geometry/course.h"
 
-namespace tactics {
+namespace tactics::curves_apart_test {
 namespace {
 
 constexpr double kGap = 4.5, kLeast = 6.5;
@@ -117,4 +117,4 @@ TEST(CurvesApart, WiderLinesAreFartherApart) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::curves_apart_test

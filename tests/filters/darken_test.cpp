@@ -8,7 +8,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::darken_test {
 namespace {
 
 constexpr double kPixel = 0.17;  // mm: 150 dpi
@@ -52,4 +52,4 @@ TEST(Darken, LighterPaperIsNoInk) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::darken_test

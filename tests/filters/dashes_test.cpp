@@ -8,7 +8,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::dashes_test {
 namespace {
 
 constexpr double kPixel = 0.17;  // mm: 150 dpi
@@ -64,4 +64,4 @@ TEST(Dashes, FewPiecesLettersAndFarOnesStayAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::dashes_test

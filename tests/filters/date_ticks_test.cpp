@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-namespace tactics {
+namespace tactics::date_ticks_test {
 namespace {
 
 // Seconds of "2024", "2024-03", "2024-03-05" by counting days from 1970 on.
@@ -66,4 +66,4 @@ TEST(DateTicks, AreThoseThatAPersonWouldTake) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::date_ticks_test

@@ -3,7 +3,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::denoise_test {
 namespace {
 
 using namespace pictures;
@@ -108,4 +108,4 @@ TEST(Denoise, StandsTinyPicturesHugeSizesAndColour) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::denoise_test

@@ -3,7 +3,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::despeckle_test {
 namespace {
 
 using namespace pictures;
@@ -67,4 +67,4 @@ TEST(Despeckle, RemovesPiecesOfEdgesThatDoNotReachFar) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::despeckle_test

@@ -10,7 +10,7 @@
 #include "tactics/units.h"
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::edge_noise_test {
 namespace {
 
 using namespace pictures;
@@ -103,4 +103,4 @@ TEST(NoiseFloor, TakesNoNoiseForAnAnswer) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::edge_noise_test

@@ -13,7 +13,7 @@
 #include "filters/gradient.h"
 #include "filters/list.h"
 
-namespace tactics {
+namespace tactics::edges_test {
 namespace {
 
 constexpr double kMm = 0.5;
@@ -255,4 +255,4 @@ TEST(Gradient, PoolingTurnsWithThePicture) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::edges_test

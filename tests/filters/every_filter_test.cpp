@@ -12,7 +12,7 @@
 #include "tests/filters/artwork_laws.h"
 #include "tests/filters/weights.h"
 
-namespace tactics {
+namespace tactics::every_filter_test {
 namespace {
 
 bool is_kebab(std::string_view name) {
@@ -194,4 +194,4 @@ TEST(Recipes, ThatComeWithTheProgramCanRun) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::every_filter_test

@@ -3,7 +3,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::fill_holes_test {
 namespace {
 
 using namespace pictures;
@@ -43,4 +43,4 @@ TEST(FillHoles, OnlyAddsInkAndAddsNothingTheSecondTime) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::fill_holes_test

@@ -11,7 +11,7 @@
 #include "tests/filters/pictures.h"
 #include "tests/tactics/readers/pictures.h"
 
-namespace tactics {
+namespace tactics::frame_test {
 namespace {
 
 PixelBox whole(const Image& image) { return all_of(image.width, image.height); }
@@ -131,4 +131,4 @@ TEST(Frame, IsLookedForInAnyShape) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::frame_test

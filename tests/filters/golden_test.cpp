@@ -12,7 +12,7 @@
 #include "filters/list.h"
 #include "tests/filters/weights.h"
 
-namespace tactics {
+namespace tactics::golden_test {
 namespace {
 
 constexpr double kSquare = 63.5;  // the pictures of the pilot study were 2.5 inches
@@ -105,4 +105,4 @@ std::string test_name(const testing::TestParamInfo<const Filter*>& tested) {
 INSTANTIATE_TEST_SUITE_P(Filters, FilterGolden, testing::ValuesIn(filters().begin(), filters().end()), test_name);
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::golden_test

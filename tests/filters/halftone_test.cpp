@@ -3,7 +3,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::halftone_test {
 namespace {
 
 using namespace pictures;
@@ -64,4 +64,4 @@ TEST(Halftone, StandsTinyPicturesHugeDotsAndColour) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::halftone_test

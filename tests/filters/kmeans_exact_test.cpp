@@ -6,7 +6,7 @@
 #include "filters/kmeans_iterative.h"
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::kmeans_exact_test {
 namespace {
 
 using pictures::Chance;
@@ -154,4 +154,4 @@ TEST(KmeansIterative, GivesNoMoreCentresThanThereAreSamples) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::kmeans_exact_test

@@ -7,7 +7,7 @@
 #include "filters/edge_noise.h"
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::kmeans_test {
 namespace {
 
 using namespace pictures;
@@ -179,4 +179,4 @@ TEST(EdgeNoise, IsTheScaleThatTheNoiseHas) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::kmeans_test

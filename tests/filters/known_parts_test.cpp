@@ -16,7 +16,7 @@
 #include "filters/inked_points.h"
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::known_parts_test {
 namespace {
 
 using Shape = std::function<bool(double, double)>;
@@ -263,4 +263,4 @@ TEST(InkedLegend, SamplesOfOneColourSayNothing) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::known_parts_test

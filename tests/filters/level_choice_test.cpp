@@ -9,7 +9,7 @@
 #include "filters/list.h"
 #include "samples/draw/noise.h"
 
-namespace tactics {
+namespace tactics::level_choice_test {
 namespace {
 
 // Stripes of the levels, with even noise of at most `noise` to either side.
@@ -114,4 +114,4 @@ TEST(LevelChoice, EdgesKeepFewerClassesThanThereAre) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::level_choice_test

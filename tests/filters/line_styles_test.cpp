@@ -13,7 +13,7 @@
 #include "tactics/geometry/shape.h"
 #include "tactics/page.h"
 
-namespace tactics {
+namespace tactics::line_styles_test {
 namespace {
 
 constexpr const char* kMedia[] = {"swell", "thermoform", "embosser", "floating-dots"};
@@ -95,4 +95,4 @@ TEST(LineStyles, AClosedLineHasAGapWhereItBegins) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::line_styles_test

@@ -9,7 +9,7 @@
 
 #include "samples/draw/noise.h"
 
-namespace tactics {
+namespace tactics::min_cut_test {
 namespace {
 
 struct Problem {
@@ -75,4 +75,4 @@ TEST(MinCut, ALongChainBreaksAtItsWeakestLink) {
 TEST(MinCut, NothingAtAll) { EXPECT_TRUE(min_cut({}, {}, {}).empty()); }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::min_cut_test

@@ -3,7 +3,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::morphology_test {
 namespace {
 
 using namespace pictures;
@@ -78,4 +78,4 @@ TEST(Morphology, StandsHugeRadiiAndColour) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::morphology_test

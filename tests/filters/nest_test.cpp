@@ -18,7 +18,7 @@
 #include "tests/filters/pictures.h"
 #include "tests/filters/weights.h"
 
-namespace tactics {
+namespace tactics::nest_test {
 namespace {
 
 using pictures::Chance;
@@ -310,4 +310,4 @@ TEST(WithRoom, NothingIsNarrowerThanTheGap) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::nest_test

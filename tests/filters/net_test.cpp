@@ -14,7 +14,7 @@
 #include "tactics/error.h"
 #include "tests/filters/net_twin.h"
 
-namespace tactics {
+namespace tactics::net_test {
 namespace {
 
 using net_twin::file_of;
@@ -364,4 +364,4 @@ TEST(Net, IsFoundByTheProgramThatWasBuilt) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::net_test

@@ -14,7 +14,7 @@
 #include "tests/filters/pictures.h"
 #include "tests/filters/weights.h"
 
-namespace tactics {
+namespace tactics::open_lines_test {
 namespace {
 
 using pictures::Chance;
@@ -269,4 +269,4 @@ TEST(Subject, AFaceThatIsPointedAtHasEyesAndAMouth) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::open_lines_test

@@ -7,7 +7,7 @@
 #include "filters/arc_worth.h"
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::outline_choice_test {
 namespace {
 
 RegionTree leaves() {
@@ -39,4 +39,4 @@ TEST(OutlineChoice, WhatIsDrawnAlreadyStaysWhereNoLineIsLeft) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::outline_choice_test

@@ -7,7 +7,7 @@
 
 #include "tests/filters/shapes.h"
 
-namespace tactics {
+namespace tactics::outline_test {
 namespace {
 
 double area_of(const std::vector<Point>& ring) {
@@ -107,4 +107,4 @@ TEST(Outline, TinyRegionsAreLeftOutAndTinyHolesFilled) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::outline_test

@@ -10,7 +10,7 @@
 #include "filters/outline_choice.h"
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::page_stakes_test {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
@@ -121,4 +121,4 @@ TEST(PageStakes, NothingIsWorthDrawingWhereNothingIs) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::page_stakes_test

@@ -7,7 +7,7 @@
 #include "tests/filters/pictures.h"
 #include "tests/filters/weights.h"
 
-namespace tactics {
+namespace tactics::page_trust_test {
 namespace {
 
 using pictures::Chance;
@@ -92,4 +92,4 @@ INSTANTIATE_TEST_SUITE_P(Maps, TrustBy, testing::Values("learned", "plain"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::page_trust_test

@@ -10,7 +10,7 @@
 #include "filters/arc_worth.h"
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::part_borders_test {
 namespace {
 
 struct Case {
@@ -94,4 +94,4 @@ TEST(PartBorders, KeepsToABudgetByWhatGainsLeastForItsLength) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::part_borders_test

@@ -18,7 +18,7 @@
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"
 
-namespace tactics {
+namespace tactics::regions_test {
 namespace {
 
 constexpr double kPixel = 0.5;  // mm
@@ -259,4 +259,4 @@ TEST(TextureChoice, NoOtherWayPartsNeighboursBetter) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::regions_test

@@ -4,7 +4,7 @@
 #include "tactics/units.h"
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::resample_test {
 namespace {
 
 using namespace pictures;
@@ -64,4 +64,4 @@ TEST(Resample, KeepsAtLeastOnePixel) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::resample_test

@@ -6,7 +6,7 @@
 #include "tactics/geometry/evidence.h"
 #include "tests/filters/shapes.h"
 
-namespace tactics {
+namespace tactics::separate_test {
 namespace {
 
 using shapes::drawn;
@@ -162,4 +162,4 @@ TEST(Separate, KeepsTheGapInRandomDrawings) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::separate_test

@@ -5,7 +5,7 @@
 #include "tactics/geometry/evidence.h"
 #include "tests/filters/shapes.h"
 
-namespace tactics {
+namespace tactics::strokes_test {
 namespace {
 
 using shapes::drawn;
@@ -107,4 +107,4 @@ TEST(Thicken, SetsTheClassOfAllOrOfTheStrongest) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::strokes_test

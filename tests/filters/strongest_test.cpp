@@ -12,7 +12,7 @@
 #include "filters/list.h"
 #include "tactics/recipe.h"
 
-namespace tactics {
+namespace tactics::strongest_test {
 namespace {
 
 EdgeMap map_of(int width, int height, double mm_per_pixel) {
@@ -183,4 +183,4 @@ TEST(Strongest, KeepsALineOfOneStrengthWhole) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::strongest_test

@@ -12,7 +12,7 @@
 #include "tactics/recipe.h"
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::subject_test {
 namespace {
 
 constexpr int kWide = 240, kHigh = 180;
@@ -243,4 +243,4 @@ TEST(Subject, WhatIsFoundIsTold) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::subject_test

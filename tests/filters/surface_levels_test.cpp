@@ -9,7 +9,7 @@
 #include "filters/chart.h"
 #include "filters/contour_lines.h"
 
-namespace tactics {
+namespace tactics::surface_levels_test {
 namespace {
 
 Plot two_hills() {
@@ -86,4 +86,4 @@ TEST(Chart, AnAxisMayGrowDownwards) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::surface_levels_test

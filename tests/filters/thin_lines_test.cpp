@@ -6,7 +6,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::thin_lines_test {
 namespace {
 
 constexpr double kPixel = 0.17;  // mm: 150 dpi
@@ -57,4 +57,4 @@ TEST(ThinLines, CornersOfSurfacesStay) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::thin_lines_test

@@ -3,7 +3,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::threshold_test {
 namespace {
 
 using namespace pictures;
@@ -136,4 +136,4 @@ TEST(Threshold, OtsuOfEdgesPartsWeakFromStrong) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::threshold_test

@@ -5,7 +5,7 @@
 
 #include "tests/filters/shapes.h"
 
-namespace tactics {
+namespace tactics::trace_test {
 namespace {
 
 using shapes::bar;
@@ -370,4 +370,4 @@ TEST(Trace, EndsOnACheckerboard) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::trace_test

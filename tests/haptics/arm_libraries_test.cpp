@@ -11,7 +11,7 @@
 #include "tactics/error.h"
 #include "tactics/haptics/devices/arm_devices.h"
 
-namespace tactics {
+namespace tactics::arm_libraries_test {
 namespace {
 
 using State = HapticDevice::State;
@@ -153,4 +153,4 @@ TEST(ArmLibrariesThreads, WhatIsMissingSaysWhereToGetIt) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::arm_libraries_test

@@ -13,7 +13,7 @@
 #include "tactics/haptics/devices/simulated_arm.h"
 #include "tactics/haptics/scenes/stability.h"
 
-namespace tactics {
+namespace tactics::arm_test {
 namespace {
 
 TEST(Arm, ObeysNewton) {
@@ -179,4 +179,4 @@ TEST(ArmStability, WhatIsBorneComesToRestAndWhatIsRefusedDoesNot) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::arm_test

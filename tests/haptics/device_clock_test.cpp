@@ -10,7 +10,7 @@
 #include "tactics/haptics/simulated/pointing.h"
 #include "tactics/measure/random.h"
 
-namespace tactics {
+namespace tactics::device_clock_test {
 namespace {
 
 constexpr double kLateness = 0.003;  // s, of arrivals, at most
@@ -152,4 +152,4 @@ TEST(DeviceClock, WhereTheFingerIsSuffersNothing) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::device_clock_test

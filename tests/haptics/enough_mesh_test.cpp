@@ -8,7 +8,7 @@
 #include "tests/haptics/meshes.h"
 #include "tests/haptics/reliefs.h"
 
-namespace tactics {
+namespace tactics::enough_mesh_test {
 namespace {
 
 using namespace tests;
@@ -90,4 +90,4 @@ TEST(EnoughMesh, IsWhatADeviceOfThatResolutionFeelsAndIsTold) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::enough_mesh_test

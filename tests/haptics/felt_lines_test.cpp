@@ -6,7 +6,7 @@
 
 #include "tests/haptics/plot_lines.h"
 
-namespace tactics {
+namespace tactics::felt_lines_test {
 namespace {
 
 TEST(FeltLines, KeepWithinTheResolutionWhatTheyDrop) {
@@ -73,4 +73,4 @@ TEST(FeltLines, StepsAndBarsHaveTheirUprights) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::felt_lines_test

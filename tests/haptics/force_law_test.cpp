@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace tactics {
+namespace tactics::force_law_test {
 namespace {
 
 TEST(ForceLaw, IsNothingWithoutContact) {
@@ -52,4 +52,4 @@ TEST(ForceLaw, NeverPullsAndKnowsNoNumberThatIsNone) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::force_law_test

@@ -8,7 +8,7 @@
 #include "tactics/haptics/scenes/mesh_tree.h"
 #include "tests/haptics/meshes.h"
 
-namespace tactics {
+namespace tactics::four_boxes_test {
 namespace {
 
 using namespace tests;
@@ -133,4 +133,4 @@ TEST(MeshVicinity, AnswersAsTheWholeTreeDoes) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::four_boxes_test

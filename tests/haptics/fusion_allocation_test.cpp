@@ -5,7 +5,7 @@
 #include "tactics/haptics/sensing/fusion.h"
 #include "tests/haptics/allocations.h"
 
-namespace tactics {
+namespace tactics::fusion_allocation_test {
 namespace {
 
 TEST(Fusion, AsksForNoMemoryOnceItIsMade) {
@@ -25,4 +25,4 @@ TEST(Fusion, AsksForNoMemoryOnceItIsMade) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::fusion_allocation_test

@@ -12,7 +12,7 @@
 #include "tactics/haptics/simulated/pointing.h"
 #include "tactics/measure/random.h"
 
-namespace tactics {
+namespace tactics::fusion_test {
 namespace {
 
 constexpr MouseGeometry kMouse{60, {10, -80}};
@@ -350,4 +350,4 @@ TEST(Fusion, GeometryThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::fusion_test

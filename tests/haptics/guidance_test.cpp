@@ -9,7 +9,7 @@
 
 #include "tests/haptics/allocations.h"
 
-namespace tactics {
+namespace tactics::guidance_test {
 namespace {
 
 constexpr double kTick = 0.001, kResolution = 0.05;
@@ -332,4 +332,4 @@ TEST(Guidance, ATickAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::guidance_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace tactics {
+namespace tactics::guided_lines_test {
 namespace {
 
 constexpr double kResolution = 0.05;
@@ -218,4 +218,4 @@ TEST(GuidedLines, FarFromAllCurvesTheNearestIsKnownRoughly) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::guided_lines_test

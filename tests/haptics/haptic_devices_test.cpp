@@ -12,7 +12,7 @@
 #include "tactics/haptics/devices/mouse_report.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::haptic_devices_test {
 namespace {
 
 class HapticDevices : public testing::Test {
@@ -78,4 +78,4 @@ TEST_F(HapticDevices, ThatCannotBeUsedAreListedWithWhy) {
 TEST_F(HapticDevices, NoneIsThereWhereNothingIsListed) { EXPECT_TRUE(haptic_devices((folder / "nothing").string()).empty()); }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::haptic_devices_test

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace tactics {
+namespace tactics::inverse3_messages_test {
 namespace {
 
 // In the manner of Haply's documents: one with the members of 3.5, one with those of 3.1.
@@ -103,4 +103,4 @@ TEST(Inverse3Messages, AForceIsACommandToOneDevice) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::inverse3_messages_test

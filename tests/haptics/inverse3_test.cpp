@@ -17,7 +17,7 @@
 #include "tests/haptics/allocations.h"
 #include "tests/haptics/inverse3_server.h"
 
-namespace tactics {
+namespace tactics::inverse3_test {
 namespace {
 
 using tests::Inverse3Server;
@@ -342,4 +342,4 @@ TEST(Inverse3Loop, APlayWaitsForAServiceThatStarts) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::inverse3_test

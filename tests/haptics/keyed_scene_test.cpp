@@ -11,7 +11,7 @@
 
 #include "tactics/haptics/voice/plot_words.h"
 
-namespace tactics {
+namespace tactics::keyed_scene_test {
 namespace {
 
 constexpr double kTick = 0.001, kResolution = 0.05;
@@ -218,4 +218,4 @@ TEST_F(KeyedPlot, OnACurveItsHeightIsATone) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::keyed_scene_test

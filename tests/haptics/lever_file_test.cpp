@@ -7,7 +7,7 @@
 
 #include "tactics/error.h"
 
-namespace tactics {
+namespace tactics::lever_file_test {
 namespace {
 
 TEST(LeverFile, ReadsWhatItWrites) {
@@ -53,4 +53,4 @@ TEST(LeverFile, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::lever_file_test

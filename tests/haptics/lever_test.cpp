@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tactics {
+namespace tactics::lever_test {
 namespace {
 
 TEST(Lever, LosesEnergyWithoutAMotor) {
@@ -83,4 +83,4 @@ TEST(Lever, EncoderCounts) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::lever_test

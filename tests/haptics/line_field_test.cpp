@@ -13,7 +13,7 @@
 #include "tests/haptics/plot_lines.h"
 #include "tests/haptics/work_round.h"
 
-namespace tactics {
+namespace tactics::line_field_test {
 namespace {
 
 Line sine(int points) {
@@ -190,4 +190,4 @@ TEST(CurveScene, DampingOnlyTakesEnergy) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::line_field_test

@@ -8,7 +8,7 @@
 
 #include "tactics/haptics/loop/recorder.h"
 
-namespace tactics {
+namespace tactics::loop_test {
 namespace {
 
 class HandClock : public Clock {
@@ -97,4 +97,4 @@ TEST(Recorder, KeepsTheLastInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::loop_test

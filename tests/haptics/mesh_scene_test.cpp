@@ -10,7 +10,7 @@
 #include "tests/haptics/meshes.h"
 #include "tests/haptics/reliefs.h"
 
-namespace tactics {
+namespace tactics::mesh_scene_test {
 namespace {
 
 using namespace tests;
@@ -174,4 +174,4 @@ TEST(SurfaceMesh, NoMoreFacetsThanADeviceCanTell) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::mesh_scene_test

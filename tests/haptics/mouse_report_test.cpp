@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace tactics {
+namespace tactics::mouse_report_test {
 namespace {
 
 TEST(MouseReport, ComesBackAsItWas) {
@@ -109,4 +109,4 @@ TEST(ForceReport, CutsWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::mouse_report_test

@@ -8,7 +8,7 @@
 
 #include "tests/haptics/plot_lines.h"
 
-namespace tactics {
+namespace tactics::near_lines_test {
 namespace {
 
 // A few strokes; lines so close that hundreds are near a finger at once, as one that goes up and down, and in pieces that do not
@@ -45,4 +45,4 @@ TEST(NearLines, OfNothingNothingIsTold) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::near_lines_test

@@ -11,7 +11,7 @@
 
 #include "tactics/haptics/scenes/relief_scene.h"
 
-namespace tactics {
+namespace tactics::play_loop_test {
 namespace {
 
 // What it does is asked at each reading and opening, by the time.
@@ -155,4 +155,4 @@ TEST_F(PlayLoopTest, ThatItMayNotBeUsedIsToldOnceUdevHasHadItsTime) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::play_loop_test

@@ -14,7 +14,7 @@
 #include "tactics/haptics/scenes/relief_scene.h"
 #include "tests/haptics/allocations.h"
 
-namespace tactics {
+namespace tactics::play_test {
 namespace {
 
 HeightMap terrain() {
@@ -226,4 +226,4 @@ TEST(RecordedMouse, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::play_test

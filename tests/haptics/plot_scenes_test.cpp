@@ -15,7 +15,7 @@
 #include "tests/haptics/plot_lines.h"
 #include "tests/haptics/work_round.h"
 
-namespace tactics {
+namespace tactics::plot_scenes_test {
 namespace {
 
 Line noise(int points, unsigned seed) {
@@ -193,4 +193,4 @@ TEST(PlotScenes, ATickAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::plot_scenes_test

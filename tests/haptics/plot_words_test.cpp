@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace tactics {
+namespace tactics::plot_words_test {
 namespace {
 
 Plot drive() {
@@ -193,4 +193,4 @@ TEST(PlotWords, TheNearestPointIsTheNearest) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::plot_words_test

@@ -11,7 +11,7 @@
 
 #include "tests/haptics/reliefs.h"
 
-namespace tactics {
+namespace tactics::proxy_test {
 namespace {
 
 static_assert(noexcept(std::declval<Proxy&>().follow({})));
@@ -300,4 +300,4 @@ TEST(Proxy, LiftedBeginsAboveTheFinger) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::proxy_test

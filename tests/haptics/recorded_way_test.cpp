@@ -11,7 +11,7 @@
 #include "tactics/haptics/devices/mouse_devices.h"
 #include "tactics/haptics/loop/recorder.h"
 
-namespace tactics {
+namespace tactics::recorded_way_test {
 namespace {
 
 using State = HapticDevice::State;
@@ -85,4 +85,4 @@ TEST(RecordedArm, WhatAPlayHasLoggedIsPlayedAgain) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::recorded_way_test

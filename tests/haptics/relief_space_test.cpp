@@ -9,7 +9,7 @@
 #include "tests/haptics/allocations.h"
 #include "tests/haptics/reliefs.h"
 
-namespace tactics {
+namespace tactics::relief_space_test {
 namespace {
 
 using namespace tests;
@@ -61,4 +61,4 @@ TEST(ReliefSpace, TakesNoMemoryWhileItIsFelt) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::relief_space_test

@@ -9,7 +9,7 @@
 
 #include "tests/haptics/reliefs.h"
 
-namespace tactics {
+namespace tactics::relief_surface_test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -189,4 +189,4 @@ TEST(Dilated, WithoutARadiusIsTheMapItself) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::relief_surface_test

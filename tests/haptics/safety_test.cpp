@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace tactics {
+namespace tactics::safety_test {
 namespace {
 
 constexpr double kTick = 0.001;
@@ -66,4 +66,4 @@ TEST(Safety, StopsWithinFiveMilliseconds) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::safety_test

@@ -15,7 +15,7 @@
 #include "tactics/haptics/scenes/relief_scene.h"
 #include "tactics/haptics/scenes/stability.h"
 
-namespace tactics {
+namespace tactics::second_simulation_test {
 namespace {
 
 constexpr double kTick = 0.001, kStep = 25e-6;  // s
@@ -198,4 +198,4 @@ TEST(SecondSimulation, FeelsTheWallsOfTheFirst) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::second_simulation_test

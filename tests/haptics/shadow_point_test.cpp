@@ -8,7 +8,7 @@
 
 #include "tests/haptics/meshes.h"
 
-namespace tactics {
+namespace tactics::shadow_point_test {
 namespace {
 
 using namespace tests;
@@ -217,4 +217,4 @@ TEST(MeshFacets, LeavesOutWhatHasNoAreaOrIsThereTwiceAndCountsIt) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::shadow_point_test

@@ -12,7 +12,7 @@
 
 #include "tests/haptics/allocations.h"
 
-namespace tactics {
+namespace tactics::speaking_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -135,4 +135,4 @@ TEST(Speaking, WordsOfManyLinesAreOne) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::speaking_test

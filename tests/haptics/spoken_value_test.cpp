@@ -10,7 +10,7 @@
 
 #include "tactics/text/number.h"
 
-namespace tactics {
+namespace tactics::spoken_value_test {
 namespace {
 
 TEST(SpokenValue, SaysNoMoreThanAPlotCanMean) {
@@ -84,4 +84,4 @@ TEST(SpokenValue, DatesAreThoseOfTheCalendar) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::spoken_value_test

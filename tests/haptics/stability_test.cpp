@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tactics {
+namespace tactics::stability_test {
 namespace {
 
 LeverSettings lever_of(double mass_g, double delay) {
@@ -143,4 +143,4 @@ TEST(Stability, TheRegionIsABorder) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::stability_test

@@ -20,7 +20,7 @@
 #include "tactics/haptics/voice/toning.h"
 #include "tactics/transport/child.h"
 
-namespace tactics {
+namespace tactics::tone_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -251,4 +251,4 @@ TEST(Toning, SoundsWhatWasToldLast) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::tone_test

@@ -17,7 +17,7 @@
 #include "tactics/haptics/simulated/pointing.h"
 #include "tests/haptics/allocations.h"
 
-namespace tactics {
+namespace tactics::touch_overlay_test {
 namespace {
 
 struct Seen {
@@ -302,4 +302,4 @@ TEST(Playing, BeginsWhereItIsToldTo) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::touch_overlay_test

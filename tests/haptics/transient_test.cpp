@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace tactics {
+namespace tactics::transient_test {
 namespace {
 
 double roof(double x) { return 20 - 1.5 * std::abs(x); }
@@ -54,4 +54,4 @@ TEST(Transient, FlatGroundIsSilent) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::transient_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace tactics {
+namespace tactics::velocity_test {
 namespace {
 
 constexpr double kTick = 0.001;  // s
@@ -83,4 +83,4 @@ TEST(AdaptiveVelocity, WhatCannotBeIsPassedOver) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::velocity_test

@@ -21,7 +21,7 @@
 #include "tactics/error.h"
 #include "tactics/transport/child.h"
 
-namespace tactics {
+namespace tactics::voice_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -272,4 +272,4 @@ TEST_F(VoiceTest, SpeechDispatcherSpeaks) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::voice_test

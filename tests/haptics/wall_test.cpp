@@ -9,7 +9,7 @@
 
 #include "tests/haptics/wall_trials.h"
 
-namespace tactics {
+namespace tactics::wall_test {
 namespace {
 
 WallSettings settings_of(WallMethod method, const LeverSettings& lever, const FingerSettings& finger) {
@@ -203,4 +203,4 @@ TEST(Walls, BridgeWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::wall_test

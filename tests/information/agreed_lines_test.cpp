@@ -8,7 +8,7 @@
 
 #include "tactics/information/entropy.h"
 
-namespace tactics {
+namespace tactics::agreed_lines_test {
 namespace {
 
 constexpr double kNoLimit = 1e9;
@@ -73,4 +73,4 @@ TEST(AgreedLines, AFullPageHasALineAtEachPlaceAndTellsNothing) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::agreed_lines_test

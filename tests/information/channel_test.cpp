@@ -13,7 +13,7 @@
 #include "tactics/information/media.h"
 #include "tests/information/sources.h"
 
-namespace tactics::tests {
+namespace tactics::tests::channel_test {
 namespace {
 
 MediumChannel named(const std::string& name) { return named_channels(name, {}, "--media").front(); }
@@ -176,4 +176,4 @@ TEST(LeastLoss, HeightsKeepTheirOrder) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::channel_test

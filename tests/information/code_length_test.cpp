@@ -7,7 +7,7 @@
 #include "tactics/information/measures.h"
 #include "tests/information/sources.h"
 
-namespace tactics::tests {
+namespace tactics::tests::code_length_test {
 namespace {
 
 TEST(CodeLength, OfNoiseIsAboutAsItIsWritten) {
@@ -126,4 +126,4 @@ TEST(CodeLength, TheAdaptiveCodeIsTheSumOfItsSteps) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::code_length_test

@@ -8,7 +8,7 @@
 
 #include "tests/information/sources.h"
 
-namespace tactics::tests {
+namespace tactics::tests::entropy_test {
 namespace {
 
 // Equation 2 of the paper.
@@ -73,4 +73,4 @@ TEST(Entropy, WhatIsTheSameTellsAllAndWhatIsByItselfNothing) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::entropy_test

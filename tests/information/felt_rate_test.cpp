@@ -6,7 +6,7 @@
 #include "tactics/information/code_length.h"
 #include "tests/information/sources.h"
 
-namespace tactics::tests {
+namespace tactics::tests::felt_rate_test {
 namespace {
 
 LevelGrid normal_noise(double deviation) {
@@ -65,4 +65,4 @@ TEST(FeltRate, ForcesAreToldApartInSteps) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::felt_rate_test

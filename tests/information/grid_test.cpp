@@ -8,7 +8,7 @@
 #include "tactics/error.h"
 #include "tests/information/sources.h"
 
-namespace tactics::tests {
+namespace tactics::tests::grid_test {
 namespace {
 
 TEST(InformationGrid, HeightsFallIntoTheirLevels) {
@@ -71,4 +71,4 @@ TEST(InformationGrid, ComponentsOfForcesAreGrids) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::grid_test

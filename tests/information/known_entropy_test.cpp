@@ -9,7 +9,7 @@
 #include "tactics/information/measures.h"
 #include "tests/information/sources.h"
 
-namespace tactics::tests {
+namespace tactics::tests::known_entropy_test {
 namespace {
 
 // How values follow: each by so many before it. As one line, or in rows that each begin anew.
@@ -233,4 +233,4 @@ TEST(KnownEntropy, ALargeTerrainIsAsItsRowsTell) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::known_entropy_test

@@ -8,7 +8,7 @@
 
 #include "tactics/error.h"
 
-namespace tactics {
+namespace tactics::likeness_test {
 namespace {
 
 using Grid = std::vector<std::uint8_t>;
@@ -117,4 +117,4 @@ TEST(Likeness, StandsWhatIsHardlyADrawing) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::likeness_test

@@ -7,7 +7,7 @@
 #include "tactics/information/entropy.h"
 #include "tests/information/sources.h"
 
-namespace tactics::tests {
+namespace tactics::tests::pyramid_test {
 namespace {
 
 TEST(Pyramid, ACellIsTheMeanOrTheHighestOfThoseInIt) {
@@ -93,4 +93,4 @@ TEST(Pyramid, EachLevelOfDetailTellsLessOfTheSceneAndIsFurtherFromIt) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::pyramid_test

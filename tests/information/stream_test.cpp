@@ -9,7 +9,7 @@
 
 #include "tactics/error.h"
 
-namespace tactics {
+namespace tactics::stream_test {
 namespace {
 
 // A tick each millisecond; forces in steps of 0.01 N.
@@ -83,4 +83,4 @@ TEST(Stream, WhatTellsNothingIsRefused) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::stream_test

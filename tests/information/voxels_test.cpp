@@ -9,7 +9,7 @@
 
 #include "tactics/error.h"
 
-namespace tactics {
+namespace tactics::voxels_test {
 namespace {
 
 ForceField field(int columns, int rows, int slices, const std::function<Point3(int x, int y, int z)>& force) {
@@ -66,4 +66,4 @@ TEST(Voxels, OneSliceAndOneColumnAreMeasured) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::voxels_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tactics {
+namespace tactics::consensus_test {
 namespace {
 
 constexpr int kWidth = 400, kHeight = 300;  // a diagonal of 500, near is 3.75 pixels
@@ -95,4 +95,4 @@ TEST(Consensus, TheSimplestPersonHasTheFewestRegions) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::consensus_test

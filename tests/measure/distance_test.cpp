@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace tactics {
+namespace tactics::distance_test {
 namespace {
 
 TEST(Distance, AgreesWithLookingAtEveryPixel) {
@@ -30,4 +30,4 @@ TEST(Distance, AgreesWithLookingAtEveryPixel) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::distance_test

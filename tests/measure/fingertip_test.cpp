@@ -8,7 +8,7 @@
 
 #include "tactics/measure/random.h"
 
-namespace tactics {
+namespace tactics::fingertip_test {
 namespace {
 
 constexpr int kCells = 128;  // 64 mm: squares of exactly 8 mm
@@ -159,4 +159,4 @@ TEST(Fingertip, RandomReadersFillTheirRanges) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::fingertip_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace tactics {
+namespace tactics::lines_test {
 namespace {
 
 using Pixels = std::vector<std::uint32_t>;
@@ -81,4 +81,4 @@ TEST(Lines, OfASmallerEdgeMapLieInTheMiddleOfItsPixels) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::lines_test

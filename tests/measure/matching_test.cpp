@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-namespace tactics {
+namespace tactics::matching_test {
 namespace {
 
 PixelSet random_set(std::mt19937& random, int width, int height, unsigned most) {
@@ -133,4 +133,4 @@ TEST(Matching, LeadsAWholeChainOn) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::matching_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace tactics {
+namespace tactics::needed_test {
 namespace {
 
 double unit(std::mt19937& random) { return static_cast<double>(random() % 1001) / 1000; }
@@ -74,4 +74,4 @@ TEST(Needed, TheSummaryCountsEveryPictureOnce) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::needed_test

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace tactics {
+namespace tactics::objects_test {
 namespace {
 
 constexpr int kWidth = 60, kHeight = 40;
@@ -80,4 +80,4 @@ TEST(Objects, RegionsOfABoxAreThoseMostlyInIt) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::objects_test

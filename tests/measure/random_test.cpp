@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace tactics {
+namespace tactics::random_test {
 namespace {
 
 TEST(RandomNumbers, AreThoseOfSplitmix64) {
@@ -43,4 +43,4 @@ TEST(RandomNumbers, BelowGivesEachAsOften) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::random_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace tactics {
+namespace tactics::regions_test {
 namespace {
 
 using Labels = std::vector<std::uint32_t>;
@@ -203,4 +203,4 @@ TEST(Regions, PeopleAreScoredAgainstTheOthers) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::regions_test

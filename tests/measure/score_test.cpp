@@ -5,7 +5,7 @@
 
 #include "tactics/measure/evaluation.h"
 
-namespace tactics {
+namespace tactics::score_test {
 namespace {
 
 constexpr int kWidth = 400, kHeight = 300;  // a reach of 3.75 pixels
@@ -113,4 +113,4 @@ TEST(Figures, OneDialForAllOrOneForEach) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::score_test

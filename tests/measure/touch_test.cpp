@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tactics {
+namespace tactics::touch_test {
 namespace {
 
 constexpr double kLeast = 4.2;
@@ -62,4 +62,4 @@ TEST(TouchLoad, ALineCrowdsItselfOnlyFromFarAlong) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::touch_test

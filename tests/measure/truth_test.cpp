@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace tactics {
+namespace tactics::truth_test {
 namespace {
 
 using Paths = std::vector<std::string>;
@@ -34,4 +34,4 @@ TEST(Truth, NothingIsLeftOutSilently) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::truth_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace tactics {
+namespace tactics::whole_test {
 namespace {
 
 Drawing drawing(std::vector<Stroke> strokes) {
@@ -57,4 +57,4 @@ TEST(Whole, OnlyWhatTheDrawingIsAbout) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::whole_test

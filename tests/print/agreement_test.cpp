@@ -9,7 +9,7 @@
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 
-namespace tactics {
+namespace tactics::agreement_test {
 namespace {
 
 using namespace rendered;
@@ -133,4 +133,4 @@ TEST_P(Agreement, BrailleDots) {
 INSTANTIATE_TEST_SUITE_P(Roads, Agreement, ::testing::ValuesIn(kRoads), [](const auto& each) { return each.param.name; });
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::agreement_test

@@ -11,7 +11,7 @@
 #include "tactics/text/utf8.h"
 #include "tests/print/braille_reader.h"
 
-namespace tactics {
+namespace tactics::braille_from_pdf_test {
 namespace {
 
 using rendered::FileFolder;
@@ -88,4 +88,4 @@ TEST(Braille, ReadBackFromTheRenderedPdfIsTheTextThatWasGiven) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::braille_from_pdf_test

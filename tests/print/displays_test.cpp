@@ -14,7 +14,7 @@
 #include "tactics/layout/lay_out.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::displays_test {
 namespace {
 
 using Kind = PinAnswer::Kind;
@@ -320,4 +320,4 @@ TEST(DisplayParts, OfPinsTogetherAreThePage) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::displays_test

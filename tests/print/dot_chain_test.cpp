@@ -10,7 +10,7 @@
 #include <random>
 #include <set>
 
-namespace tactics {
+namespace tactics::dot_chain_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -277,4 +277,4 @@ TEST(DotChain, OddInput) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::dot_chain_test

@@ -8,7 +8,7 @@
 
 #include "tactics/error.h"
 
-namespace tactics {
+namespace tactics::dots_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -146,4 +146,4 @@ TEST(Dots, WhatLiesOutsideIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::dots_test

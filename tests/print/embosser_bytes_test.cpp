@@ -9,7 +9,7 @@
 #include "tactics/error.h"
 #include "tactics/text/words.h"
 
-namespace tactics {
+namespace tactics::embosser_bytes_test {
 namespace {
 
 // "d" and the cell of dots 1 2 4 5 at the machine's first cell.
@@ -198,5 +198,7 @@ TEST(EmbosserBytes, Nippon) {
                                                         16));
 }
 
+#undef ESC
+
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::embosser_bytes_test

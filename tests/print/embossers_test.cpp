@@ -16,7 +16,7 @@
 #include "tactics/error.h"
 #include "tactics/layout/lay_out.h"
 
-namespace tactics {
+namespace tactics::embossers_test {
 namespace {
 
 std::vector<const Format*> embossers() {
@@ -379,4 +379,4 @@ TEST(FreeDots, OfTwoLinesOnEachOtherOneIsRaised) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::embossers_test

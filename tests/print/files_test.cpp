@@ -10,7 +10,7 @@
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 
-namespace tactics {
+namespace tactics::files_test {
 namespace {
 
 using namespace rendered;
@@ -203,4 +203,4 @@ TEST(PageFiles, SvgHasLayersWithNames) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::files_test

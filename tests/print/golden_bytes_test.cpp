@@ -22,7 +22,7 @@
 #include "tactics/text/utf8.h"
 #include "tactics/text/words.h"
 
-namespace tactics {
+namespace tactics::golden_bytes_test {
 namespace {
 
 constexpr std::string_view kPages[] = {"text", "full", "graphic", "two", "backs"};
@@ -242,4 +242,4 @@ TEST(GoldenBytes, OfAnotherOrderMakeTheSameSheets) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::golden_bytes_test

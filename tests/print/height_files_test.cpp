@@ -15,7 +15,7 @@
 #include "tactics/units.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::height_files_test {
 namespace {
 
 using namespace tests;
@@ -235,4 +235,4 @@ TEST(HeightFiles, LinesAreAsHighAsTheirRole) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::height_files_test

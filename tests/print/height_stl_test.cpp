@@ -10,7 +10,7 @@
 #include "tests/cli/tool.h"
 #include "tests/print/mesh.h"
 
-namespace tactics {
+namespace tactics::height_stl_test {
 namespace {
 
 using namespace tests;
@@ -39,8 +39,8 @@ TEST(HeightStl, ThreeSamplesAreClosedSolids) {
 }
 
 TEST(HeightStl, TheCheckerSeesWhatIsWrong) {
-    const Mesh good = mesh_of(stl_of(samples()[0], 0, 4, 2));
-    Mesh hole = good, turned = good, flat = good;
+    const StlMesh good = mesh_of(stl_of(samples()[0], 0, 4, 2));
+    StlMesh hole = good, turned = good, flat = good;
     hole.triangles.pop_back();
     hole.normals.pop_back();
     EXPECT_EQ(faults_of(hole).open_edges, 3u);
@@ -50,7 +50,7 @@ TEST(HeightStl, TheCheckerSeesWhatIsWrong) {
     flat.triangles[7][0] = flat.triangles[7][1];
     EXPECT_EQ(faults_of(flat).flat, 1u);
     // Two boxes that touch at a corner.
-    Mesh twice = mesh_of(stl_of(map_of(1, 1, 1, [](int, int) { return 0; }), 0, 1, 1));
+    StlMesh twice = mesh_of(stl_of(map_of(1, 1, 1, [](int, int) { return 0; }), 0, 1, 1));
     const std::size_t count = twice.triangles.size();
     for (std::size_t i = 0; i < count; ++i) {
         auto other = twice.triangles[i];
@@ -79,7 +79,7 @@ TEST(HeightStl, AnotherProgramFindsNothingToMend) {
 }
 
 // The height of the surface above a place, by all triangles.
-double top_at(const Mesh& mesh, double x, double y) {
+double top_at(const StlMesh& mesh, double x, double y) {
     double top = -1;
     for (const auto& [a, b, c] : mesh.triangles) {
         const double area = (static_cast<double>(b[0]) - a[0]) * (static_cast<double>(c[1]) - a[1]) -
@@ -97,7 +97,7 @@ double top_at(const Mesh& mesh, double x, double y) {
 
 TEST(HeightStl, EverySampleKeepsItsHeight) {
     for (const HeightMap& map : samples()) {
-        const Mesh mesh = mesh_of(stl_of(map, 0, 4, 2));
+        const StlMesh mesh = mesh_of(stl_of(map, 0, 4, 2));
         for (int y = 0; y < map.rows; y += 3)
             for (int x = 0; x < map.columns; x += 2)
                 ASSERT_NEAR(top_at(mesh, (x + 0.5) * map.pitch, map.height() - (y + 0.5) * map.pitch), 2 + map.at(x, y), 1e-4)
@@ -108,7 +108,7 @@ TEST(HeightStl, EverySampleKeepsItsHeight) {
 // Between four samples the surface is between their heights, also where corners were left out.
 TEST(HeightStl, TheSurfaceStaysBetweenItsSamples) {
     for (const HeightMap& map : {samples()[0], map_of(30, 30, 0.5, [](int x, int y) { return y > 14 && x % 7 == 3 ? 3 : 0; })}) {
-        const Mesh mesh = mesh_of(stl_of(map, 0, 4, 2));
+        const StlMesh mesh = mesh_of(stl_of(map, 0, 4, 2));
         for (int y = 0; y + 1 < map.rows; ++y)
             for (int x = 0; x + 1 < map.columns; x += 2) {
                 const auto [least, most] = std::minmax({map.at(x, y), map.at(x + 1, y), map.at(x, y + 1), map.at(x + 1, y + 1)});
@@ -121,7 +121,7 @@ TEST(HeightStl, TheSurfaceStaysBetweenItsSamples) {
 
 TEST(HeightStl, StandsOnItsPlateAndIsAsLargeAsTheMap) {
     const HeightMap map = map_of(40, 20, 0.5, [](int x, int) { return x < 20 ? -1 : 2; });
-    const Mesh mesh = mesh_of(stl_of(map, -1, 2, 1.5));
+    const StlMesh mesh = mesh_of(stl_of(map, -1, 2, 1.5));
     Vertex least{9e9f, 9e9f, 9e9f}, most{-9e9f, -9e9f, -9e9f};
     for (const auto& triangle : mesh.triangles)
         for (const Vertex& corner : triangle)
@@ -147,7 +147,7 @@ TEST(HeightStl, LevelGroundNeedsFewTriangles) {
 TEST(HeightStl, TheSmallestMapsAreSolidsToo) {
     for (const auto& [columns, rows] : std::vector<std::pair<int, int>>{{1, 1}, {1, 7}, {7, 1}, {2, 2}, {3, 1}}) {
         const HeightMap map = map_of(columns, rows, 0.5, [](int x, int y) { return (x + y) % 2; });
-        const Mesh mesh = mesh_of(stl_of(map, 0, 1, 0.2));
+        const StlMesh mesh = mesh_of(stl_of(map, 0, 1, 0.2));
         expect_solid(mesh);
         EXPECT_NEAR(top_at(mesh, 0.25, map.height() - 0.25), 0.2, 1e-6);
     }
@@ -157,7 +157,7 @@ TEST(HeightStl, WhatIsNoNumberIsTheLowest) {
     HeightMap map = map_of(9, 9, 0.5, [](int, int) { return 1; });
     map.at(4, 4) = std::nanf("");
     map.at(2, 4) = INFINITY;
-    const Mesh mesh = mesh_of(stl_of(map, 0, 2, 1));
+    const StlMesh mesh = mesh_of(stl_of(map, 0, 2, 1));
     expect_solid(mesh);
     EXPECT_NEAR(top_at(mesh, 2.25, 2.25), 1, 1e-6);
     EXPECT_NEAR(top_at(mesh, 1.25, 2.25), 3, 1e-6);
@@ -188,11 +188,11 @@ TEST(HeightStl, APageIsASolid) {
     EXPECT_EQ(format_of_path("page.STL"), format);
     Settings settings(format->options);
     settings.set("base", "1mm", "", "stl");
-    const Mesh mesh = mesh_of(format->encode(page, settings));
+    const StlMesh mesh = mesh_of(format->encode(page, settings));
     expect_solid(mesh);
     EXPECT_NEAR(top_at(mesh, 50.1, 31.1), 1.5, 1e-4);  // in the area, y upwards
     EXPECT_NEAR(top_at(mesh, 10.1, 10.1), 1, 1e-6);
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::height_stl_test

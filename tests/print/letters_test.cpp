@@ -6,7 +6,7 @@
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 
-namespace tactics {
+namespace tactics::letters_test {
 namespace {
 
 using namespace rendered;
@@ -81,4 +81,4 @@ TEST(Letters, BytesThatAreNoTextDrawNothing) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::letters_test

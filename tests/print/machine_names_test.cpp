@@ -7,7 +7,7 @@
 #include "tactics/text/words.h"
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::machine_names_test {
 namespace {
 
 using namespace tests;
@@ -119,4 +119,4 @@ TEST_F(NamedMachine, IsDrivenAndTold) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::machine_names_test

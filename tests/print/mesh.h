@@ -17,7 +17,7 @@ namespace tactics::tests {
 
 using Vertex = std::array<float, 3>;
 
-struct Mesh {
+struct StlMesh {
     std::vector<std::array<Vertex, 3>> triangles;
     std::vector<Vertex> normals;
 
@@ -31,8 +31,8 @@ struct Mesh {
     }
 };
 
-inline Mesh mesh_of(const std::string& bytes) {
-    Mesh mesh;
+inline StlMesh mesh_of(const std::string& bytes) {
+    StlMesh mesh;
     std::uint32_t count = 0;
     if (bytes.size() >= 84) std::memcpy(&count, bytes.data() + 80, 4);
     EXPECT_EQ(bytes.size(), 84 + 50 * static_cast<std::size_t>(count));
@@ -56,7 +56,7 @@ struct MeshFaults {
     int pieces = 0;
 };
 
-inline MeshFaults faults_of(const Mesh& mesh) {
+inline MeshFaults faults_of(const StlMesh& mesh) {
     MeshFaults faults;
     std::map<Vertex, std::uint32_t> numbers;
     std::vector<std::array<std::uint32_t, 3>> faces;
@@ -116,7 +116,7 @@ inline MeshFaults faults_of(const Mesh& mesh) {
     return faults;
 }
 
-inline void expect_solid(const Mesh& mesh) {
+inline void expect_solid(const StlMesh& mesh) {
     const MeshFaults faults = faults_of(mesh);
     EXPECT_EQ(faults.flat, 0u);
     EXPECT_EQ(faults.open_edges, 0u);

@@ -6,7 +6,7 @@
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 
-namespace tactics {
+namespace tactics::pdf_ua_test {
 namespace {
 
 using namespace rendered;
@@ -224,4 +224,4 @@ TEST(PdfUa, DamageIsSeen) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::pdf_ua_test

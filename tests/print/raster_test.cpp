@@ -6,7 +6,7 @@
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 
-namespace tactics {
+namespace tactics::raster_test {
 namespace {
 
 using namespace rendered;
@@ -102,4 +102,4 @@ TEST(Raster, SizeFollowsTheWidthAsked) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::raster_test

@@ -5,7 +5,7 @@
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 
-namespace tactics {
+namespace tactics::several_pages_test {
 namespace {
 
 using namespace rendered;
@@ -152,4 +152,4 @@ TEST(SeveralPages, PixelsAndSvgAreAFileEach) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::several_pages_test

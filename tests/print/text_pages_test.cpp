@@ -8,7 +8,7 @@
 #include "tactics/error.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::text_pages_test {
 namespace {
 
 const Paper kSheet{"", "", 210, 279.4};
@@ -91,4 +91,4 @@ TEST(TextPages, ControlZAtTheEndIsNotRead) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::text_pages_test

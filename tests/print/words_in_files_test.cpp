@@ -7,7 +7,7 @@
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 
-namespace tactics {
+namespace tactics::words_in_files_test {
 namespace {
 
 using namespace rendered;
@@ -171,4 +171,4 @@ TEST(WordsInFiles, TextIsTheDescriptionLineByLine) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::words_in_files_test

@@ -11,7 +11,7 @@
 #include "tactics/repair/repair.h"
 #include "tactics/rules/rule.h"
 
-namespace tactics {
+namespace tactics::dashes_test {
 namespace {
 
 Drawing blank() {
@@ -178,4 +178,4 @@ TEST(Dashes, OfVeryManyTheLastStayWhole) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::dashes_test

@@ -13,7 +13,7 @@
 #include "tactics/page.h"
 #include "tactics/rules/rule.h"
 
-namespace tactics {
+namespace tactics::repair_test {
 namespace {
 
 const Medium& swell() { return find_medium("swell", "test"); }
@@ -353,4 +353,4 @@ TEST(Repair, OfMoreLineThanHasRoomTheStrongestIsMended) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::repair_test

@@ -12,10 +12,15 @@
 #include "tests/rules/pages.h"
 #include "tests/rules/rule_pages.h"
 
-namespace tactics {
+namespace tactics::every_rule_test {
 namespace {
 
 using namespace tests;
+
+TEST(RulePages, AreForTheRulesOfTheList) {
+    EXPECT_EQ(rule_pages().size(), rules().size());
+    for (const auto& [name, page] : rule_pages()) EXPECT_NE(find_rule(name), nullptr) << name;
+}
 
 TEST(EveryRule, HasAPageThatJustPassesAndOneThatJustFails) {
     for (const Rule* rule : rules()) {
@@ -150,4 +155,4 @@ TEST(EveryRule, IsBoundedOnAVeryBusyPage) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::every_rule_test

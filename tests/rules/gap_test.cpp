@@ -9,7 +9,7 @@
 #include "tactics/rules/narrow.h"
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::gap_test {
 namespace {
 
 using namespace tests;
@@ -219,4 +219,4 @@ TEST(Gap, IsFoundByTheGridAsByComparingEverythingWithEverything) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::gap_test

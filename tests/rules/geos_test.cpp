@@ -8,7 +8,7 @@
 
 #include "tests/geos_shape.h"
 
-namespace tactics {
+namespace tactics::geos_test {
 namespace {
 
 using namespace tests;
@@ -63,16 +63,16 @@ TEST(Geos, MeasuresTheSameGapsOnAThousandPages) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::geos_test
 
 #else
 
-namespace tactics {
+namespace tactics::geos_test {
 namespace {
 
 TEST(Geos, MeasuresTheSameGapsOnAThousandPages) { GTEST_SKIP() << "libgeos is not installed"; }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::geos_test
 
 #endif

@@ -9,7 +9,7 @@
 
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::ink_way_test {
 namespace {
 
 using namespace tests;
@@ -151,4 +151,4 @@ TEST(InkWay, IsFoundThroughLinesThatLieOnEachOther) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::ink_way_test

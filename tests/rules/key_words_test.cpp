@@ -6,7 +6,7 @@
 #include "tactics/rules/rule.h"
 #include "tests/rules/pages.h"
 
-namespace tactics::tests {
+namespace tactics::tests::key_words_test {
 namespace {
 
 TEST(KeyWords, AreFoundInAnyOrder) {
@@ -33,4 +33,4 @@ TEST(KeyWords, AreFoundInAnyOrder) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::key_words_test

@@ -9,7 +9,7 @@
 #include "tactics/rules/narrow.h"
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::moving_pairs_test {
 namespace {
 
 using namespace tests;
@@ -97,4 +97,4 @@ TEST(MovingPairs, EndWhereThereAreMoreThanAreAskedFor) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::moving_pairs_test

@@ -13,7 +13,7 @@
 #include "tests/rules/pages.h"
 #include "tests/rules/rule_pages.h"
 
-namespace tactics {
+namespace tactics::rules_table_test {
 namespace {
 
 using namespace tests;
@@ -87,4 +87,4 @@ TEST(RulesTable, HasARowForEveryRule) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::rules_table_test

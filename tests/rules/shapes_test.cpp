@@ -6,7 +6,7 @@
 #include "tactics/rules/coverage.h"
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::shapes_test {
 namespace {
 
 using namespace tests;
@@ -199,4 +199,4 @@ TEST(Ink, CountsPicturesAndBraille) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::shapes_test

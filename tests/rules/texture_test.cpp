@@ -5,7 +5,7 @@
 #include "tactics/layout/pattern.h"
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::texture_test {
 namespace {
 
 using namespace tests;
@@ -60,4 +60,4 @@ TEST(TextureRules, AnAreaWithoutRoomForItsTextureIsTold) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::texture_test

@@ -13,12 +13,11 @@
 
 #include "tests/golden/golden.h"
 
-namespace tactics {
-
-namespace samples {
+namespace tactics::samples {
 void PrintTo(const Scene& scene, std::ostream* out) { *out << scene.name; }  // GoogleTest finds it by its name
-}  // namespace samples
+}  // namespace tactics::samples
 
+namespace tactics::scenes_test {
 namespace {
 
 class SampleScene : public testing::TestWithParam<samples::Scene> {};
@@ -70,4 +69,4 @@ INSTANTIATE_TEST_SUITE_P(Samples, SampleScene, testing::ValuesIn(samples::scenes
 TEST(Samples, UnknownNameIsAFaultOfTheCaller) { EXPECT_THROW(samples::draw_scene("no-such-scene", 64), std::logic_error); }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::scenes_test

@@ -10,7 +10,7 @@
 
 #include "tactics/geometry/course.h"
 
-namespace tactics {
+namespace tactics::close_sides_test {
 namespace {
 
 constexpr double kTouching = 1e-3, kApart = 3;
@@ -106,4 +106,4 @@ TEST(CloseSides, OfManyBoxesInARowKeepTheirDistanceAndTheirConnections) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::close_sides_test

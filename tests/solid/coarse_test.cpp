@@ -7,7 +7,7 @@
 
 #include "tests/solid/models.h"
 
-namespace tactics {
+namespace tactics::coarse_test {
 namespace {
 
 using namespace tests;
@@ -49,4 +49,4 @@ TEST(Coarse, NamesTheObjectsOfWhichNothingIsLeft) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::coarse_test

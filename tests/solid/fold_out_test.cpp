@@ -14,7 +14,7 @@
 #include "tests/solid/folded.h"
 #include "tests/solid/models.h"
 
-namespace tactics {
+namespace tactics::fold_out_test {
 namespace {
 
 using namespace tests;
@@ -315,4 +315,4 @@ TEST(FoldOut, BadFacesAreLeftOutAndTold) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::fold_out_test

@@ -10,7 +10,7 @@
 #include "tactics/solid/thing.h"
 #include "tests/solid/models.h"
 
-namespace tactics {
+namespace tactics::hanging_test {
 namespace {
 
 using namespace tests;
@@ -103,4 +103,4 @@ TEST(Hanging, WhatStandsOnATopOrApartHangsNowhere) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::hanging_test

@@ -10,7 +10,7 @@
 #include "tests/solid/folded.h"
 #include "tests/solid/models.h"
 
-namespace tactics {
+namespace tactics::layout_laws_test {
 namespace {
 
 using namespace tests;
@@ -224,4 +224,4 @@ TEST(Spread, MovesTogetherWhatTouches) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::layout_laws_test

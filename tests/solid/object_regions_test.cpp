@@ -12,7 +12,7 @@
 #include "tactics/solid/fold_out.h"
 #include "tests/solid/models.h"
 
-namespace tactics {
+namespace tactics::object_regions_test {
 namespace {
 
 using namespace tests;
@@ -131,4 +131,4 @@ TEST(ObjectRegions, TheyAreReadFromTheTopButWhatLiesOnOthersLater) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::object_regions_test

@@ -8,7 +8,7 @@
 #include "tactics/solid/fold_out.h"
 #include "tests/solid/models.h"
 
-namespace tactics {
+namespace tactics::plane_choice_test {
 namespace {
 
 using namespace tests;
@@ -81,4 +81,4 @@ TEST(PlaneChoice, AViewpointChoosesAFaceThatThereIs) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::plane_choice_test

@@ -13,7 +13,7 @@
 #include "tests/solid/folded.h"
 #include "tests/solid/models.h"
 
-namespace tactics {
+namespace tactics::revolution_test {
 namespace {
 
 using namespace tests;
@@ -271,4 +271,4 @@ TEST(Revolution, AShadeHasNoBottomAndAWheelIsCutTwice) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::revolution_test

@@ -14,7 +14,7 @@
 #include "tactics/solid/seen_edges.h"
 #include "tests/solid/models.h"
 
-namespace tactics {
+namespace tactics::views_test {
 namespace {
 
 using namespace tests;
@@ -182,4 +182,4 @@ TEST(Views, TheSectionIsWhereItIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::views_test

@@ -10,7 +10,7 @@
 
 #include "tactics/measure/stability.h"
 
-namespace tactics {
+namespace tactics::disturbance_test {
 namespace {
 
 constexpr int kWidth = 300, kHeight = 200;
@@ -137,4 +137,4 @@ TEST(Stability, WhatOnlyOneOfThePicturesShowsIsNotAsked) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::disturbance_test

@@ -16,7 +16,7 @@
 #include "tactics/recipe.h"
 #include "tests/filters/weights.h"
 
-namespace tactics {
+namespace tactics::holding_test {
 namespace {
 
 constexpr double kPage = 277;  // mm, the longer side of a drawing on A4
@@ -179,4 +179,4 @@ TEST(Stability, ThePhotoRecipeFindsAFaintDisc) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::holding_test

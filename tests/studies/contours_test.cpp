@@ -7,7 +7,7 @@
 #include "tests/patterns.h"
 #include "tests/studies/evaluating.h"
 
-namespace tactics {
+namespace tactics::contours_test {
 namespace {
 
 using namespace tests;
@@ -192,4 +192,4 @@ TEST_F(Evaluate, APartOfThePictureIsNotScored) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::contours_test

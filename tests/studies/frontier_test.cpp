@@ -8,7 +8,7 @@
 
 #include "tests/studies/discs.h"
 
-namespace tactics {
+namespace tactics::frontier_test {
 namespace {
 
 using namespace tests;
@@ -110,4 +110,4 @@ TEST_F(EvaluateCharts, NothingScoredIsNothingDrawn) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::frontier_test

@@ -12,7 +12,7 @@
 #include "filters/list.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::list_test {
 namespace {
 
 using namespace tests;
@@ -75,4 +75,4 @@ TEST(Studies, AreOfferedAndExplainedAsTheListHasThem) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::list_test

@@ -7,7 +7,7 @@
 #include "tests/patterns.h"
 #include "tests/studies/evaluating.h"
 
-namespace tactics {
+namespace tactics::matching_test {
 namespace {
 
 using namespace tests;
@@ -142,4 +142,4 @@ TEST_F(EvaluateMatching, WhatMakesNoSenseIsRefused) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::matching_test

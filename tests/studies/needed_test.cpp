@@ -8,7 +8,7 @@
 #include "tests/patterns.h"
 #include "tests/studies/discs.h"
 
-namespace tactics {
+namespace tactics::needed_test {
 namespace {
 
 using namespace tests;
@@ -75,4 +75,4 @@ TEST_F(EvaluateNeeded, TheStudyIsTheSameOnAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::needed_test

@@ -7,7 +7,7 @@
 #include "tactics/text/table.h"
 #include "tests/studies/evaluating.h"
 
-namespace tactics {
+namespace tactics::page_test {
 namespace {
 
 using namespace tests;
@@ -154,4 +154,4 @@ TEST(PageFigures, TheChartHasTheFrontierAndTheLevelOfAPerson) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::page_test

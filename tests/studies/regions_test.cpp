@@ -4,7 +4,7 @@
 
 #include "tests/studies/evaluating.h"
 
-namespace tactics {
+namespace tactics::regions_test {
 namespace {
 
 using namespace tests;
@@ -59,4 +59,4 @@ TEST_F(EvaluateRegions, DotsAreLeftOutAndWhatDoesNotFitIsRefused) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::regions_test

@@ -4,7 +4,7 @@
 
 #include "tests/studies/evaluating.h"
 
-namespace tactics {
+namespace tactics::repair_test {
 namespace {
 
 using namespace tests;
@@ -51,4 +51,4 @@ TEST_F(EvaluateRepair, DrawsAChartAndRefusesWhatItHasNot) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::repair_test

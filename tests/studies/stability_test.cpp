@@ -4,7 +4,7 @@
 
 #include "tests/studies/evaluating.h"
 
-namespace tactics {
+namespace tactics::stability_test {
 namespace {
 
 using namespace tests;
@@ -115,4 +115,4 @@ TEST_F(EvaluateStability, ReadsWhatHostileFilesBreakOnlyWhenAllowed) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::stability_test

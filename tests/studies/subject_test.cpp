@@ -7,7 +7,7 @@
 #include "filters/list.h"
 #include "tests/studies/evaluating.h"
 
-namespace tactics {
+namespace tactics::subject_test {
 namespace {
 
 using namespace tests;
@@ -79,4 +79,4 @@ TEST_F(EvaluateSubject, AnySearchIsAskedWithABoxAndAPoint) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::subject_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tactics {
+namespace tactics::told_table_test {
 namespace {
 
 const std::vector<ToldRow> kRows{
@@ -25,4 +25,4 @@ TEST(ToldTable, IsReadInTheLanguageOfWhoReadsIt) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::told_table_test

@@ -9,7 +9,7 @@
 
 #include "tactics/error.h"
 
-namespace tactics {
+namespace tactics::option_test {
 namespace {
 
 constexpr Option kTold[] = {
@@ -63,4 +63,4 @@ TEST(Option, DaysAreThoseOfTheCalendarThatZipHolds) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::option_test

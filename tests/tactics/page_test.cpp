@@ -13,7 +13,7 @@
 #include "tactics/layout/place.h"
 #include "tactics/text/utf8.h"
 
-namespace tactics {
+namespace tactics::page_test {
 namespace {
 
 constexpr double kSlip = 1e-6;
@@ -365,4 +365,4 @@ TEST(LayOut, PointsStandOnSteps) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::page_test

@@ -5,7 +5,7 @@
 #include "tactics/error.h"
 #include "tactics/medium.h"
 
-namespace tactics {
+namespace tactics::papers_and_media_test {
 namespace {
 
 TEST(Papers, HaveTheSizesOfTheirStandards) {
@@ -66,4 +66,4 @@ TEST(Cells, AreThoseOfTheirStandards) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::papers_and_media_test

@@ -6,7 +6,7 @@
 #include "filters/list.h"
 #include "tactics/error.h"
 
-namespace tactics {
+namespace tactics::recipe_test {
 namespace {
 
 std::string message_of(std::string_view text) {
@@ -47,4 +47,4 @@ TEST(Recipe, TextReadsBackToTheSameRecipe) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::recipe_test

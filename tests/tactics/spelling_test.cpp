@@ -5,7 +5,7 @@
 #include "tactics/error.h"
 #include "tactics/layout/place.h"
 
-namespace tactics {
+namespace tactics::spelling_test {
 namespace {
 
 // Before the first test: what a message says must not hang on which runs first.
@@ -36,4 +36,4 @@ TEST(Spelling, IsTheWishItselfUntilAProgramSaysHowItsUsersWriteIt) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::spelling_test

@@ -7,7 +7,7 @@
 #include "tactics/error.h"
 #include "tactics/option.h"
 
-namespace tactics {
+namespace tactics::spot_test {
 namespace {
 
 std::string error_of(std::string_view text) {
@@ -70,4 +70,4 @@ TEST(Spot, AnOptionKeepsThem) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::spot_test

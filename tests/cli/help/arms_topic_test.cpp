@@ -8,7 +8,7 @@
 #include "tactics/haptics/devices/device_kind.h"
 #include "tactics/haptics/voice/plot_keys.h"
 
-namespace tactics {
+namespace tactics::arms_topic_test {
 namespace {
 
 TEST(ArmsTopic, TellsOfEachArmHowItIsNamed) {
@@ -41,4 +41,4 @@ TEST(ArmsTopic, ItsLinesAreShort) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::arms_topic_test

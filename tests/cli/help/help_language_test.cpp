@@ -8,7 +8,7 @@
 #include "cli/help/thing_texts.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::help_language_test {
 namespace {
 
 using namespace tests;
@@ -51,4 +51,4 @@ TEST(HelpLanguage, WithoutATranslationOfOneTextAllIsInEnglish) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::help_language_test

@@ -15,7 +15,7 @@
 #include "tests/haptics/firmware.h"
 #include "tests/patterns.h"
 
-namespace tactics {
+namespace tactics::mouse_topic_test {
 namespace {
 
 using namespace tests;
@@ -239,4 +239,4 @@ TEST(MouseTopic, IsPlainTextInShortLines) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::mouse_topic_test

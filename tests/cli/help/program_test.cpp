@@ -15,7 +15,7 @@
 #include "tests/cli/tool.h"
 #include "tests/patterns.h"
 
-namespace tactics {
+namespace tactics::program_test {
 namespace {
 
 using namespace tests;
@@ -236,4 +236,4 @@ TEST(Program, OptionsThatAreReadAreDescribed) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::program_test

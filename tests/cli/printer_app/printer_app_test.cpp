@@ -16,7 +16,7 @@
 #include "tests/cli/print_user.h"
 #include "tests/sanitized.h"
 
-namespace tactics {
+namespace tactics::printer_app_test {
 namespace {
 
 using namespace tests;
@@ -254,4 +254,4 @@ TEST_F(PrinterApp, IsAnIppEverywherePrinter) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::printer_app_test

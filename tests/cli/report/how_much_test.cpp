@@ -5,7 +5,7 @@
 
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::how_much_test {
 namespace {
 
 using namespace tests;
@@ -112,4 +112,4 @@ TEST_F(HowMuchIsTold, StrictIsAsCheckIs) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::how_much_test

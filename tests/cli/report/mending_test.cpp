@@ -4,7 +4,7 @@
 
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::mending_test {
 namespace {
 
 using namespace tests;
@@ -72,4 +72,4 @@ TEST_F(Mending, SaysWhatToDoAboutWhatCannotBeMended) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::mending_test

@@ -3,7 +3,7 @@
 #include "tactics/transport/terminal.h"
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::on_terminal_test {
 namespace {
 
 using namespace tests;
@@ -70,4 +70,4 @@ TEST(Terminal, TellsBytesFromText) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::on_terminal_test

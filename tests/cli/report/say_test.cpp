@@ -5,7 +5,7 @@
 
 #include "cli/report/report.h"
 
-namespace tactics {
+namespace tactics::say_test {
 namespace {
 
 TEST(Say, OneLineStaysOneLine) { EXPECT_EQ(one_line("a\n\x1b[1m\tb\x7f\xc3\xa9"), "a\\x0a\\x1b[1m\\x09b\\x7f\xc3\xa9"); }
@@ -35,4 +35,4 @@ TEST(Report, ProgressTellsWhatIsLeft) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::say_test

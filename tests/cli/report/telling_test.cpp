@@ -2,7 +2,7 @@
 // What `tactics convert` tells of what it did and of what it could not do.
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::telling_test {
 namespace {
 
 using namespace tests;
@@ -130,4 +130,4 @@ TEST_F(Telling, ACroppedPartIsThePictureOfThatPart) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::telling_test

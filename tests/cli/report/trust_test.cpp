@@ -3,7 +3,7 @@
 #include "tests/cli/converting.h"
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::trust_test {
 namespace {
 
 using namespace tests;
@@ -60,4 +60,4 @@ TEST_F(TrustTold, AtTheEndOfABatchAndByCheck) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::trust_test

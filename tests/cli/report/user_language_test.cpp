@@ -10,7 +10,7 @@
 #include "tests/cli/tool.h"
 #include "tests/patterns.h"
 
-namespace tactics {
+namespace tactics::user_language_test {
 namespace {
 
 using namespace tests;
@@ -110,4 +110,4 @@ TEST(UserLanguage, WhatCheckSaysOfAPageIsInTheLanguageOfTheLocale) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::user_language_test

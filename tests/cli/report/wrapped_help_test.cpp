@@ -10,7 +10,7 @@
 #include "cli/help/thing_texts.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::wrapped_help_test {
 namespace {
 
 using namespace tests;
@@ -62,4 +62,4 @@ TEST(WrappedHelp, OnATerminalOnly) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::wrapped_help_test

@@ -8,7 +8,7 @@
 #include "tests/cli/converting.h"
 #include "tests/golden/golden.h"
 
-namespace tactics::tests {
+namespace tactics::tests::best_detail_test {
 namespace {
 
 class BestDetail : public Convert {
@@ -100,4 +100,4 @@ TEST_F(BestDetail, LeavesAPictureAloneThatIsDrawnWhole) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::best_detail_test

@@ -7,7 +7,7 @@
 #include "tests/cli/tool.h"
 #include "tests/patterns.h"
 
-namespace tactics {
+namespace tactics::chart_test {
 namespace {
 
 using namespace tests;
@@ -240,4 +240,4 @@ TEST_F(ChartCommand, JsonSaysWhatIsDrawnAndWhere) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::chart_test

@@ -10,7 +10,7 @@
 #include "tests/cli/picture.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::check_test {
 namespace {
 
 using namespace tests;
@@ -262,4 +262,4 @@ TEST(Check, RulesAreListedAndExplained) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::check_test

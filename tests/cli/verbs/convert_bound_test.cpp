@@ -3,7 +3,7 @@
 #include "tests/cli/converting.h"
 #include "tests/print/rendered_page.h"
 
-namespace tactics::tests {
+namespace tactics::tests::convert_bound_test {
 namespace {
 
 class ConvertBound : public Convert {
@@ -156,4 +156,4 @@ TEST_F(ConvertBound, StandardOutputHoldsOneToo) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::convert_bound_test

@@ -11,7 +11,7 @@
 #include "tests/filters/weights.h"
 #include "tests/sanitized.h"
 
-namespace tactics {
+namespace tactics::convert_test {
 namespace {
 
 using namespace tests;
@@ -348,4 +348,4 @@ TEST_F(Convert, AFullPipeDoesNotKeepItAlive) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::convert_test

@@ -3,7 +3,7 @@
 #include "tests/cli/converting.h"
 #include "tests/cli/pdf_files.h"
 
-namespace tactics {
+namespace tactics::convert_text_test {
 namespace {
 
 using namespace tests;
@@ -185,4 +185,4 @@ TEST_F(ConvertText, ALockedPdfIsToldAsOne) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::convert_text_test

@@ -11,7 +11,7 @@
 #include "tests/cli/tool.h"
 #include "tests/patterns.h"
 
-namespace tactics {
+namespace tactics::cups_driver_test {
 namespace {
 
 using namespace tests;
@@ -49,4 +49,4 @@ TEST_F(CupsDriver, RefusesWhatItDidNotList) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::cups_driver_test

@@ -15,7 +15,7 @@
 #include "tests/cli/pdf_files.h"
 #include "tests/cli/print_user.h"
 
-namespace tactics {
+namespace tactics::cups_filter_test {
 namespace {
 
 using namespace tests;
@@ -270,4 +270,4 @@ TEST(Ppd, NamesPapersAsTheSpecificationDoes) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::cups_filter_test

@@ -2,7 +2,7 @@
 // `tactics describe` as the user meets it: the real program, real files.
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::describe_test {
 namespace {
 
 using namespace tests;
@@ -77,4 +77,4 @@ TEST_F(Describe, APersonsWordsGoIntoTheFiles) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::describe_test

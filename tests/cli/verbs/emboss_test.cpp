@@ -7,7 +7,7 @@
 
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::emboss_test {
 namespace {
 
 using namespace tests;
@@ -210,4 +210,4 @@ TEST_F(Emboss, DevicesAreListedWithoutAny) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::emboss_test

@@ -7,7 +7,7 @@
 #include "tactics/text/number.h"
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::encode_test {
 namespace {
 
 using namespace tests;
@@ -213,4 +213,4 @@ TEST_F(Encode, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::encode_test

@@ -10,7 +10,7 @@
 #include "tests/cli/converting.h"
 #include "tests/sanitized.h"
 
-namespace tactics {
+namespace tactics::hostile_model_test {
 namespace {
 
 using namespace tests;
@@ -168,4 +168,4 @@ TEST_F(HostileModel, OfThousandsOfNamesThoseWithRoomAreSet) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::hostile_model_test

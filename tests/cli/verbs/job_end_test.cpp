@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tactics {
+namespace tactics::job_end_test {
 namespace {
 
 // Time is counted, not spent.
@@ -62,4 +62,4 @@ TEST(JobEnd, IsNotWaitedForIfTheUserGivesUp) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::job_end_test

@@ -4,7 +4,7 @@
 
 #include "tests/cli/tool.h"
 
-namespace tactics::tests {
+namespace tactics::tests::measure_test {
 namespace {
 
 std::string hills(int width, int height) {
@@ -131,4 +131,4 @@ TEST(Measure, ARecordingIsItsForces) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::measure_test

@@ -4,7 +4,7 @@
 
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::model_test {
 namespace {
 
 using namespace tests;
@@ -144,4 +144,4 @@ TEST_F(ModelCommand, SettingsAreChecked) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::model_test

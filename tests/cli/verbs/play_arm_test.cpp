@@ -9,7 +9,7 @@
 #include "tests/cli/converting.h"
 #include "tests/cli/tick_rows.h"
 
-namespace tactics {
+namespace tactics::play_arm_test {
 namespace {
 
 using namespace tests;
@@ -195,4 +195,4 @@ TEST_F(PlayArm, SaysWhatShapeASurfaceHasByItsSections) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::play_arm_test

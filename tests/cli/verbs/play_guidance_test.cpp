@@ -13,7 +13,7 @@
 
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::play_guidance_test {
 namespace {
 
 using namespace tests;
@@ -282,4 +282,4 @@ TEST_F(PlayTerminal, TheKeyboardHasTheSameKeysAndIsGivenBack) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::play_guidance_test

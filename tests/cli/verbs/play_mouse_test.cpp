@@ -12,7 +12,7 @@
 #include "tests/cli/tool.h"
 #include "tests/haptics/firmware.h"
 
-namespace tactics {
+namespace tactics::play_mouse_test {
 namespace {
 
 using namespace tests;
@@ -269,4 +269,4 @@ TEST_F(PlayMouse, AKeyboardIsNoMouse) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::play_mouse_test

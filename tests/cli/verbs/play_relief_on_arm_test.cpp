@@ -8,7 +8,7 @@
 #include "tests/cli/converting.h"
 #include "tests/cli/tick_rows.h"
 
-namespace tactics {
+namespace tactics::play_relief_on_arm_test {
 namespace {
 
 using namespace tests;
@@ -292,4 +292,4 @@ TEST_F(PlayReliefOnArm, OfHeightsItsLeastLossIsFeltIfAsked) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::play_relief_on_arm_test

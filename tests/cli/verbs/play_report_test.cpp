@@ -9,7 +9,7 @@
 #include "filters/chart.h"
 #include "tactics/medium.h"
 
-namespace tactics {
+namespace tactics::play_report_test {
 namespace {
 
 // Onto a block of 40 mm, back and on it again: the finger climbs beside the wall, where the two lines are one to a fingertip.
@@ -75,4 +75,4 @@ TEST(WayPlot, DrawsTheClimbAtAWall) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::play_report_test

@@ -6,7 +6,7 @@
 #include "tests/cli/converting.h"
 #include "tests/cli/tick_rows.h"
 
-namespace tactics {
+namespace tactics::play_test {
 namespace {
 
 using namespace tests;
@@ -283,4 +283,4 @@ TEST_F(Play, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::play_test

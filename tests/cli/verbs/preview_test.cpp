@@ -2,7 +2,7 @@
 // `tactics preview`, and embossers as convert writes for them: the real program, real files.
 #include "tests/cli/converting.h"
 
-namespace tactics {
+namespace tactics::preview_test {
 namespace {
 
 using namespace tests;
@@ -156,4 +156,4 @@ TEST_F(Preview, TheHelpOfAnEmbosserSaysHowSureItsBytesAre) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::preview_test

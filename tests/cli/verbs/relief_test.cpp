@@ -7,7 +7,7 @@
 #include "tests/cli/tool.h"
 #include "tests/print/mesh.h"
 
-namespace tactics::tests {
+namespace tactics::tests::relief_test {
 namespace {
 
 std::string pgm(int width, int height) {
@@ -221,4 +221,4 @@ TEST(Relief, ForAMediumItsHeightsAreThoseOfWhichThatLosesLeast) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::relief_test

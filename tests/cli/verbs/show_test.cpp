@@ -9,7 +9,7 @@
 #include "tests/cli/converting.h"
 #include "tests/cli/schemas.h"
 
-namespace tactics {
+namespace tactics::show_test {
 namespace {
 
 using namespace tests;
@@ -275,4 +275,4 @@ TEST_F(Show, DisplaysHaveOneSize) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::show_test

@@ -6,7 +6,7 @@
 
 #include "tests/cli/tool.h"
 
-namespace tactics::tests {
+namespace tactics::tests::similar_test {
 namespace {
 
 std::string svg(const std::string& inner) {
@@ -84,4 +84,4 @@ TEST(Similar, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::similar_test

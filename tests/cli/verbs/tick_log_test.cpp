@@ -11,7 +11,7 @@
 #include <sstream>
 #include <thread>
 
-namespace tactics {
+namespace tactics::tick_log_test {
 namespace {
 
 // What another thread adds meanwhile is written by one of its own. Under ThreadSanitizer this finds what both touch.
@@ -37,4 +37,4 @@ TEST(TickLogThread, WritesAllThatIsFeltMeanwhile) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::tick_log_test

@@ -4,7 +4,7 @@
 
 #include "tests/cli/converting.h"
 
-namespace tactics::tests {
+namespace tactics::tests::told_heights_test {
 namespace {
 
 class ToldHeights : public Convert {
@@ -66,4 +66,4 @@ TEST_F(ToldHeights, LinesOfOneKindAreTalkedOfOnlyWhereBestIsAsked) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::told_heights_test

@@ -9,7 +9,7 @@
 #include "tactics/braille/braille.h"
 #include "tests/print/brf_reader.h"
 
-namespace tactics {
+namespace tactics::brf_test {
 namespace {
 
 using test::BrfDot;
@@ -151,4 +151,4 @@ TEST(Brf, OddTitlesStayOnThePage) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::brf_test

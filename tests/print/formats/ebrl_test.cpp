@@ -5,7 +5,7 @@
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 
-namespace tactics {
+namespace tactics::ebrl_test {
 namespace {
 
 using namespace rendered;
@@ -219,4 +219,4 @@ TEST(Ebrl, EpubcheckFindsNothingElse) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::ebrl_test

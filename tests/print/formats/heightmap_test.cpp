@@ -12,7 +12,7 @@
 #include "tactics/error.h"
 #include "tactics/units.h"
 
-namespace tactics {
+namespace tactics::heightmap_test {
 namespace {
 
 struct Heights {
@@ -225,4 +225,4 @@ TEST(HeightMap, EndsOfNamesTellIt) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::heightmap_test

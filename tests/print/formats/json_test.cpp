@@ -6,7 +6,7 @@
 #include "tests/cli/tool.h"
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::json_test {
 namespace {
 
 using namespace tests;
@@ -39,4 +39,4 @@ assert len(first['things']) == 1 and 'objects' not in second, second
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::json_test

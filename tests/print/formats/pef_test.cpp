@@ -10,7 +10,7 @@
 #include "tests/patterns.h"
 #include "tests/print/rendered_page.h"
 
-namespace tactics {
+namespace tactics::pef_test {
 namespace {
 
 using namespace rendered;
@@ -279,4 +279,4 @@ TEST(Ubrl, OfEqualDistancesIsThePictureOfAnIndex) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::pef_test

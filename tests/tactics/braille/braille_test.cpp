@@ -12,7 +12,7 @@
 #include "tactics/page.h"
 #include "tests/tactics/braille/message_of.h"
 
-namespace tactics {
+namespace tactics::braille_test {
 namespace {
 
 using tests::message_of;
@@ -275,4 +275,4 @@ TEST(Cells, DotsStandWhereTheCellPutsThem) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::braille_test

@@ -10,7 +10,7 @@
 #include "tactics/braille/louis.h"
 #include "tactics/layout/wrapped.h"
 
-namespace tactics {
+namespace tactics::hyphenation_test {
 namespace {
 
 using Cells = std::vector<std::uint8_t>;
@@ -81,4 +81,4 @@ TEST(Hyphenation, LinesOfBrailleEndAtThosePlaces) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::hyphenation_test

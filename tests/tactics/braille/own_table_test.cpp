@@ -9,7 +9,7 @@
 #include "tests/cli/converting.h"
 #include "tests/tactics/braille/message_of.h"
 
-namespace tactics {
+namespace tactics::own_table_test {
 namespace {
 
 using namespace tests;
@@ -85,4 +85,4 @@ TEST_F(OwnTable, OnTheCommandLine) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::own_table_test

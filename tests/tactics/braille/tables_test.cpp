@@ -9,7 +9,7 @@
 #include "tests/cli/tool.h"
 #include "tests/tactics/braille/message_of.h"
 
-namespace tactics {
+namespace tactics::tables_test {
 namespace {
 
 using namespace tests;
@@ -72,4 +72,4 @@ TEST(BrailleTables, AreListedWithLanguageAndGrade) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::tables_test

@@ -15,7 +15,7 @@
 #include "tests/cli/tool.h"
 #include "tests/patterns.h"
 
-namespace tactics {
+namespace tactics::c_test {
 namespace {
 
 using namespace tests;
@@ -196,5 +196,5 @@ TEST_F(LibraryForC, ManyThreadsHaveAJobEach) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::c_test
 #endif

@@ -13,7 +13,7 @@
 #include "tactics/layout/lay_out.h"
 #include "tests/print/hard_pages.h"
 
-namespace tactics {
+namespace tactics::description_test {
 namespace {
 
 using rendered::ring;
@@ -257,4 +257,4 @@ TEST(Description, IsInTheLanguageOfThePage) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::description_test

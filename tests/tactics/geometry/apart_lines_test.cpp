@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace tactics {
+namespace tactics::apart_lines_test {
 namespace {
 
 constexpr double kApart = 4, kShortest = 5;
@@ -95,4 +95,4 @@ TEST(ApartLines, ALineIsNotNearItself) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::apart_lines_test

@@ -8,7 +8,7 @@
 #include "tactics/geometry/walk.h"
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::clipped_test {
 namespace {
 
 constexpr Rect kRect{20, 30, 50, 40};
@@ -75,4 +75,4 @@ TEST(Clipped, ARingHoldsWhatItHeldWithin) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::clipped_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tactics {
+namespace tactics::course_test {
 namespace {
 
 // A zigzag that grows, with places between that add nothing: of each piece the farthest point is its last but one, so that the
@@ -33,4 +33,4 @@ TEST(Course, OfALineWhereEachPointIsFartherStaysWithinTheTolerance) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::course_test

@@ -10,7 +10,7 @@
 
 #include "tactics/geometry/course.h"
 
-namespace tactics {
+namespace tactics::curves_test {
 namespace {
 
 constexpr double kTolerance = 0.05;
@@ -113,4 +113,4 @@ TEST(Curves, NothingIsTooLittle) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::curves_test

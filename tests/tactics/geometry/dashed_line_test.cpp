@@ -8,7 +8,7 @@
 
 #include "tactics/description/description.h"
 
-namespace tactics {
+namespace tactics::dashed_line_test {
 namespace {
 
 Page page_with_dashes() {
@@ -63,4 +63,4 @@ TEST(DashedLine, IsToldAsOne) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::dashed_line_test

@@ -8,7 +8,7 @@
 
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::distance_test {
 namespace {
 
 using namespace tests;
@@ -111,4 +111,4 @@ TEST(Grid, FindsThePairsThatComparingAllFinds) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::distance_test

@@ -8,7 +8,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::grid_test {
 namespace {
 
 using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
@@ -62,4 +62,4 @@ TEST(Grid, WhatIsFarBesideThePageIsNotLookedAtPieceByPiece) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::grid_test

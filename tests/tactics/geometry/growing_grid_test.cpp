@@ -8,7 +8,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::growing_grid_test {
 namespace {
 
 std::vector<std::size_t> near(const GrowingGrid& grid, const Box& box) {
@@ -54,4 +54,4 @@ TEST(GrowingGrid, BearsWhatIsNowhere) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::growing_grid_test

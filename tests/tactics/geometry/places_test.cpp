@@ -8,7 +8,7 @@
 
 #include "tests/filters/pictures.h"
 
-namespace tactics {
+namespace tactics::places_test {
 namespace {
 
 std::set<std::size_t> near(const Places& places, Point at, double reach) {
@@ -65,4 +65,4 @@ TEST(Places, GiveUpWhenOneWillDo) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::places_test

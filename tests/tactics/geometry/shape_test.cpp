@@ -10,7 +10,7 @@
 #include <functional>
 #include <numbers>
 
-namespace tactics {
+namespace tactics::shape_test {
 namespace {
 
 using std::numbers::pi;
@@ -197,4 +197,4 @@ TEST(Shape, AnyNumberOfPointsComesDownToFew) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::shape_test

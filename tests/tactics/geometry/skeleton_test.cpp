@@ -5,7 +5,7 @@
 
 #include "tests/filters/shapes.h"
 
-namespace tactics {
+namespace tactics::skeleton_test {
 namespace {
 
 // Pieces of pixels of one kind by flood filling, the naive way; the frame counts as ground.
@@ -90,4 +90,4 @@ TEST(Skeleton, TellsHowWideTheInkWas) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::skeleton_test

@@ -9,7 +9,7 @@
 #include "tactics/geometry/distance.h"
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::spans_test {
 namespace {
 
 TEST(Spans, WithinIsWhatIsNoFurtherThanTheReach) {
@@ -58,4 +58,4 @@ TEST(Spans, WithoutLeavesWhatIsInNoOther) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::spans_test

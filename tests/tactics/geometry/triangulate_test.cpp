@@ -8,7 +8,7 @@
 #include "tactics/error.h"
 #include "tactics/measure/random.h"
 
-namespace tactics {
+namespace tactics::triangulate_test {
 namespace {
 
 using Ring = std::vector<Point3>;
@@ -157,4 +157,4 @@ TEST(Triangulate, AModelBecomesAMeshAndBack) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::triangulate_test

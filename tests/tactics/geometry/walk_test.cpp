@@ -8,7 +8,7 @@
 
 #include "tactics/geometry/course.h"
 
-namespace tactics {
+namespace tactics::walk_test {
 namespace {
 
 std::vector<Point> wiggle(std::mt19937& random, std::size_t count) {
@@ -64,4 +64,4 @@ TEST(Walk, OnePointIsAWalkToo) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::walk_test

@@ -9,7 +9,7 @@
 #include "tests/cli/tool.h"
 #include "tests/sanitized.h"
 
-namespace tactics {
+namespace tactics::library_test {
 namespace {
 
 using namespace tests;
@@ -152,4 +152,4 @@ TEST_F(InstalledLibrary, IsForPythonToo) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::library_test

@@ -12,7 +12,7 @@
 #include "tests/patterns.h"
 #include "tests/sanitized.h"
 
-namespace tactics {
+namespace tactics::packages_test {
 namespace {
 
 using namespace tests;
@@ -63,4 +63,4 @@ TEST(Packages, HoldWhatTheyShouldAndDependOnIt) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::packages_test

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace tactics {
+namespace tactics::axis_names_test {
 namespace {
 
 PrintPlace number(double x, double y) { return {{x, y}, 3, false, true}; }
@@ -65,4 +65,4 @@ TEST(AxisNames, OfALevelAxisStandsLowerWhenARowOfNumbersIsCloseAboveIt) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::axis_names_test

@@ -16,7 +16,7 @@
 #include "tests/cli/tool.h"
 #include "tests/tactics/readers/pictures.h"
 
-namespace tactics {
+namespace tactics::figure_pictures_test {
 namespace {
 
 // A dark disc, left and high in its picture, so that what is turned over shows.
@@ -165,4 +165,4 @@ TEST(PdfPictures, AreCountedAsTheListHasThem) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::figure_pictures_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tactics {
+namespace tactics::figure_title_test {
 namespace {
 
 struct Words {
@@ -99,4 +99,4 @@ TEST(FigureTitle, IsNotTheWordsOfALegend) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::figure_title_test

@@ -8,7 +8,7 @@
 
 #include "tests/tactics/readers/pictures.h"
 
-namespace tactics {
+namespace tactics::holds_test {
 namespace {
 
 Holds holds(std::string_view text, const std::string& name = "test") {
@@ -79,4 +79,4 @@ TEST(Holds, PicturesStayPicturesWhateverTheirBytesLookLike) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::holds_test

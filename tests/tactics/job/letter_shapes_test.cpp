@@ -11,7 +11,7 @@
 #include "tactics/readers/svg/svg.h"
 #include "tactics/text/utf8.h"
 
-namespace tactics {
+namespace tactics::letter_shapes_test {
 namespace {
 
 std::vector<char32_t> codes_in(std::string_view text) {
@@ -145,4 +145,4 @@ TEST(LetterShapes, NeedMoreThanARectangle) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::letter_shapes_test

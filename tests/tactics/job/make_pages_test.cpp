@@ -13,7 +13,7 @@
 #include "tests/cli/picture.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::make_pages_test {
 namespace {
 
 class MakePages : public testing::Test {
@@ -159,4 +159,4 @@ TEST_F(MakePages, OfAModelAreItsTopView) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::make_pages_test

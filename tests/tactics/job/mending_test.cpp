@@ -9,7 +9,7 @@
 #include "tactics/error.h"
 #include "tactics/layout/place.h"
 
-namespace tactics {
+namespace tactics::mending_test {
 namespace {
 
 Sheet a4() {
@@ -56,4 +56,4 @@ TEST(Advice, OfAPictureThatIsFinerThanItsDrawingPromisesNothing) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::mending_test

@@ -15,7 +15,7 @@
 #include "tests/cli/tool.h"
 #include "tests/print/hard_pages.h"
 
-namespace tactics {
+namespace tactics::own_pages_test {
 namespace {
 
 class OwnPages : public testing::Test {
@@ -121,4 +121,4 @@ TEST(PagesOfOwn, TheKeyComesBehindItsDrawing) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::own_pages_test

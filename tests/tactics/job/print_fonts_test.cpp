@@ -12,7 +12,7 @@
 #include "tactics/readers/read.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::print_fonts_test {
 namespace {
 
 struct Label {
@@ -132,4 +132,4 @@ TEST_F(PrintFonts, WhatIsReadAndLooksUnlikeTheInkIsNotSet) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::print_fonts_test

@@ -10,7 +10,7 @@
 #include "filters/list.h"
 #include "tactics/readers/shrink.h"
 
-namespace tactics {
+namespace tactics::reading_test {
 namespace {
 
 // What would be averaged twice would be blurred for nothing.
@@ -35,4 +35,4 @@ TEST(Reading, GivesAsManyPixelsAsResampleLeaves) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::reading_test

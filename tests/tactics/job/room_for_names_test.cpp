@@ -11,7 +11,7 @@
 #include "tactics/layout/lay_out.h"
 #include "tactics/layout/place.h"
 
-namespace tactics {
+namespace tactics::room_for_names_test {
 namespace {
 
 Sheet sheet() {
@@ -148,4 +148,4 @@ TEST(RoomForNames, FarNamesComeNearInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::room_for_names_test

@@ -8,7 +8,7 @@
 
 #include "tactics/error.h"
 
-namespace tactics {
+namespace tactics::surface_heights_test {
 namespace {
 
 // A plane that rises to the right and upwards, unevenly sampled: bilinear heights are exact on it.
@@ -64,4 +64,4 @@ TEST(SurfaceHeights, OtherKindsOfXAndYAreNoSliver) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::surface_heights_test

@@ -11,7 +11,7 @@
 #include "tactics/job/table.h"
 #include "tactics/text/number.h"
 
-namespace tactics {
+namespace tactics::table_bars_test {
 namespace {
 
 struct BarReading {
@@ -151,4 +151,4 @@ TEST(TableBars, SeveralColumnsAreSeveralCurves) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::table_bars_test

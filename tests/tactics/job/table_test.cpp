@@ -14,7 +14,7 @@
 #include "tactics/job/table_surface.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::table_test {
 namespace {
 
 struct Read {
@@ -300,4 +300,4 @@ TEST(Table, FilesOfPythonAreReadAsTheyWereMeant) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::table_test

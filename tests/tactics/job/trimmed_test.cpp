@@ -13,7 +13,7 @@
 #include "tests/cli/picture.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::trimmed_test {
 namespace {
 
 Image with_square(int width, int height, int left, int top, int side) {
@@ -195,4 +195,4 @@ TEST_F(TrimmedPages, AScaleIsThatOfTheWholeFigure) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::trimmed_test

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace tactics {
+namespace tactics::workers_test {
 namespace {
 
 TEST(Workers, DoEachOnce) {
@@ -45,4 +45,4 @@ TEST(Workers, AFailureNamesWhatWasWorkedOnOnce) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::workers_test

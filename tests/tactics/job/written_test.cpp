@@ -9,7 +9,7 @@
 #include "tactics/job/pdf_paragraphs.h"
 #include "tactics/text/words.h"
 
-namespace tactics {
+namespace tactics::written_test {
 namespace {
 
 using Kind = TextBlock::Kind;
@@ -164,4 +164,4 @@ TEST(Written, CellsOfRowsStayApart) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::written_test

@@ -11,7 +11,7 @@
 #include "tactics/layout/title.h"
 #include "tactics/rules/rule.h"
 
-namespace tactics {
+namespace tactics::caption_test {
 namespace {
 
 Sheet sheet_with(const std::string& title, const std::string& caption) {
@@ -90,4 +90,4 @@ TEST(Caption, ThatIsTooLongIsTold) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::caption_test

@@ -14,7 +14,7 @@
 #include "print/machines/punched.h"
 #include "tactics/layout/lay_out.h"
 
-namespace tactics {
+namespace tactics::chosen_heights_test {
 namespace {
 
 PageStroke line(Role role, double x, double length) { return {{{x, 5}, {x, 5 + length}}, false, 1.6, role}; }
@@ -168,4 +168,4 @@ TEST(KindHeights, AreThoseThatMachinesRaise) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::chosen_heights_test

@@ -8,7 +8,7 @@
 #include "tactics/layout/lay_out.h"
 #include "tests/print/brf_reader.h"
 
-namespace tactics {
+namespace tactics::facing_test {
 namespace {
 
 // As many pages as asked for, told apart by their titles.
@@ -83,4 +83,4 @@ TEST(Facing, AnEmbosserGetsTheSidesInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::facing_test

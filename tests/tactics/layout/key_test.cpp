@@ -16,7 +16,7 @@
 #include "tactics/layout/room.h"
 #include "tests/print/brf_reader.h"
 
-namespace tactics {
+namespace tactics::key_test {
 namespace {
 
 using Cells = std::vector<std::uint8_t>;
@@ -216,4 +216,4 @@ TEST(Key, ThatHasNoRoomOnAnyPaperIsTold) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::key_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tactics {
+namespace tactics::leads_test {
 namespace {
 
 constexpr double kTurn = 12, kSide = 0.5;  // mm
@@ -86,4 +86,4 @@ TEST(Leads, EndOnTheNearestInkOfALongLine) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::leads_test

@@ -15,7 +15,7 @@
 #include "tactics/layout/room.h"
 #include "tactics/rules/rule.h"
 
-namespace tactics {
+namespace tactics::naming_test {
 namespace {
 
 constexpr double kGap = 3.2;
@@ -403,4 +403,4 @@ TEST(Naming, LeavesOutAndTellsOptionalNamesWithoutRoom) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::naming_test

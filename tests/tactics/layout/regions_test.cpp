@@ -11,7 +11,7 @@
 #include "tactics/repair/repair.h"
 #include "tests/print/hard_pages.h"
 
-namespace tactics {
+namespace tactics::regions_test {
 namespace {
 
 using rendered::ring;
@@ -116,4 +116,4 @@ TEST(Regions, GoWithLinesThatAreBentApart) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::regions_test

@@ -17,7 +17,7 @@
 #include "tactics/rules/rule.h"
 #include "tests/print/brf_reader.h"
 
-namespace tactics {
+namespace tactics::scale_bar_test {
 namespace {
 
 Sheet sheet_on(std::string_view paper, std::string_view medium, double real_width) {
@@ -197,4 +197,4 @@ TEST(ScaleBar, IsTold) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::scale_bar_test

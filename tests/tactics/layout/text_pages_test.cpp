@@ -11,7 +11,7 @@
 #include "tactics/error.h"
 #include "tactics/text/utf8.h"
 
-namespace tactics {
+namespace tactics::text_pages_test {
 namespace {
 
 using Kind = TextBlock::Kind;
@@ -258,4 +258,4 @@ TEST(TextPages, SayWhatLeavesNoRoom) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::text_pages_test

@@ -16,7 +16,7 @@
 #include "tactics/rules/coverage.h"
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::texture_test {
 namespace {
 
 using namespace tests;
@@ -242,4 +242,4 @@ TEST(Texture, AreasOfNothingHaveNoMarks) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::texture_test

@@ -14,7 +14,7 @@
 #include "tactics/layout/room.h"
 #include "tests/print/hard_pages.h"
 
-namespace tactics {
+namespace tactics::tiles_test {
 namespace {
 
 using rendered::hard_drawing;
@@ -271,4 +271,4 @@ TEST(Tiles, MakeTheDrawingLargerThanASheet) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::tiles_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace tactics {
+namespace tactics::wrapped_test {
 namespace {
 
 using Cells = std::vector<std::uint8_t>;
@@ -166,4 +166,4 @@ TEST(Wrapped, AsksTheLettersWhetherTheyEndInAHyphen) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::wrapped_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tactics {
+namespace tactics::agreement_test {
 namespace {
 
 // A line of a known font and size, a letter of each code; 0 is like none.
@@ -62,4 +62,4 @@ TEST(Agreement, ALetterAloneIsSureInTheSizeOfWordsAndIsNoCircle) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::agreement_test

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-namespace tactics {
+namespace tactics::found_boxes_test {
 namespace {
 
 TEST(FoundBoxes, AreThoseThatOverlap) {
@@ -44,4 +44,4 @@ TEST(FoundBoxes, AreThoseThatOverlap) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::found_boxes_test

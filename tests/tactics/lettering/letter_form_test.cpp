@@ -7,7 +7,7 @@
 #include "tactics/lettering/form_reader.h"
 #include "tactics/lettering/ink_letters.h"
 
-namespace tactics {
+namespace tactics::letter_form_test {
 namespace {
 
 std::vector<Point> box(double left, double bottom, double right, double top) {
@@ -128,4 +128,4 @@ TEST(FormReader, WhatIsNoLetterOfTheFontIsNotRead) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::letter_form_test

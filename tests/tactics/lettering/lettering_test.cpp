@@ -12,7 +12,7 @@
 #include "tactics/readers/read.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::lettering_test {
 namespace {
 
 // Blocks that stand as letters do: 8 wide, 12 high, 3 apart, and 9 between words.
@@ -232,4 +232,4 @@ TEST(Lettering, IsReadByTesseract) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::lettering_test

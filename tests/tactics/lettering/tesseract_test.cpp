@@ -9,7 +9,7 @@
 #include "tactics/readers/read.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::tesseract_test {
 namespace {
 
 constexpr const char* kHead = "level\tpage_num\tblock_num\tpar_num\tline_num\tword_num\tleft\ttop\twidth\theight\tconf\ttext\n";
@@ -97,4 +97,4 @@ TEST_F(StandIn, GetsAllStripsAsOnePicture) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::tesseract_test

@@ -3,7 +3,7 @@
 
 #include "tests/tactics/readers/pictures.h"
 
-namespace tactics {
+namespace tactics::jpeg_test {
 namespace {
 
 TEST(Jpeg, GivesThePictureBack) {
@@ -133,4 +133,4 @@ TEST(Jpeg, RefusesClaimsWithoutData) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::jpeg_test

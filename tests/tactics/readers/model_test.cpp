@@ -12,7 +12,7 @@
 #include "tactics/readers/caged/protocol.h"
 #include "tactics/transport/program_folder.h"
 
-namespace tactics {
+namespace tactics::model_test {
 namespace {
 
 constexpr std::string_view kObj =
@@ -253,4 +253,4 @@ TEST_F(Model, OneTriangleTooManyIsTold) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::model_test

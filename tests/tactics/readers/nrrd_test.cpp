@@ -8,7 +8,7 @@
 
 #include "tactics/error.h"
 
-namespace tactics {
+namespace tactics::nrrd_test {
 namespace {
 
 Voxels read(const std::string& bytes) {
@@ -112,4 +112,4 @@ TEST(NrrdReader, RefusesWhatItCannotBe) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::nrrd_test

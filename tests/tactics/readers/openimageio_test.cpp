@@ -15,7 +15,7 @@
 
 #include "tests/tactics/readers/pictures.h"
 
-namespace tactics {
+namespace tactics::openimageio_test {
 namespace {
 
 Image read_by_openimageio(const Bytes& bytes, const ReadRequest& request = {.longest = 0, .colour = true}) {
@@ -341,4 +341,4 @@ TEST(OpenImageIo, SurvivesTheEndOfItsProgram) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::openimageio_test

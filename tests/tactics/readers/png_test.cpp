@@ -3,7 +3,7 @@
 
 #include "tests/tactics/readers/pictures.h"
 
-namespace tactics {
+namespace tactics::png_test {
 namespace {
 
 // Samples of any width packed from the left, as PNG and TIFF do.
@@ -152,4 +152,4 @@ TEST(Png, ReadsVeryWideAndVeryTall) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::png_test

@@ -10,7 +10,7 @@
 
 #include "tests/tactics/readers/pictures.h"
 
-namespace tactics {
+namespace tactics::read_test {
 namespace {
 
 class Files : public testing::Test {
@@ -181,4 +181,4 @@ TEST(Readers, ReadOnePixel) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::read_test

@@ -9,7 +9,7 @@
 #include "tactics/readers/upright.h"
 #include "tests/tactics/readers/pictures.h"
 
-namespace tactics {
+namespace tactics::rows_test {
 namespace {
 
 template <class Sample>
@@ -104,4 +104,4 @@ TEST(Exposure, LeavesOrdinaryPicturesAlone) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::rows_test

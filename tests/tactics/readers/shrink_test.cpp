@@ -7,7 +7,7 @@
 
 #include "tests/tactics/readers/pictures.h"
 
-namespace tactics {
+namespace tactics::shrink_test {
 namespace {
 
 Image shrink(const Image& image, Size to) {
@@ -95,4 +95,4 @@ TEST(RowShrinker, AveragesFloatsToo) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::shrink_test

@@ -5,7 +5,7 @@
 
 #include "tests/tactics/readers/pictures.h"
 
-namespace tactics {
+namespace tactics::tiff_test {
 namespace {
 
 template <class Number>
@@ -213,4 +213,4 @@ TEST(Tiff, RefusesClaimsWithoutData) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::tiff_test

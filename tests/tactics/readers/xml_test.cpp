@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tactics {
+namespace tactics::xml_test {
 namespace {
 
 std::string told(const Element& element) {
@@ -32,4 +32,4 @@ TEST(Xml, IsReadTheSameWhateverTheSaltOfItsHashes) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::xml_test

@@ -13,7 +13,7 @@
 #include "tactics/relief/read_heights.h"
 #include "tactics/units.h"
 
-namespace tactics {
+namespace tactics::depth_test {
 namespace {
 
 using Corner = std::array<double, 3>;
@@ -210,4 +210,4 @@ TEST(Depth, WhatIsNoModelIsRefused) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::depth_test

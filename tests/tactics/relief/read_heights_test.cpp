@@ -10,7 +10,7 @@
 #include "print/height_files.h"
 #include "tests/tactics/readers/pictures.h"
 
-namespace tactics {
+namespace tactics::read_heights_test {
 namespace {
 
 HeightFile heights(const Bytes& bytes, const HeightWish& wish = {}) {
@@ -203,4 +203,4 @@ TEST(ReadHeights, HostileMapsAreRefused) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::read_heights_test

@@ -15,7 +15,7 @@
 #include "tactics/text/phrase.h"
 #include "tests/tactics/text/source_phrases.h"
 
-namespace tactics {
+namespace tactics::catalogue_test {
 namespace {
 
 using namespace tests;
@@ -230,4 +230,4 @@ TEST(Catalogue, PhrasesAreFoundInTheSource) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::catalogue_test

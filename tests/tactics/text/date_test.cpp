@@ -11,7 +11,7 @@
 
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::date_test {
 namespace {
 
 using namespace tests;
@@ -121,4 +121,4 @@ TEST(Date, TellsTheNumbersThatMayBeDayAndMonth) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::date_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tactics {
+namespace tactics::decimal_comma_test {
 namespace {
 
 TEST(DecimalComma, GoesByLanguageAndThenByCountry) {
@@ -14,4 +14,4 @@ TEST(DecimalComma, GoesByLanguageAndThenByCountry) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::decimal_comma_test

@@ -5,7 +5,7 @@
 
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::json_test {
 namespace {
 
 using namespace tests;
@@ -50,4 +50,4 @@ TEST(Json, PythonGetsEveryNameBack) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::json_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace tactics {
+namespace tactics::named_unit_test {
 namespace {
 
 TEST(NamedUnit, IsTakenApart) {
@@ -36,4 +36,4 @@ TEST(NamedUnit, IsTakenApart) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::named_unit_test

@@ -6,7 +6,7 @@
 
 #include <initializer_list>
 
-namespace tactics {
+namespace tactics::parted_words_test {
 namespace {
 
 std::string typed(std::initializer_list<std::string_view> lines) {
@@ -79,4 +79,4 @@ TEST(PartedWords, GuessesAreCountedAndTheFirstAreNamed) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::parted_words_test

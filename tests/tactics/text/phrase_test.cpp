@@ -7,7 +7,7 @@
 #include "tactics/error.h"
 #include "tactics/text/catalogue.h"
 
-namespace tactics {
+namespace tactics::phrase_test {
 namespace {
 
 TEST(Phrase, PartsStandAtTheirPlaces) {
@@ -70,4 +70,4 @@ TEST(Phrase, AnErrorIsToldInAnyLanguageAndKeepsItsEnglishForPrograms) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::phrase_test

@@ -6,7 +6,7 @@
 
 #include "tactics/model.h"
 
-namespace tactics {
+namespace tactics::plain_name_test {
 namespace {
 
 TEST(PlainName, MarksOfExportersAreNotSpoken) {
@@ -67,4 +67,4 @@ TEST(PlainName, TheNearestNameAroundIsSpoken) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::plain_name_test

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-namespace tactics {
+namespace tactics::words_test {
 namespace {
 
 // Every text of up to six letters, as a stream of the library parts it.
@@ -31,4 +31,4 @@ TEST(Words, AreJoinedAsASentenceHasThem) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::words_test

@@ -17,7 +17,7 @@
 #include "tactics/transport/hid_reports.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::braille_reports_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -291,4 +291,4 @@ TEST_F(HidDisplays, AMouseIsPermittedByItsNumbers) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::braille_reports_test

@@ -17,7 +17,7 @@
 #include "tactics/error.h"
 #include "tactics/transport/cell_display.h"
 
-namespace tactics {
+namespace tactics::brlapi_test {
 namespace {
 
 using Packet = std::array<std::uint32_t, 2>;  // its size and its kind, the first byte highest
@@ -101,4 +101,4 @@ TEST(BrlApi, ASilentScreenReaderIsNotWaitedForWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::brlapi_test

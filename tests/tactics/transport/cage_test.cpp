@@ -30,7 +30,7 @@
 
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::cage_test {
 namespace {
 
 struct Told {
@@ -225,4 +225,4 @@ TEST(Cage, OfAProgramChangesNothingThatOthersHave) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::cage_test

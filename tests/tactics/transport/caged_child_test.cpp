@@ -12,7 +12,7 @@
 #include "tests/cli/tool.h"
 #include "tests/tactics/transport/processes.h"
 
-namespace tactics {
+namespace tactics::caged_child_test {
 namespace {
 
 using End = ChildAnswer::End;
@@ -120,4 +120,4 @@ TEST(Child, AllEndWhereTheProgramIsAboutTo) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::caged_child_test

@@ -19,7 +19,7 @@
 #include "tactics/transport/devices.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::channels_test {
 namespace {
 
 std::string many_bytes(std::size_t count) {
@@ -306,4 +306,4 @@ TEST(Devices, AreReadFromWhatTheKernelLists) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::channels_test

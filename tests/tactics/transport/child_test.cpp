@@ -6,7 +6,7 @@
 
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::child_test {
 namespace {
 
 using End = ChildAnswer::End;
@@ -52,4 +52,4 @@ TEST(Child, ThatDoesNotEndIsEnded) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::child_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <random>
 
-namespace tactics {
+namespace tactics::delivery_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -220,4 +220,4 @@ TEST(Delivery, CountsCompletePages) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::delivery_test

@@ -8,10 +8,8 @@
 #include "tests/cli/schemas.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::tests::evdev_test {
 namespace {
-
-using namespace tests;
 
 TEST(Evdev, SaysWhyItCannotBeOpened) {
     const Folder folder;
@@ -207,4 +205,4 @@ TEST(OverlayFlags, SayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::tests::evdev_test

@@ -13,7 +13,7 @@
 
 #include "tests/tactics/transport/own_folder.h"
 
-namespace tactics {
+namespace tactics::file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -312,4 +312,4 @@ TEST_F(File, ARenameThatFailsLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::file_test

@@ -6,7 +6,7 @@
 
 #include "tests/tactics/transport/own_folder.h"
 
-namespace tactics {
+namespace tactics::files_together_test {
 namespace {
 
 using namespace tests;
@@ -116,4 +116,4 @@ TEST_F(FilesTogether, PipesComeBeforeNames) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::files_together_test

@@ -5,7 +5,7 @@
 #include "tests/cli/picture.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::hid_test {
 namespace {
 
 using namespace tests;
@@ -86,4 +86,4 @@ TEST_F(HidMock, IsListedWithItsSize) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::hid_test

@@ -12,6 +12,7 @@
 
 #include "tests/tactics/transport/own_folder.h"
 
+namespace tactics::keep_test {
 namespace {
 
 std::mutex calls_mutex;
@@ -45,7 +46,6 @@ extern "C" int rename(const char* from, const char* to) noexcept {
     return static_cast<int>(syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
 }
 
-namespace tactics {
 namespace {
 
 using namespace tests;
@@ -168,4 +168,4 @@ TEST_F(Kept, WhatADeadProcessLeftIsTakenAwayAndNothingOfALivingOne) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::keep_test

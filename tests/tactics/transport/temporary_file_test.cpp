@@ -12,7 +12,7 @@
 
 #include "tests/tactics/transport/own_folder.h"
 
-namespace tactics {
+namespace tactics::temporary_file_test {
 namespace {
 
 class TemporaryFiles : public tests::File {};
@@ -72,4 +72,4 @@ TEST_F(TemporaryFiles, CureNamesTheFolderThatIsAskedFirst) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::temporary_file_test

@@ -9,7 +9,7 @@
 #include "tactics/transport/touch_device.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::touch_contacts_test {
 namespace {
 
 TEST(TouchContacts, OfASlotOnlyWhatChangesIsTold) {
@@ -88,4 +88,4 @@ TEST(TouchPlaces, AreThoseThatAreTouchedWhereTheyShow) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::touch_contacts_test

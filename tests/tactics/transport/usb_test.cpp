@@ -8,7 +8,7 @@
 #include "tactics/transport/usb_printers.h"
 #include "tests/cli/tool.h"
 
-namespace tactics {
+namespace tactics::usb_test {
 namespace {
 
 using namespace tests;
@@ -166,4 +166,4 @@ TEST_F(UsbMock, IsListedWithItsAddress) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::usb_test

@@ -11,7 +11,7 @@
 #include "tactics/readers/svg/svg.h"
 #include "tactics/readers/svg/svg_dashes.h"
 
-namespace tactics {
+namespace tactics::chart_parts_test {
 namespace {
 
 FoundPage figure(const std::string& body) {
@@ -252,4 +252,4 @@ TEST(Words, FormulaeAsTextAreReadInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::chart_parts_test

@@ -12,7 +12,7 @@
 #include "print/base64.h"
 #include "tactics/readers/svg/svg.h"
 
-namespace tactics {
+namespace tactics::embedded_test {
 namespace {
 
 std::string seed(const std::string& name) {
@@ -51,4 +51,4 @@ TEST(Embedded, AllOthersAreRefusedUnderAnyName) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::embedded_test

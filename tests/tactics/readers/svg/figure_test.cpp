@@ -7,7 +7,7 @@
 #include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/plain_words.h"
 
-namespace tactics {
+namespace tactics::figure_test {
 namespace {
 
 FoundPage figure(const std::string& body) {
@@ -355,4 +355,4 @@ TEST(Figure, WhatIsDrawnTwiceIsFeltOnce) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::figure_test

@@ -6,7 +6,7 @@
 
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::found_braille_test {
 namespace {
 
 using namespace tests;
@@ -105,4 +105,4 @@ TEST(FoundBraille, DotsAreSmallRoundRings) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::found_braille_test

@@ -16,7 +16,7 @@
 #include "tests/cli/tool.h"
 #include "tests/print/hard_pages.h"
 
-namespace tactics {
+namespace tactics::own_page_test {
 namespace {
 
 std::string svg_of(const Page& page) {
@@ -375,4 +375,4 @@ TEST(OwnPage, HostileFilesAreHarmless) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::own_page_test

@@ -8,7 +8,7 @@
 #include "tactics/readers/svg/cairo_glyphs.h"
 #include "tactics/readers/svg/svg.h"
 
-namespace tactics {
+namespace tactics::pdf_text_test {
 namespace {
 
 struct Word {
@@ -207,4 +207,4 @@ TEST(PdfText, WhatIsNoneIsRefused) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::pdf_text_test

@@ -7,7 +7,7 @@
 #include "tactics/readers/svg/svg.h"
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::svg_marker_test {
 namespace {
 
 // In mm; `marker` is what is in it, `line` what it is at.
@@ -84,4 +84,4 @@ TEST(SvgMarker, ComesToAnEnd) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::svg_marker_test

@@ -9,7 +9,7 @@
 #include "tactics/readers/svg/svg.h"
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::svg_ours_test {
 namespace {
 
 using namespace tests;
@@ -147,4 +147,4 @@ TEST(SvgOurs, WhatIsNoneOfOursIsNothing) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::svg_ours_test

@@ -16,7 +16,7 @@
 #include "tests/print/hard_pages.h"
 #include "tests/print/rendered_page.h"
 
-namespace tactics {
+namespace tactics::svg_test {
 namespace {
 
 using tests::error_of;
@@ -384,4 +384,4 @@ TEST(Svg, IsReadAsLibrsvgDrawsIt) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::svg_test

@@ -7,7 +7,7 @@
 #include "tactics/readers/svg/svg.h"
 #include "tests/rules/pages.h"
 
-namespace tactics {
+namespace tactics::svg_texture_test {
 namespace {
 
 using namespace tests;
@@ -63,4 +63,4 @@ TEST(SvgTexture, AClassOfAnotherMakerIsNone) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::svg_texture_test

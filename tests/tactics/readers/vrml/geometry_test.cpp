@@ -6,7 +6,7 @@
 
 #include "tests/tactics/readers/vrml/worlds.h"
 
-namespace tactics {
+namespace tactics::geometry_test {
 namespace {
 
 using namespace tests;
@@ -223,4 +223,4 @@ TEST(VrmlGeometry, LinesAndTextsAreNamedAsLeftOut) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::geometry_test

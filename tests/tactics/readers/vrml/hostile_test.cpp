@@ -9,7 +9,7 @@
 #include "tactics/readers/model.h"
 #include "tests/tactics/readers/vrml/worlds.h"
 
-namespace tactics {
+namespace tactics::hostile_test {
 namespace {
 
 using namespace tests;
@@ -288,4 +288,4 @@ TEST(VrmlHostile, AModelIsAlsoAMesh) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::hostile_test

@@ -6,7 +6,7 @@
 
 #include "tests/tactics/readers/vrml/worlds.h"
 
-namespace tactics {
+namespace tactics::scene_test {
 namespace {
 
 using namespace tests;
@@ -212,4 +212,4 @@ TEST(VrmlScene, NoOtherFileIsOpened) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::scene_test

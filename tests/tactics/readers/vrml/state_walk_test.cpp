@@ -4,7 +4,7 @@
 
 #include "tests/tactics/readers/vrml/worlds.h"
 
-namespace tactics {
+namespace tactics::state_walk_test {
 namespace {
 
 using namespace tests;
@@ -144,4 +144,4 @@ TEST(Vrml1, InventorHasUnitsAndFaceSets) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::state_walk_test

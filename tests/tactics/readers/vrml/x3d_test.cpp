@@ -4,7 +4,7 @@
 
 #include "tests/tactics/readers/vrml/worlds.h"
 
-namespace tactics {
+namespace tactics::x3d_test {
 namespace {
 
 using namespace tests;
@@ -141,4 +141,4 @@ TEST(X3d, EntitiesDoNotGrowAndDepthIsBounded) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::x3d_test
