@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "print/deflate.h"
+#include "tactics/readers/own_pdf.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -27,16 +28,23 @@ int PdfFile::add_stream(const std::string& entries, const std::string& data) {
 
 int PdfFile::add_deflated(const std::string& text) { return add_stream("/Filter /FlateDecode ", deflated(text, kPdfLevel)); }
 
+int PdfFile::add_own_page(const std::string& svg) {
+    const int file = add_stream(std::string(kOwnPageEntries) + "/Params << /Size " + std::to_string(svg.size()) + " >> ",
+                                deflated(svg, kPdfLevel));
+    return add("<< /Type /Filespec /F (page.svg) /UF (page.svg) /AFRelationship /Source /EF << /F " + reference(file) + " >> >>");
+}
+
 std::string PdfFile::finish(int root, int info) {
     const std::string size = std::to_string(offsets_.size() + 1);
     const std::size_t table = bytes_.size();
+    const std::string id = "<" + own_pdf_id(bytes_) + ">";
     bytes_ += "xref\n0 " + size + "\n0000000000 65535 f \n";
     for (const std::size_t offset : offsets_) {
         const std::string digits = std::to_string(offset);
         bytes_ += std::string(10 - digits.size(), '0') + digits + " 00000 n \n";
     }
-    bytes_ += "trailer\n<< /Size " + size + " /Root " + reference(root) + " /Info " + reference(info) + " >>\nstartxref\n" +
-              std::to_string(table) + "\n%%EOF\n";
+    bytes_ += "trailer\n<< /Size " + size + " /Root " + reference(root) + " /Info " + reference(info) + " /ID [" + id + id +
+              "] >>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
     return std::move(bytes_);
 }
 

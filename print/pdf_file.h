@@ -15,6 +15,8 @@ public:
     int add(const std::string& body);
     int add_stream(const std::string& entries, const std::string& data);
     int add_deflated(const std::string& text);
+    /// The page's SVG and what names it (tactics/readers/own_pdf.h); the number of the latter is for the page's /AF.
+    int add_own_page(const std::string& svg);
     int next() const { return static_cast<int>(offsets_.size()) + 1; }
     /// The whole file; call it once.
     std::string finish(int root, int info);

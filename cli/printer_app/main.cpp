@@ -11,6 +11,8 @@
 
 #include "cli/printer_app/ipp_driver.h"
 #include "cli/printer_app/printing.h"
+#include "cli/report/user_language.h"
+#include "cli/report/wrapped_help.h"
 
 namespace {
 
@@ -18,35 +20,46 @@ using namespace tactics;
 
 constexpr const char* kName = "tactics-printer-app";
 
+void complain(const Phrase& words) { std::fprintf(stderr, "%s: %s\n", kName, words.in(user_language()).c_str()); }
+
+struct Use {
+    const char* command;
+    Phrase what;
+};
+
+std::vector<Use> uses() {
+    return {
+        {"server -o server-port=8631",
+         phrase("runs it until it is ended. Other computers can print, too, with -o listen-hostname=*.")},
+        {"drivers", phrase("names the embossers. What stands on your machine is among them, such as everest-d-v5.")},
+        {"choices -m everest-d-v5",
+         phrase("lists the options of its pages with their choices. (The sub-command options lists those that every printer "
+                "has.)")},
+        {"devices", phrase("names the machines that are connected or answer on the network.")},
+        {"add -d Everest -m everest-d-v5 -v socket://192.168.1.20", phrase("makes a printer of the machine at that address.")},
+        {"-d Everest -o tactics-language=de -o media=iso_a4_210x297mm photo.jpg",
+         phrase("prints a file. Title and labels: -o tactics-title='Our town' -o \"tactics-label='30%,40%=City Park'\".")},
+        {"modify -d Everest -o tactics-detail-default=contours",
+         phrase("changes what is used where a job does not say otherwise.")},
+        {"options|printers|jobs|status|cancel|pause|resume|delete|default|shutdown [-d PRINTER]",
+         phrase("Why a job was aborted is in the log, log-file=FILE, and goes to other programs as its job-state-message.")},
+    };
+}
+
 void print_usage(void*) {
-    std::fputs(
-        "tactics-printer-app makes braille embossers printers that need no driver: it takes PDF, JPEG, PNG, TIFF, SVG and text "
-        "from\n"
-        "any program on this computer, makes tactile pages of them as tactics convert does, and embosses them.\n"
-        "\n"
-        "  tactics-printer-app server -o server-port=8631\n"
-        "      runs it until it is ended. Other computers can print, too, with -o listen-hostname=*.\n"
-        "  tactics-printer-app drivers\n"
-        "      names the embossers. What stands on your machine is among them, such as everest-d-v5.\n"
-        "  tactics-printer-app choices -m everest-d-v5\n"
-        "      lists the options of its pages with their choices. (The sub-command options lists those that every printer has.)\n"
-        "  tactics-printer-app devices\n"
-        "      names the machines that are connected or answer on the network.\n"
-        "  tactics-printer-app add -d Everest -m everest-d-v5 -v socket://192.168.1.20\n"
-        "      makes a printer of the machine at that address.\n"
-        "  tactics-printer-app -d Everest -o tactics-language=de -o media=iso_a4_210x297mm photo.jpg\n"
-        "      prints a file. Title and labels: -o tactics-title='Our town' -o \"tactics-label='30%,40%=City Park'\".\n"
-        "  tactics-printer-app modify -d Everest -o tactics-detail-default=contours\n"
-        "      changes what is used where a job does not say otherwise.\n"
-        "  tactics-printer-app options|printers|jobs|status|cancel|pause|resume|delete|default|shutdown [-d PRINTER]\n"
-        "      Why a job was aborted is in the log, log-file=FILE, and goes to other programs as its job-state-message.\n"
-        "\n"
-        "Settings of the server: -o server-port=NUMBER -o listen-hostname=NAME -o spool-directory=FOLDER -o log-file=FILE\n"
-        "-o log-level=debug|info|warn|error -o admin-group=GROUP -o auth-service=NAME -o file-devices=yes. Its printers are also "
-        "in the web browser, "
-        "at\n"
-        "http://localhost:PORT. See man tactics-printer-app.\n",
-        stdout);
+    std::string text =
+        line_for_user(phrase("tactics-printer-app makes braille embossers printers that need no driver: it takes PDF, JPEG, "
+                             "PNG, TIFF, SVG and text from any program on this computer, makes tactile pages of them as "
+                             "tactics convert does, and embosses them.")) +
+        "\n";
+    for (const Use& use : uses()) text += std::string("  ") + kName + " " + use.command + "\n      " + line_for_user(use.what);
+    text +=
+        "\n" + line_for_user(phrase("Settings of the server: {0}. Its printers are also in the web browser, at {1}. See {2}.",
+                                    "-o server-port=NUMBER -o listen-hostname=NAME -o spool-directory=FOLDER -o log-file=FILE "
+                                    "-o log-level=debug|info|warn|error -o admin-group=GROUP -o auth-service=NAME -o "
+                                    "file-devices=yes",
+                                    "http://localhost:PORT", "man tactics-printer-app"));
+    print_help(text);
 }
 
 pappl_loglevel_t level_of(const char* word) {
@@ -85,7 +98,7 @@ pappl_system_t* make_system(int count, cups_option_t* options, void* data) {
         const char* host = option("listen-hostname");
         const std::string name = host == nullptr ? "localhost" : host;
         if (!papplSystemAddListeners(system, name == "*" ? nullptr : name.c_str())) {
-            std::fprintf(stderr, "%s: cannot listen on %s; choose a free port by -o server-port=NUMBER\n", kName, name.c_str());
+            complain(phrase("cannot listen on {0}; choose a free port by {1}", name, "-o server-port=NUMBER"));
             papplSystemDelete(system);
             return nullptr;
         }
@@ -108,7 +121,7 @@ int list_choices(const char*, int count, cups_option_t* options, int, char**, vo
     const char* name = cupsGetOption("smi55357-driver", count, options);
     const MachineDriver* driver = name == nullptr ? nullptr : find_driver(name);
     if (driver == nullptr) {
-        std::fprintf(stderr, "%s: name a driver by -m; %s drivers lists them\n", kName, kName);
+        complain(phrase("name a driver by {0}; {1} lists them", "-m", std::string(kName) + " drivers"));
         return 1;
     }
     const PpdWords offered = words_of(*driver);
@@ -116,10 +129,14 @@ int list_choices(const char*, int count, cups_option_t* options, int, char**, vo
         const bool any = takes_any_words(option);
         std::string choices;
         for (const std::string& choice : offered.choices.at(option)) choices += (choices.empty() ? "" : " ") + choice;
-        std::printf("%s=%s; choices: %s%s\n", attribute_of(option).c_str(), fallback.c_str(), choices.c_str(),
-                    any ? ", or any words" : "");
+        const std::string name_and_own = attribute_of(option) + "=" + fallback;
+        std::fputs(line_for_user(any ? phrase("{0}; choices: {1}, or any words", name_and_own, choices)
+                                     : phrase("{0}; choices: {1}", name_and_own, choices))
+                       .c_str(),
+                   stdout);
     }
-    std::printf("tactics-label=PLACE=WORDS; for example: 30%%,40%%=City Park;60%%,20%%=Lake\n");
+    std::fputs(line_for_user(phrase("tactics-label=PLACE=WORDS; for example: {0}", "30%,40%=City Park;60%,20%=Lake")).c_str(),
+               stdout);
     return 0;
 }
 

@@ -6,6 +6,7 @@
 #include "tactics/job/figure.h"
 #include "tactics/job/holds.h"
 #include "tactics/job/make_pages.h"
+#include "tactics/job/open_input.h"
 #include "tactics/readers/svg/own_page.h"
 #include "tactics/readers/svg/pdf.h"
 
@@ -69,8 +70,12 @@ FoundPage page_of(const std::string& file, const PageWish& wish) {
                         phrase("there is no page {0}, but pages 1 to {1}", std::to_string(wish.pdf_page), std::to_string(pages)));
     }
     if (holds != Holds::svg && holds != Holds::pdf) return page_of_picture(std::move(source), wish);
-    FoundPage found = holds == Holds::pdf ? read_svg(pdf_as_svg(source, wish.pdf_page), source.name, margin, wish.paper)
-                                          : page_of_svg(source, margin, wish);
+    std::vector<Phrase> notes;
+    const bool own = is_own_pdf(source);
+    if (own) source = page_of_input(std::move(source), file, {wish.pdf_page}, notes);
+    FoundPage found = holds == Holds::pdf && !own ? read_svg(pdf_as_svg(source, wish.pdf_page), source.name, margin, wish.paper)
+                                                  : page_of_svg(source, margin, wish);
+    found.notes.insert(found.notes.end(), notes.begin(), notes.end());
     if (wish.chain.as_drawn || asks_for_a_way(wish.chain))
         found.notes.push_back(
             phrase("it is a page already, so --recipe, --filter, --detail, --as-drawn and settings of filters do nothing to it"));

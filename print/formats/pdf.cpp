@@ -5,6 +5,8 @@
 // as veraPDF has them in its profile, tests/print/pdf_ua_test.cpp checks; one without a title lacks what 7.1 wants, and says
 // nothing.
 //
+// Each page carries its SVG (tactics/readers/own_pdf.h), so that it can be converted again as exactly as that.
+//
 // Written by hand: cairo took 40 ms for 500 strokes of 40 points where this takes a few, put the clock into the file and
 // dates into it that checkers refuse.
 #include <algorithm>
@@ -23,6 +25,8 @@
 #include "tactics/units.h"
 
 namespace tactics {
+
+extern const Format svg_format;
 
 namespace {
 
@@ -234,7 +238,9 @@ std::string add_content(const Page& page, PdfFile& file, Tags& tags) {
     append_number(box, page.width / kMmPerPoint, 4);
     box += ' ';
     append_number(box, page.height / kMmPerPoint, 4);
-    return "/MediaBox " + box + "] /Contents " + PdfFile::reference(drawn) + " /Resources << " + resources + ">>";
+    const int own = file.add_own_page(svg_format.encode_page(page, Settings(svg_format.options)));
+    return "/MediaBox " + box + "] /Contents " + PdfFile::reference(drawn) + " /Resources << " + resources + ">> /AF [" +
+           PdfFile::reference(own) + "]";
 }
 
 // Metadata for cataloguing and checking programs (ISO 16684-1), in the language of xml:lang or of the file.

@@ -3,13 +3,19 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "tactics/error.h"
+#include "tactics/job/figure.h"
 #include "tactics/job/holds.h"
 #include "tactics/job/written.h"
+#include "tactics/readers/gzip.h"
+#include "tactics/readers/own_pdf.h"
 #include "tactics/readers/svg/cairo_glyphs.h"
 #include "tactics/readers/svg/pdf.h"
+#include "tactics/readers/xml.h"
 #include "tactics/transport/temporary_file.h"
 
 namespace tactics {
@@ -28,6 +34,19 @@ Source kept(const std::string& bytes, const std::string& name) {
     return source;
 }
 
+// The pages of a PDF that we wrote are read as they were, without a program that reads PDF.
+struct OwnPages {
+    std::string bytes;
+    std::optional<std::vector<std::string_view>> svgs = {};  // parts of the bytes
+};
+
+OwnPages own_pages_in(const Source& pdf) {
+    OwnPages own{bytes_of(pdf.file.get())};
+    std::rewind(pdf.file.get());
+    own.svgs = own_pdf_pages(own.bytes);
+    return own;
+}
+
 }  // namespace
 
 PdfPageWish page_wish(const Wishes& wishes) { return {wishes.page, wishes.recipe || asks_for_a_way(wishes.chain)}; }
@@ -36,17 +55,22 @@ Source open_input(const std::string& path, const PdfPageWish& wish, std::vector<
     return page_of_input(open_source(path), path, wish, notes);
 }
 
+bool is_own_pdf(Source& source) { return look_at(source) == Holds::pdf && own_pages_in(source).svgs.has_value(); }
+
 Source page_of_input(Source source, const std::string& path, const PdfPageWish& wish, std::vector<Phrase>& notes) {
     if (look_at(source) != Holds::pdf) {
         if (wish.page > 0) throw Error(Fault::usage, spelled("page"), phrase("{0} is no PDF; leave it out", path));
         return source;
     }
-    const int pages = pages_of_pdf(source), page = std::max(1, wish.page);
+    const OwnPages own = own_pages_in(source);
+    const int pages = own.svgs ? static_cast<int>(own.svgs->size()) : pages_of_pdf(source), page = std::max(1, wish.page);
     if (page > pages)
         throw Error(Fault::usage, source.name,
                     phrase("there is no page {0}, but pages 1 to {1}", std::to_string(page), std::to_string(pages)));
     if (wish.page == 0 && pages > 1)
         notes.push_back(phrase("this is page 1 of {0}; {1} 2 is the next", std::to_string(pages), spelled("page")));
+    if (own.svgs && !wish.as_picture)
+        return kept(inflated((*own.svgs)[static_cast<std::size_t>(page) - 1], kMostXmlBytes, source.name), source.name);
     if (!wish.as_picture) {
         const PdfText text = pdf_text(source, page);
         const auto svg = pdf_page_as_svg(source, page, text);

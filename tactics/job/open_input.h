@@ -26,4 +26,7 @@ Source open_input(const std::string& path, const PdfPageWish& wish, std::vector<
 /// The same for an opened file.
 Source page_of_input(Source source, const std::string& path, const PdfPageWish& wish, std::vector<Phrase>& notes);
 
+/// Whether it is a PDF that we wrote and nobody has changed: its pages are then read as those of our own SVG.
+bool is_own_pdf(Source& source);
+
 }  // namespace tactics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files packed with gzip (RFC 1952), unpacked within a limit.
+// What is packed with gzip (RFC 1952) or in zlib's format (RFC 1950), unpacked within a limit.
 #pragma once
 
 #include <cstddef>
@@ -16,5 +16,8 @@ std::string gunzip(std::string_view bytes, std::size_t most, const std::string& 
 
 /// The first unpacked bytes, as far as `bytes`, the beginning of a file, determine them.
 std::string gunzip_beginning(std::string_view bytes, std::size_t most);
+
+/// The same as gunzip for zlib's format.
+std::string inflated(std::string_view bytes, std::size_t most, const std::string& name);
 
 }  // namespace tactics

@@ -43,9 +43,12 @@ tag = re.compile(r'[a-zA-Z]{1,8}(-[a-zA-Z0-9]{1,8})*')
 rule('7-2-t34', root.get('/Lang', '').startswith('u:'))  # and 21, 22, 23, 30 to 33
 rule('7-2-t02', '/Outlines' not in root or '/Lang' in root)
 everything = json.dumps(objects)
-for name in ('/Annots', '/AcroForm', '/OCProperties', '/EF', '/Encrypt', '/XFA', '/Type0', '/TrueType', '/Type1',
+for name in ('/Annots', '/AcroForm', '/OCProperties', '/Encrypt', '/XFA', '/Type0', '/TrueType', '/Type1',
              '/RoleMap', '/Form', '/Ref', '/Table', '/TR', '/L', '/LI', '/TOC', '/TOCI', '/Note', '/Formula', '/H'):
     rule('absent ' + name, '"' + name + '"' not in everything)
+for ref in objects:
+    about = entries(ref) if ref.startswith('obj:') else None
+    if isinstance(about, dict) and '/EF' in about: rule('7-11-t01', about.get('/F') and about.get('/UF'))
 if '/Metadata' in root:
     meta = data(root['/Metadata']).decode()
     rule('7-1-t08', entries(root['/Metadata']).get('/Subtype') == '/XML' and '/Filter' not in entries(root['/Metadata']))

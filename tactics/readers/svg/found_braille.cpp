@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "tactics/geometry/grid.h"
 
@@ -274,7 +277,59 @@ std::vector<std::vector<std::pair<Point, int>>> texts_in(const std::vector<const
     return texts;
 }
 
+// A text of that many cells stands in step by no chance; shorter ones beside it are braille, too.
+bool has_words(const std::vector<BrailleLine>& lines) {
+    constexpr std::ptrdiff_t kFewestCells = 4;
+    return std::any_of(lines.begin(), lines.end(), [](const BrailleLine& line) {
+        return std::count_if(line.cells.begin(), line.cells.end(), [](std::uint8_t cell) { return cell != 0; }) >= kFewestCells;
+    });
+}
+
+// Takes out areas, and counts what is behind them anew.
+void drop_areas(FoundPage& figure, const std::vector<bool>& dropped) {
+    std::vector<std::size_t> moved(dropped.size() + 1);  // the new number of each
+    std::vector<Area> kept;
+    for (std::size_t i = 0; i < dropped.size(); ++i) {
+        moved[i] = kept.size();
+        if (!dropped[i]) kept.push_back(std::move(figure.page.areas[i]));
+    }
+    moved.back() = kept.size();
+    figure.page.areas = std::move(kept);
+    for (FoundLook& look : figure.looks) {
+        look.area = moved[look.area];
+        look.areas_end = moved[look.areas_end];
+    }
+}
+
 }  // namespace
+
+void take_braille_of_figure(FoundPage& figure) {
+    const double scale = figure.file_width / figure.page.width;
+    if (!figure.tells_size || !(scale > 0)) return;
+    std::vector<Disc> discs;
+    std::map<std::pair<double, double>, std::vector<std::size_t>> areas_at;
+    for (std::size_t i = 0; i < figure.page.areas.size(); ++i) {
+        const Area& area = figure.page.areas[i];
+        if (area.role != Role::line || area.rings.size() != 1) continue;
+        std::vector<Point> ring = area.rings.front();
+        for (Point& p : ring) p = {p.x * scale, p.y * scale};
+        Disc disc;
+        if (!is_braille_dot(ring, disc)) continue;
+        discs.push_back(disc);
+        areas_at[{disc.middle.x, disc.middle.y}].push_back(i);
+    }
+    Page page;
+    page.width = figure.file_width;
+    page.height = figure.file_height;
+    const std::vector<Disc> left = take_braille(std::move(discs), page);
+    if (!has_words(page.braille)) return;
+    for (const Disc& disc : left) areas_at.erase({disc.middle.x, disc.middle.y});
+    std::vector<bool> dropped(figure.page.areas.size(), false);
+    for (const auto& [at, areas] : areas_at)
+        for (const std::size_t area : areas) dropped[area] = true;
+    drop_areas(figure, dropped);
+    std::move(page.braille.begin(), page.braille.end(), std::back_inserter(figure.page.braille));
+}
 
 void settle_discs(std::vector<Disc> discs, Page& page) {
     for (const Disc& disc : take_braille(std::move(discs), page))

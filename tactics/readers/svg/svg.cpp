@@ -56,7 +56,6 @@ public:
         if (figure_) scale_to_figure(size);
         page.width = size.width;
         page.height = size.height;
-        const Transform to_mm = size.to_mm;
         lengths_.width = size.view_width;
         lengths_.height = size.view_height;
         if (!size.note.empty() && !figure_) found_.notes.push_back(size.note);
@@ -65,8 +64,9 @@ public:
         const Style style = sheet_.style_of(root, Style{}, missed_);
         if (figure_) found_.page.title = title_of(root);
         clip_ = {0, 0, page.width, page.height};
-        for (const Element& child : root.children) draw(child, to_mm, style, 0);
+        for (const Element& child : root.children) draw(child, size.to_mm, style, 0);
         settle_discs(std::move(discs_), found_.page);
+        if (figure_) take_braille_of_figure(found_);
         if (figure_) letters_.settle(found_);
         if (!figure_ && is_blank(found_.page))
             found_.notes.push_back(

@@ -52,6 +52,16 @@ TEST_F(OwnPages, AreConvertedIntoTheSameFiles) {
     EXPECT_EQ(again.layouts.front().names.size(), 2u);
 }
 
+TEST_F(OwnPages, OfAPdfAreTheSame) {
+    ASSERT_EQ(make_pages(german({"a.svg", "a.pdf", "a.png"})).error, "");
+    const Outcome again = make_pages(job("a.pdf", {"b.svg", "b.pdf", "b.png"}));
+    ASSERT_EQ(again.error, "");
+    for (const std::string ending : {"svg", "pdf", "png"}) EXPECT_EQ(bytes("a." + ending), bytes("b." + ending)) << ending;
+    ASSERT_EQ(make_pages(job("a.svg", {"c.brf", "c.pef"})).error, "");
+    ASSERT_EQ(make_pages(job("a.pdf", {"d.brf", "d.pef"})).error, "");
+    for (const std::string ending : {"brf", "pef"}) EXPECT_EQ(bytes("c." + ending), bytes("d." + ending)) << ending;
+}
+
 TEST_F(OwnPages, OfAnEmbosserAreConvertedIntoTheSameBraille) {
     Job dots = german({"a.svg", "a.brf", "a.pef"});
     dots.sheet.medium = &find_medium("embosser", "test");

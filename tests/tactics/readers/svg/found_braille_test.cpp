@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "tests/rules/pages.h"
 
 namespace tactics::found_braille_test {
@@ -102,6 +105,54 @@ TEST(FoundBraille, DotsAreSmallRoundRings) {
     std::vector<Point> oval = circle({0, 0}, 0.8, 32);
     for (Point& p : oval) p.x *= 1.4;
     EXPECT_FALSE(is_braille_dot(oval, disc));
+}
+
+// A page of 297 mm as a figure, which is 200 mm high.
+FoundPage figure_with(const std::vector<Disc>& discs) {
+    constexpr double kScale = 200.0 / 297;
+    FoundPage figure;
+    figure.file_width = 210;
+    figure.file_height = 297;
+    figure.page.width = 210 * kScale;
+    figure.page.height = 200;
+    for (const Disc& disc : discs) {
+        figure.looks.push_back({0, 0, figure.page.areas.size(), figure.page.areas.size() + 1});
+        const Point middle{disc.middle.x * kScale, disc.middle.y * kScale};
+        figure.page.areas.push_back({{circle(middle, disc.diameter / 2 * kScale, 32)}, Role::line});
+    }
+    return figure;
+}
+
+TEST(FoundBraille, OfAFigureIsTakenOutAndItsPointsStay) {
+    const BrailleLine title{{20, 15}, {0x13, 0x15, 0x07, 0, 0x0b, 0x11, 0x1d}};
+    std::vector<Disc> discs{{{50, 100}, 5}};
+    for (const Disc& disc : discs_of(title, CellSize{2.5, 6, 10}, 1.5)) discs.push_back(disc);
+    discs.push_back({{70, 130}, 5});
+    FoundPage figure = figure_with(discs);
+    take_braille_of_figure(figure);
+    ASSERT_EQ(figure.page.braille.size(), 1u);
+    EXPECT_EQ(figure.page.braille[0].cells, title.cells);
+    ASSERT_EQ(figure.page.areas.size(), 2u);
+    const FoundLook &first = figure.looks.front(), &braille = figure.looks[1], &last = figure.looks.back();
+    EXPECT_EQ(std::pair(first.area, first.areas_end), std::pair(std::size_t{0}, std::size_t{1}));
+    EXPECT_EQ(braille.area, braille.areas_end) << "its dots are gone";
+    EXPECT_EQ(std::pair(last.area, last.areas_end), std::pair(std::size_t{1}, std::size_t{2}));
+}
+
+TEST(FoundBraille, PointsOfAPlotAreNone) {
+    Dice chance(4);
+    for (int round = 0; round < 40; ++round) {
+        std::vector<Disc> points, rows;
+        for (int i = 0; i < 150; ++i) {
+            points.push_back({{chance.between(20, 190), chance.between(20, 270)}, 1.5});
+            rows.push_back({{20 + 2.5 * (i % 15), 30 + 2.5 * static_cast<double>(chance.below(60))}, 1.5});  // whole numbers
+        }
+        for (const auto& discs : {points, rows}) {
+            FoundPage figure = figure_with(discs);
+            take_braille_of_figure(figure);
+            EXPECT_EQ(figure.page.areas.size(), discs.size()) << "round " << round;
+        }
+    }
 }
 
 }  // namespace
