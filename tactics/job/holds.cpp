@@ -71,19 +71,22 @@ bool is_blank_table(std::string_view text) {
     return rows >= 2 && columns >= 2;
 }
 
+bool is_named_table(std::string_view file) { return file.ends_with(".csv") || file.ends_with(".tsv"); }
+
 // A line of names and nothing below it: the file's own name says that it is one, or a mark between names, without a blank or
 // what stands in an address.
 bool is_line_of_names(std::string_view text, std::string_view file) {
     const auto begin = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");
     const std::string_view line = text.substr(begin, last + 1 - begin);
     if (line.find('\n') != std::string_view::npos) return false;
-    if (file.ends_with(".csv") || file.ends_with(".tsv")) return true;
+    if (is_named_table(file)) return true;
     const auto is_mark = [](char c) { return c == ',' || c == ';' || c == '\t'; };
     return std::any_of(line.begin(), line.end(), is_mark) && !is_mark(line.back()) &&
            line.find_first_of(" :/") == std::string_view::npos;
 }
 
-// A line of names with something between them, and numbers below it; or the line alone, of which the reader of tables says so.
+// A line of names with something between them, and numbers below it, which the file's name may promise, too; or the line alone.
+// Of what it lacks the reader of tables says so.
 bool is_table(std::string_view text, std::string_view file) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     const auto begin = text.find_first_not_of(" \t\r\n");
@@ -96,7 +99,8 @@ bool is_table(std::string_view text, std::string_view file) {
     const auto parts = [&](char separator) {
         return first.find(separator) != std::string_view::npos && second.find(separator) != std::string_view::npos;
     };
-    if ((parts(',') || parts(';') || parts('\t')) && rest.find_first_of("0123456789") != std::string_view::npos) return true;
+    const bool promises = is_named_table(file) || rest.find_first_of("0123456789") != std::string_view::npos;
+    if ((parts(',') || parts(';') || parts('\t')) && promises) return true;
     return is_blank_table(text);
 }
 

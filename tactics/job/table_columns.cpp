@@ -172,6 +172,27 @@ void tell_left_out(const TableHead& head, std::size_t y, ColumnChoice& others, s
                beginning_of(head.columns[y]), names, spelled("y")));
 }
 
+// From row to row one of both stays the same, as in a grid that is written out row by row.
+bool is_grid(const TableHead& head, std::size_t x, std::size_t y) {
+    std::size_t steady = 0;
+    for (std::size_t i = 1; i < head.rows.size(); ++i) {
+        const std::vector<std::string>&cells = head.rows[i].cells, &before = head.rows[i - 1].cells;
+        steady += (cells[x] == before[x]) != (cells[y] == before[y]) ? 1 : 0;
+    }
+    return head.rows.size() > 4 && 2 * steady > head.rows.size();
+}
+
+// A curve of heights over a plane says nothing.
+void hint_at_heights(const TableHead& head, std::size_t x, std::size_t y, ColumnChoice others, std::vector<Phrase>& notes) {
+    const std::optional<std::size_t> z = others.next();
+    if (!z) return;
+    if (is_grid(head, x, y))
+        notes.push_back(phrase("if {0} is the height over {1} and {2}, name it by {3}", beginning_of(head.columns[*z]),
+                               beginning_of(head.columns[x]), beginning_of(head.columns[y]), spelled("z")));
+    else if (!head.named && others.next())
+        notes.push_back(phrase("if its rows are heights, use {0}", spelled("matrix")));
+}
+
 void check_names(const TableHead& head, const std::string& across, const std::string& up) {
     if (!head.named || !is_number(across) || !is_number(up)) return;
     throw Error(Fault::failed, head.name,
@@ -244,7 +265,11 @@ TableColumns choose_columns(TableHead& head, const TableWish& wish, std::vector<
             : head.columns.size() > 1
                 ? phrase("its first line has values and no names; the columns are called {0}, y and so on", head.columns.front())
                 : phrase("its first line has values and no names; the columns are called {0}", head.columns.front()));
-    if (is_chosen) tell_left_out(head, *y, others, notes);
+    if (is_chosen) {
+        const ColumnChoice more = others;
+        tell_left_out(head, *y, others, notes);
+        if (x) hint_at_heights(head, *x, *y, more, notes);
+    }
     std::vector<ValueColumn*> values;
     if (x) {
         choice.x = ValueColumn{head.columns[*x], "x", *x, wish.log_x};

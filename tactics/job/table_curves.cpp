@@ -93,9 +93,16 @@ public:
         for (Group& group : groups_) {
             if (group.points == 0 || wish_.points) continue;
             mark_lone_points(group);
+            // A path turns now and then; of rows in any order two of three are turns.
+            if (2 * group.turns > group.points) turns_ = std::max(turns_, group.turns);
             if (!group.still) plot_.curves.push_back(std::move(group.curve));
         }
         tell_left_out(left_out_, notes);
+        if (turns_ > 0)
+            notes.push_back(phrase(
+                "rows are joined in their order, and {0} goes to and fro {1} times; unless that is meant, sort the rows by it, "
+                "or use {2}",
+                beginning_of(plot_.x.name), std::to_string(turns_), spelled("points")));
         if (gaps_ > 0)
             notes.push_back(ups_.size() > 1
                                 ? phrases(gaps_, "{0} row has no number in one of the columns; the curve has a gap there",
@@ -215,7 +222,7 @@ private:
     std::vector<ValueColumn> ups_;
     std::vector<Group> groups_;
     std::unordered_map<std::string, std::size_t> indices_;
-    std::size_t last_ = 0, rows_ = 0, left_out_ = 0, gaps_ = 0;
+    std::size_t last_ = 0, rows_ = 0, left_out_ = 0, gaps_ = 0, turns_ = 0;
     Range across_, up_;
 };
 

@@ -53,6 +53,23 @@ TEST(EnoughMesh, NeitherSurfaceIsFurtherFromTheOtherThanItSays) {
     }
 }
 
+// Narrow facets near the surface, but upright on it, would hold a point that slides over it.
+TEST(EnoughMesh, NoFacetIsMuchSteeperThanThoseItStandsFor) {
+    const Mesh mesh = mesh_of(map_of(360, 270, 0.09, [](double x, double y) { return 0.45 * terrain(x / 0.45, y / 0.45); }));
+    const auto least_up = [](const MeshFacets& facets) {
+        double least = 1;
+        for (const auto& [a, b, c] : facets.facets) {
+            const Point3 over = cross(facets.corners[b] - facets.corners[a], facets.corners[c] - facets.corners[a]);
+            least = std::min(least, std::abs(over.z) / length_of(over));
+        }
+        return least;
+    };
+    const MeshFacets all = facets_of(mesh);
+    const MeshFacets enough = enough_facets(all, 0.055).facets;
+    EXPECT_LT(2 * enough.facets.size(), all.facets.size());
+    EXPECT_GE(least_up(enough), least_up(all) - 0.1 - 1e-6);
+}
+
 TEST(EnoughMesh, OfAFlatGroundLittleMoreThanTheBorderStays) {
     const EnoughMesh enough =
         enough_facets(facets_of(mesh_of(map_of(60, 50, 1, [](double x, double) { return 0.1 * x; }))), 0.055);

@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::size_t kMostAround = 16;  // facets around a corner; more are left as they are
 constexpr double kUpright = 0.5;         // cosine: a new facet may lean that far from those that were there
+// So far beyond those of the original facets the normal of a new one may be, along each axis. However near to the surface, a
+// narrow facet may stand upright on it, and a point would catch there as at a wall.
+constexpr float kBeyond = 0.1f;
 constexpr int kMostPasses = 40;
 
 struct Flat {
@@ -34,6 +37,28 @@ double apart(const Flat& a, const Flat& b, const Flat& c, const Flat& d) noexcep
     return std::abs(a.height + on_ab * (b.height - a.height) - c.height - on_cd * (d.height - c.height));
 }
 
+// The box around unit normals. Boxes of boxes grow no larger than what is in them, as cones would.
+struct Normals {
+    std::array<float, 3> low{1, 1, 1}, high{-1, -1, -1};
+    void take(const Normals& more) noexcept {
+        for (std::size_t k = 0; k < 3; ++k) {
+            low[k] = std::min(low[k], more.low[k]);
+            high[k] = std::max(high[k], more.high[k]);
+        }
+    }
+    bool allow(const Normals& one) const noexcept {
+        bool within = true;
+        for (std::size_t k = 0; k < 3; ++k) within = within && one.low[k] >= low[k] - kBeyond && one.high[k] <= high[k] + kBeyond;
+        return within;
+    }
+};
+
+Normals normal_of(const Point3& over, double length) noexcept {
+    const std::array<float, 3> at{static_cast<float>(over.x / length), static_cast<float>(over.y / length),
+                                  static_cast<float>(over.z / length)};
+    return {at, at};
+}
+
 // The corners around one, in the order in which its facets have them; from above they go round to the left.
 struct Ring {
     std::array<std::uint32_t, kMostAround> corner;
@@ -42,13 +67,21 @@ struct Ring {
     Flat middle{};
     Point3 over;
     double error = 0;  // of its facets
+    Normals original;  // of the facets that its facets stand for
     std::size_t after(std::size_t k) const noexcept { return k + 1 == count ? 0 : k + 1; }
     std::size_t before(std::size_t k) const noexcept { return k == 0 ? count - 1 : k - 1; }
 };
 
 class Thinning {
 public:
-    explicit Thinning(MeshFacets& mesh) : mesh_(mesh), error_(mesh.facets.size()) {}
+    explicit Thinning(MeshFacets& mesh) : mesh_(mesh), error_(mesh.facets.size()) {
+        original_.reserve(mesh.facets.size());
+        for (const auto& facet : mesh.facets) {
+            const Point3& a = mesh.corners[facet[0]];
+            const Point3 over = cross(mesh.corners[facet[1]] - a, mesh.corners[facet[2]] - a);
+            original_.push_back(normal_of(over, length_of(over)));
+        }
+    }
 
     // One corner after another, none beside one that has changed already. How many are gone.
     std::size_t pass(double most) {
@@ -60,9 +93,11 @@ public:
         for (std::size_t i = 0; i < mesh_.facets.size(); ++i) {
             if (mesh_.facets[i][0] == kGone) continue;
             mesh_.facets[kept] = mesh_.facets[i];
+            original_[kept] = original_[i];
             error_[kept++] = error_[i];
         }
         mesh_.facets.resize(kept);
+        original_.resize(kept);
         error_.resize(kept);
         return gone;
     }
@@ -103,6 +138,7 @@ private:
             const Point3& a = mesh_.corners[facet[0]];
             ring.over = ring.over + cross(mesh_.corners[facet[1]] - a, mesh_.corners[facet[2]] - a);
             ring.error = std::max(ring.error, error_[number]);
+            ring.original.take(original_[number]);
         }
         ring.corner[0] = side[0][0];
         std::uint32_t last = side[0][1];
@@ -148,7 +184,8 @@ private:
             if (!(area > 0)) return INFINITY;
             const Point3& at = mesh_.corners[ring.corner[into]];
             const Point3 over = cross(mesh_.corners[ring.corner[k]] - at, mesh_.corners[ring.corner[ring.after(k)]] - at);
-            if (dot(over, ring.over) < kUpright * length_of(over)) return INFINITY;
+            const double length = length_of(over);
+            if (dot(over, ring.over) < kUpright * length || !ring.original.allow(normal_of(over, length))) return INFINITY;
             const double of_to = turn(ring.middle, a, b), of_a = turn(ring.middle, b, to), of_b = turn(ring.middle, to, a);
             if (of_to >= 0 && of_a >= 0 && of_b >= 0) {
                 covers = true;
@@ -194,6 +231,7 @@ private:
             auto& facet = mesh_.facets[number];
             changed_[number] = true;
             error_[number] = ring->error + least;
+            original_[number] = ring->original;
             if (std::find(facet.begin(), facet.end(), ring->corner[best]) != facet.end())
                 facet[0] = kGone;
             else
@@ -204,6 +242,7 @@ private:
 
     MeshFacets& mesh_;
     std::vector<double> error_;                  // of each facet
+    std::vector<Normals> original_;              // of each facet: of those that it stands for
     std::vector<std::uint32_t> start_, around_;  // the facets around each corner
     std::vector<bool> changed_;
 };

@@ -50,6 +50,7 @@ TEST(Holds, ALineOfNamesAloneIsATable) {
         EXPECT_NE(holds(text), Holds::table) << text;
     EXPECT_EQ(holds("time in s, force\n", "measured.csv"), Holds::table);
     EXPECT_EQ(holds("force", "measured.tsv"), Holds::table);
+    EXPECT_EQ(holds("name,place\nAnn,Bonn\n", "people.csv"), Holds::table);
     EXPECT_NE(holds("Dear all,\nhello", "letter.csv"), Holds::table);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <sstream>
 #include <string>
@@ -297,6 +298,48 @@ TEST(Table, FilesOfPythonAreReadAsTheyWereMeant) {
         << plain.substr(0, 200);
     EXPECT_EQ(std::count(plain.begin(), plain.end(), '('), 200) << "199 points, and a unit";
     for (const char* same : {"t.tsv", "t.json", "c.json"}) EXPECT_EQ(shown(tests::bytes_of(folder / same)), plain) << same;
+}
+
+bool says(const Read& read, std::string_view words) {
+    return std::any_of(read.notes.begin(), read.notes.end(),
+                       [&](const Phrase& note) { return note.english().find(words) != std::string::npos; });
+}
+
+TEST(Table, RowsInAnyOrderOfXAreNoted) {
+    std::mt19937 random(7);
+    std::vector<int> order(60);
+    std::iota(order.begin(), order.end(), 0);
+    std::string sorted = "x,y\n", path = "x,y\n", shuffled = "x,y\n";
+    for (const int i : order) {
+        sorted += std::to_string(i) + "," + std::to_string(i % 7) + "\n";
+        path += std::to_string(std::cos(0.3 * i)) + "," + std::to_string(std::sin(0.3 * i)) + "\n";
+    }
+    std::shuffle(order.begin(), order.end(), random);
+    for (const int i : order) shuffled += std::to_string(i) + ",1\n";
+    const char* const words = "rows are joined in their order, and x goes to and fro";
+    EXPECT_TRUE(says(read(shuffled), words));
+    EXPECT_FALSE(says(read(sorted), words));
+    EXPECT_FALSE(says(read(path), words));
+    TableWish points;
+    points.points = true;
+    EXPECT_FALSE(says(read(shuffled, points), words));
+}
+
+TEST(Table, HeightsThatAreDrawnAsACurveAreNoted) {
+    std::string grid = "east,north,height\n", three = "depth,heat,salt\n", rows;
+    for (int i = 0; i < 30; ++i) {
+        grid += std::to_string(i % 6) + "," + std::to_string(i / 6) + "," + std::to_string(i * i) + "\n";
+        three += std::to_string(i) + "," + std::to_string(i * i) + "," + std::to_string(90 - i) + "\n";
+        rows += std::to_string(0.5 * i) + "," + std::to_string(i % 5) + "," + std::to_string(i % 3) + "," +
+                std::to_string(i % 4) + "\n";
+    }
+    EXPECT_TRUE(says(read(grid), "if height is the height over east and north, name it by " + spelled("z")));
+    TableWish heights;
+    heights.z = "height";
+    EXPECT_FALSE(says(read(grid, heights), "is the height over"));
+    EXPECT_FALSE(says(read(three), "is the height over"));
+    EXPECT_TRUE(says(read(rows), "if its rows are heights, use " + spelled("matrix")));
+    EXPECT_FALSE(says(read(three), "if its rows are heights"));
 }
 
 }  // namespace
