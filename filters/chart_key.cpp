@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "filters/line_styles.h"
 #include "filters/plot_symbols.h"
+#include "tactics/geometry/line_styles.h"
 
 namespace tactics {
 

@@ -2,10 +2,13 @@
 #include "filters/dash_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
+#include "filters/opencv.h"
 #include "tactics/geometry/vectors.h"
 
 namespace tactics {
@@ -15,12 +18,19 @@ namespace {
 constexpr std::size_t kLeast = 4;          // dashes of a line; three in a row are dots after a word
 constexpr std::size_t kLeastLeading = 2;   // of a line from one thing to another
 constexpr double kOnCourse = 0.86;         // cosine of what a line may turn from dash to dash: 30 degrees
+constexpr double kClearLength = 2;         // pixels
+constexpr double kThinnest = 1.3;          // pixels; what is thinner is blurred
+constexpr double kLongDash = 2.5;          // widths of a dash that has a direction of its own
 constexpr std::size_t kMostDashes = 4000;  // of a picture; more is a pattern or noise
+
+using InkHue = std::array<double, 3>;  // what the ink takes from white, of length 1
 
 struct Dash {
     Point ends[2];  // pixels, of its middle line
     double width = 0;
     std::uint32_t piece = 0;  // of the picture's
+    InkHue hue{};
+    double whole_length() const { return length() + width; }
     Point middle() const { return {(ends[0].x + ends[1].x) / 2, (ends[0].y + ends[1].y) / 2}; }
     double length() const { return distance(ends[0], ends[1]); }
 };
@@ -43,10 +53,34 @@ std::optional<Dash> dash_of(const std::vector<const Run*>& runs, double longest,
     const double mean = (cxx + cyy) / 2, off = std::hypot((cxx - cyy) / 2, cxy);
     // A bar of length l has a variance of l^2 / 12.
     const double length = std::sqrt(12 * (mean + off)), width = std::sqrt(12 * std::max(0.0, mean - off));
-    if (length > longest || width > widest) return std::nullopt;
+    const bool clear = length > 2 * width && width <= 1.4 * widest;  // no letter, no point
+    if (length > longest || (width > widest && !clear)) return std::nullopt;
     const double angle = std::atan2(2 * cxy, cxx - cyy) / 2, half = std::max(0.0, length - width) / 2;
     const Point along{half * std::cos(angle), half * std::sin(angle)};
     return Dash{{{mx - along.x, my - along.y}, {mx + along.x, my + along.y}}, width};
+}
+
+// Soft borders are pale, but of the same hue.
+InkHue hue_of(const Image& picture, const std::vector<const Run*>& runs) {
+    InkHue hue{};
+    for (const Run* run : runs)
+        for (int x = run->begin; x < run->end; ++x)
+            for (std::size_t c = 0; c < 3; ++c)
+                hue[c] += 255 - picture.row(run->row)[x * picture.channels + (picture.channels == 3 ? static_cast<int>(c) : 0)];
+    const double size = std::sqrt(hue[0] * hue[0] + hue[1] * hue[1] + hue[2] * hue[2]);
+    for (double& channel : hue) channel = size > 0 ? channel / size : 1 / std::sqrt(3.0);
+    return hue;
+}
+
+bool have_one_hue(const Dash& a, const Dash& b) {
+    constexpr double kOneHue = 0.93;  // cosine; red and black have 0.82, blue and green 0.5
+    return a.hue[0] * b.hue[0] + a.hue[1] * b.hue[1] + a.hue[2] * b.hue[2] >= kOneHue;
+}
+
+double middle_of(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
 struct Link {
@@ -60,20 +94,18 @@ public:
         std::vector<Link> all;
         for (std::size_t i = 0; i < dashes_.size(); ++i)
             for (std::size_t j = i + 1; j < dashes_.size(); ++j) {
-                if (distance(dashes_[i].middle(), dashes_[j].middle()) > reach + (dashes_[i].length() + dashes_[j].length()) / 2)
+                if (distance(dashes_[i].middle(), dashes_[j].middle()) >
+                    reach_of(i, j, reach) + (dashes_[i].length() + dashes_[j].length()) / 2)
                     continue;
                 for (std::size_t e = 0; e < 2; ++e)
                     for (std::size_t f = 0; f < 2; ++f) {
                         const double gap = distance(dashes_[i].ends[e], dashes_[j].ends[f]);
-                        if (gap <= reach && go_on(i, e, j, f)) all.push_back({2 * i + e, 2 * j + f, gap});
+                        if (gap <= reach_of(i, j, reach) && go_on(i, e, j, f)) all.push_back({2 * i + e, 2 * j + f, gap});
                     }
             }
-        std::stable_sort(all.begin(), all.end(), [](const Link& a, const Link& b) { return a.gap < b.gap; });
-        for (const Link& link : all)
-            if (links_[link.a] == kNone && links_[link.b] == kNone && links_[link.a ^ 1] != link.b && keeps_course(link)) {
-                links_[link.a] = link.b;
-                links_[link.b] = link.a;
-            }
+        join(std::move(all));
+        part_from_dashes();
+        join(bridges());
     }
 
     // Of rows that are long enough, the ends at which each of their dashes begins, in their order.
@@ -106,41 +138,134 @@ public:
 private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
+    // Long dashes have long gaps.
+    double reach_of(std::size_t i, std::size_t j, double reach) const {
+        constexpr double kGapOfDash = 1.8, kMostReach = 1.6;
+        return std::clamp(kGapOfDash * std::min(dashes_[i].whole_length(), dashes_[j].whole_length()), reach, kMostReach * reach);
+    }
+
+    void join(std::vector<Link> all) {
+        std::stable_sort(all.begin(), all.end(), [](const Link& a, const Link& b) { return a.gap < b.gap; });
+        for (const Link& link : all)
+            if (links_[link.a] == kNone && links_[link.b] == kNone && links_[link.a ^ 1] != link.b && keeps_course(link)) {
+                links_[link.a] = link.b;
+                links_[link.b] = link.a;
+            }
+    }
+
+    // From the end of a row over what it crosses, where dashes are one piece of ink with that, to the row that goes on behind it.
+    std::vector<Link> bridges() const {
+        constexpr double kPeriods = 3;       // of dash and gap
+        constexpr double kStraightOn = 0.8;  // cosine of 37 degrees, of an arc from its chord
+        struct RowEnd {
+            std::size_t end, row;
+            Point at, out;
+            double period;
+            DashKind kind;
+        };
+        std::vector<RowEnd> ends;
+        std::size_t number = 0;
+        for (const std::vector<std::size_t>& chain : chains()) {
+            ++number;
+            if (chain.size() < kLeast || links_[chain.front()] != kNone) continue;
+            std::vector<double> lengths, widths;
+            for (const std::size_t end : chain) {
+                lengths.push_back(dash(end).whole_length());
+                widths.push_back(dash(end).width);
+            }
+            const double width = middle_of(std::move(widths)),
+                         period = *std::max_element(lengths.begin(), lengths.end()) + middle_of(gaps(chain));
+            for (double& length : lengths) length /= std::max(kThinnest, width);
+            const DashKind kind = dash_kind(std::move(lengths));
+            const auto end_of = [&](std::size_t end, std::size_t before) {
+                const Point at = dash(end).ends[end & 1], from = dash(before).middle();
+                const double way = std::max(1e-6, distance(from, at));
+                ends.push_back({end, number, at, {(at.x - from.x) / way, (at.y - from.y) / way}, period, kind});
+            };
+            end_of(chain.front(), chain[std::min<std::size_t>(2, chain.size() - 1)]);
+            end_of(chain.back() ^ 1, chain[chain.size() - std::min<std::size_t>(3, chain.size())]);
+        }
+        std::vector<Link> all;
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            for (std::size_t j = i + 1; j < ends.size(); ++j) {
+                const RowEnd &a = ends[i], &b = ends[j];
+                const Point way{b.at.x - a.at.x, b.at.y - a.at.y};
+                const double gap = distance(a.at, b.at);
+                if (a.row == b.row || a.kind != b.kind || gap > kPeriods * std::min(a.period, b.period)) continue;
+                if (!have_one_hue(dash(a.end), dash(b.end))) continue;
+                const double on = std::min(cosine(a.out, way), cosine({-b.out.x, -b.out.y}, way));
+                if (on >= kStraightOn) all.push_back({a.end, b.end, gap * (2 - on)});
+            }
+        return all;
+    }
+
     // A dash has a direction if it is clearly longer than wide; a dot has that of the pixels' corners.
     Point direction(std::size_t dash, std::size_t end) const {
         const Dash& one = dashes_[dash];
-        if (one.length() < one.width) return {};
+        if (one.length() < std::max(one.width, kClearLength)) return {};
         return {one.ends[end].x - one.ends[1 - end].x, one.ends[end].y - one.ends[1 - end].y};
     }
 
     bool go_on(std::size_t i, std::size_t e, std::size_t j, std::size_t f) const {
+        if (!have_one_hue(dashes_[i], dashes_[j])) return false;
         const Point a = dashes_[i].middle(), b = dashes_[j].middle(), way{b.x - a.x, b.y - a.y};
         const Point out = direction(i, e), in = direction(j, f);
         return cosine(out, way) >= kOnCourse && cosine({-in.x, -in.y}, way) >= kOnCourse;
     }
 
-    // Dots get their direction from those that they are joined to.
+    // Dots get their direction from those that they are joined to; a long dash has its own, and may be bent.
     bool keeps_course(const Link& link) const {
-        const Point a = dashes_[link.a / 2].middle(), b = dashes_[link.b / 2].middle(), way{b.x - a.x, b.y - a.y};
-        for (const auto& [end, sign] : {std::pair{link.a, 1.0}, std::pair{link.b, -1.0}}) {
+        for (const auto& [end, next] : {std::pair{link.a, link.b}, std::pair{link.b, link.a}}) {
             const std::size_t other = links_[end ^ 1];
-            if (other == kNone) continue;
-            const Point from = dashes_[other / 2].middle(), own = dashes_[end / 2].middle();
-            if (cosine({own.x - from.x, own.y - from.y}, {sign * way.x, sign * way.y}) < kOnCourse) return false;
+            const Dash& own = dashes_[end / 2];
+            if (other == kNone || own.whole_length() > kLongDash * own.width) continue;
+            const Point from = near_end(other), to = near_end(next), middle = own.middle();
+            if (cosine({middle.x - from.x, middle.y - from.y}, {to.x - middle.x, to.y - middle.y}) < kOnCourse) return false;
         }
         return true;
+    }
+
+    Point near_end(std::size_t end) const {
+        constexpr double kIn = 0.3;  // of half a dash: the end itself may be a pixel off
+        const Dash& one = dashes_[end / 2];
+        const Point at = one.ends[end & 1], middle = one.middle();
+        return {at.x + kIn * (middle.x - at.x), at.y + kIn * (middle.y - at.y)};
+    }
+
+    // A dash of another line among dots, where they cross.
+    void part_from_dashes() {
+        constexpr double kFarLonger = 4;  // widths
+        for (const std::vector<std::size_t>& chain : chains()) {
+            std::vector<double> lengths, widths;
+            for (const std::size_t end : chain) {
+                lengths.push_back(dash(end).whole_length());
+                widths.push_back(dash(end).width);
+            }
+            const double width = std::max(kThinnest, middle_of(std::move(widths)));
+            std::vector<double> in_widths = lengths;
+            for (double& length : in_widths) length /= width;
+            if (chain.size() < 2 * kLeast || dash_kind(std::move(in_widths)) != DashKind::dots) continue;
+            for (std::size_t i = 0; i < chain.size(); ++i)
+                if (lengths[i] > kFarLonger * width)
+                    for (const std::size_t end : {chain[i], chain[i] ^ 1})
+                        if (links_[end] != kNone) links_[std::exchange(links_[end], kNone)] = kNone;
+        }
     }
 
     std::vector<Dash> dashes_;
     std::vector<std::size_t> links_;  // of each end
 };
 
+// Longer gaps are over what a row crosses.
+double most_alike(const std::vector<double>& gaps) {
+    constexpr double kLonger = 1.7;
+    return kLonger * middle_of(gaps) + 1;
+}
+
 // Pieces that only happen to stand in a row have gaps of any length.
-bool are_alike(std::vector<double> gaps) {
-    constexpr double kLonger = 1.7, kMostLonger = 0.25;
-    const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-    std::nth_element(gaps.begin(), middle, gaps.end());
-    const double most = kLonger * *middle + 1;
+bool are_alike(const std::vector<double>& gaps) {
+    constexpr double kMostLonger = 0.25;
+    const double most = most_alike(gaps);
     const auto longer = std::count_if(gaps.begin(), gaps.end(), [&](double gap) { return gap > most; });
     return static_cast<double>(longer) <= kMostLonger * static_cast<double>(gaps.size());
 }
@@ -169,6 +294,46 @@ int lead_on(const Image& ink, DashRow& row, double widest_gap) {
     return (from ? 1 : 0) + (to ? 1 : 0);
 }
 
+// Where dashed lines cross, their dashes may be one piece of ink. That is of no other thing, so it goes with them: small, no
+// thicker than a crossing, and right on the way of a row.
+void take_crossings(const Image& ink, const Components& pieces, const DashLimits& limits, std::vector<DashRow>& rows) {
+    constexpr double kSize = 2.5, kThick = 1.1;
+    if (rows.empty()) return;
+    const auto extents = pieces.extents();
+    std::vector<std::uint32_t> piece_at(ink.pixels.size(), pieces.count);
+    for (const Run& run : pieces.runs)
+        if (static_cast<double>(extents[run.component]) <= kSize * limits.longest)
+            std::fill_n(piece_at.begin() + static_cast<std::ptrdiff_t>(run.row) * ink.width + run.begin, run.end - run.begin,
+                        run.component);
+    for (const DashRow& row : rows)
+        for (const Run& run : row.ink)
+            std::fill_n(piece_at.begin() + static_cast<std::ptrdiff_t>(run.row) * ink.width + run.begin, run.end - run.begin,
+                        pieces.count);
+    std::vector<DashRow*> owner(pieces.count);
+    for (DashRow& row : rows)
+        for (std::size_t i = 1; i + 2 < row.points.size(); i += 2) {
+            const Point a = row.points[i], b = row.points[i + 1];
+            for (double t = 0; t <= 1; t += 0.5 / std::max(1.0, distance(a, b))) {
+                const int x = static_cast<int>(a.x + t * (b.x - a.x)), y = static_cast<int>(a.y + t * (b.y - a.y));
+                if (x < 0 || y < 0 || x >= ink.width || y >= ink.height) continue;
+                const std::uint32_t piece =
+                    piece_at[static_cast<std::size_t>(y) * static_cast<std::size_t>(ink.width) + static_cast<std::size_t>(x)];
+                if (piece < pieces.count) owner[piece] = &row;
+            }
+        }
+    cv::Mat depth;
+    for (const Run& run : pieces.runs) {
+        DashRow*& row = owner[run.component];
+        if (row == nullptr) continue;
+        if (depth.empty()) cv::distanceTransform(view_of(ink) < 128, depth, cv::DIST_L2, cv::DIST_MASK_5);
+        const double owner_width = row->width + 1;
+        for (int x = run.begin; x < run.end; ++x)
+            if (static_cast<double>(depth.at<float>(run.row, x)) > kThick * owner_width) row = nullptr;
+    }
+    for (const Run& run : pieces.runs)
+        if (owner[run.component] != nullptr) owner[run.component]->ink.push_back(run);
+}
+
 // Straight, and of clear dashes.
 bool is_straight(const DashRow& row) {
     constexpr double kLonger = 2, kStraight = 0.985;
@@ -181,7 +346,21 @@ bool is_straight(const DashRow& row) {
 
 }  // namespace
 
-std::vector<DashRow> dash_rows_in(const Image& ink, const DashLimits& limits) {
+DashKind dash_kind(std::vector<double> lengths) {
+    constexpr double kDot = 2.1;          // widths
+    constexpr double kFarLonger = 1.8;    // a dash than the mark beside it
+    constexpr double kLeastOfBoth = 0.2;  // share of the marks
+    if (lengths.empty()) return DashKind::dashes;
+    std::sort(lengths.begin(), lengths.end());
+    // Few dots of dots are longer: two that are one piece of ink.
+    const double few = lengths[lengths.size() * 17 / 20];
+    if (few < kDot) return DashKind::dots;
+    const auto longer = std::find_if(lengths.begin(), lengths.end(), [&](double length) { return length > few / kFarLonger; });
+    const double shorts = static_cast<double>(longer - lengths.begin()) / static_cast<double>(lengths.size());
+    return shorts >= kLeastOfBoth ? DashKind::dashes_and_dots : DashKind::dashes;
+}
+
+std::vector<DashRow> dash_rows_in(const Image& ink, const Image& picture, const DashLimits& limits) {
     if (limits.longest < 1) return {};
     const Components pieces =
         find_components(ink.width, ink.height, Joined::by_corners, [&](std::size_t i) { return ink.pixels[i] < 128; });
@@ -194,6 +373,7 @@ std::vector<DashRow> dash_rows_in(const Image& ink, const DashLimits& limits) {
         if (runs[piece].empty()) continue;
         if (auto dash = dash_of(runs[piece], limits.longest, limits.widest)) {
             dash->piece = piece;
+            dash->hue = hue_of(picture, runs[piece]);
             dashes.push_back(*dash);
         }
     }
@@ -204,22 +384,26 @@ std::vector<DashRow> dash_rows_in(const Image& ink, const DashLimits& limits) {
         const std::vector<double> gaps = found.gaps(chain);
         if (!are_alike(gaps)) continue;
         DashRow row;
-        std::vector<double> widths;
+        std::vector<double> widths, lengths;
         for (const std::size_t end : chain) {
             const Dash& dash = found.dash(end);
             row.points.push_back(dash.ends[end & 1]);
             row.points.push_back(dash.ends[1 - (end & 1)]);
             widths.push_back(dash.width);
+            lengths.push_back(dash.whole_length());
             for (const Run* run : runs[dash.piece]) row.ink.push_back(*run);
         }
-        const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
-        std::nth_element(widths.begin(), middle, widths.end());
-        row.width = *middle;
+        row.width = middle_of(widths);
+        std::sort(lengths.begin(), lengths.end());
+        row.longest = lengths[lengths.size() * 17 / 20];
+        for (double& length : lengths) length /= std::max(kThinnest, row.width);
+        row.kind = dash_kind(std::move(lengths));
         row.leads = chain.size() < kLeast;
         if (row.leads && !is_straight(row)) continue;
-        if (lead_on(ink, row, *std::max_element(gaps.begin(), gaps.end())) < 2 && row.leads) continue;
+        if (lead_on(ink, row, std::min(*std::max_element(gaps.begin(), gaps.end()), most_alike(gaps))) < 2 && row.leads) continue;
         rows.push_back(std::move(row));
     }
+    take_crossings(ink, pieces, limits, rows);
     return rows;
 }
 

@@ -2,8 +2,7 @@
 // Dashed and dotted lines of a picture of ink: rows of small thin pieces with gaps that are alike.
 #pragma once
 
-#include <cstddef>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 #include "filters/components.h"
@@ -17,16 +16,24 @@ struct DashLimits {
     double longest = 0, widest = 0, gap = 0;
 };
 
+/// The marks of a dashed line, as far as a finger can tell them apart.
+enum class DashKind : std::uint8_t { dashes, dots, dashes_and_dots };
+
 /// A line of at least four dashes, in pixels; or of two or three that lead from one thing to another, as whiskers of boxes do.
 struct DashRow {
     std::vector<Point> points;  ///< both ends of each dash, one behind the other; the outermost on what they stop close before
     double width = 0;           ///< of most of its dashes
+    double longest = 0;         ///< of most of its long dashes, with their ends
+    DashKind kind = DashKind::dashes;
     std::vector<Run> ink;
     bool leads = false;  ///< the second
 };
 
-/// Darker than 128 is ink. A line may turn by up to 30 degrees from dash to dash. Of more than 4000 pieces that could be dashes
-/// none is: it is a pattern or noise.
-std::vector<DashRow> dash_rows_in(const Image& ink, const DashLimits& limits);
+/// What a dashed line's marks are, whose lengths these are, in widths of the line. Few may be cut short by what they cross.
+DashKind dash_kind(std::vector<double> lengths);
+
+/// In `ink`, what is darker than 128. A line may turn by up to 30 degrees from dash to dash, has one colour in `picture`, and
+/// goes on behind what it crosses. Of more than 4000 pieces that could be dashes none is: it is a pattern or noise.
+std::vector<DashRow> dash_rows_in(const Image& ink, const Image& picture, const DashLimits& limits);
 
 }  // namespace tactics

@@ -35,7 +35,7 @@ Artwork apply_dashes(Artwork artwork, const Settings& settings) {
     Image image = to_grey(std::move(std::get<Image>(artwork)));
     const double mm = image.mm_per_pixel;
     const auto rows = dash_rows_in(
-        image, {settings.number("longest") / mm, std::max(2.0, settings.number("widest") / mm), kDashesMostGap / mm});
+        image, image, {settings.number("longest") / mm, std::max(2.0, settings.number("widest") / mm), kDashesMostGap / mm});
     cv::Mat ink = view_of(image);
     const int thick = std::max(1, static_cast<int>(std::lround(0.3 / mm)));
     for (const DashRow& row : rows)

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <optional>
 
 #include "filters/darken.h"
+#include "filters/dash_rows.h"
 #include "filters/inked_fills.h"
 #include "filters/lab.h"
 #include "filters/opencv.h"
@@ -20,9 +22,11 @@ namespace {
 // In heights of the letters beside them. Settings; those of legends in SVG (readers/svg/legend.cpp) are alike.
 constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kNearest = 0.25, kAroundRow = 1.2, kLineHigh = 0.6;
 constexpr double kSameColumn = 0.8, kNextRow = 5, kNextColumn = 30;
-constexpr int kInkOfKeys = 215;  // of 255 is the ground
-constexpr int kSame = 45;        // levels in each channel
-constexpr double kColour = 40;   // levels between the channels of what is not grey
+constexpr int kInkOfKeys = 215;    // of 255 is the ground
+constexpr int kSame = 45;          // levels in each channel
+constexpr int kSameOfDashes = 70;  // thin dashes are blurred
+constexpr int kPalestDash = 0xb0;
+constexpr double kColour = 40;  // levels between the channels of what is not grey
 
 using PixelColour = std::array<int, 3>;
 
@@ -31,8 +35,9 @@ struct KeySample {
     PixelBox box;
     bool line = false, hatch = false;
     PixelColour colour{};
-    double height = 0;   // of the words
-    int off_ground = 0;  // levels
+    double height = 0;                    // of the words
+    int off_ground = 0;                   // levels
+    std::optional<DashKind> dashes = {};  // of a line that is not whole
 };
 
 PixelColour colour_at(const Image& picture, int x, int y) {
@@ -44,7 +49,8 @@ bool is_grey(const PixelColour& c) {
     return *std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end()) < kColour;
 }
 bool alike(const KeySample& a, const KeySample& b) {
-    return a.line == b.line && a.hatch == b.hatch && (a.hatch || channels_apart(a.colour, b.colour) <= kSame);
+    return a.line == b.line && a.hatch == b.hatch && a.dashes == b.dashes &&
+           (a.hatch || channels_apart(a.colour, b.colour) <= kSame);
 }
 
 // What stands free in that window: neither through it nor out of it.
@@ -91,6 +97,33 @@ void find_look(const Image& picture, const Image& ink, KeySample& sample) {
     sample.hatch = !sample.line && white > 0.1 * all && white < 0.95 * all;
 }
 
+// By the ink along it. The last mark may be cut off.
+std::optional<DashKind> dashes_along(const Image& ink, const PixelBox& box) {
+    std::vector<int> columns;
+    double all = 0;
+    for (int x = box.left; x < box.right; ++x) {
+        int darkest = 255;
+        for (int y = box.top; y < box.bottom; ++y) {
+            darkest = std::min<int>(darkest, ink.row(y)[x]);
+            all += 255 - ink.row(y)[x];
+        }
+        columns.push_back(darkest);
+    }
+    const int darkest = *std::min_element(columns.begin(), columns.end()), halfway = (darkest + 255) / 2;
+    std::vector<double> lengths;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (columns[i] >= halfway) continue;
+        if (i == 0 || columns[i - 1] >= halfway) lengths.push_back(0);
+        ++lengths.back();
+    }
+    if (lengths.size() < 2) return std::nullopt;
+    // As much ink as that is, if it were evenly dark.
+    const double width = all / (255.0 - darkest) / std::accumulate(lengths.begin(), lengths.end(), 0.0);
+    if (lengths.size() > 2) lengths.pop_back();
+    for (double& length : lengths) length /= std::max(1.0, width);
+    return dash_kind(std::move(lengths));
+}
+
 std::optional<KeySample> sample_beside(const Image& picture, const Image& ink, const LegendWords& words, std::size_t number,
                                        bool left) {
     const double h = words.height, y = (words.box.top + words.box.bottom) / 2.0;
@@ -106,6 +139,7 @@ std::optional<KeySample> sample_beside(const Image& picture, const Image& ink, c
     if (std::abs((box->top + box->bottom) / 2.0 - y) > kSameColumn * h) return std::nullopt;
     KeySample sample{number, *box, box->height() <= kLineHigh * h, false, {}, h};
     find_look(picture, ink, sample);
+    if (sample.line) sample.dashes = dashes_along(ink, *box);
     return sample;
 }
 
@@ -143,6 +177,20 @@ std::optional<Point> highest_in(const cv::Mat& field, const cv::Mat& mask) {
     return Point{at.x + 0.5, at.y + 0.5};
 }
 
+// On the mask, where all ink but its own is farthest.
+std::optional<Point> farthest_on(const cv::Mat& mask, const cv::Mat& own, const Image& ink,
+                                 const std::vector<LegendEntry>& before) {
+    // Its own paler border is no other ink.
+    cv::Mat field, own_wide, others = view_of(ink) < kInkOfKeys;
+    cv::dilate(own, own_wide, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(7, 7)));
+    others &= ~own_wide;
+    // Nor do its words stand where those of another do.
+    for (const LegendEntry& entry : before)
+        others.at<std::uint8_t>(static_cast<int>(entry.at.y), static_cast<int>(entry.at.x)) = 255;
+    cv::distanceTransform(~others, field, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    return highest_in(field, mask);
+}
+
 // A place on what is painted so, without the samples; on a curve where all else is far, in a surface where it is widest.
 std::optional<Point> place_of(const Image& picture, const Image& ink, const KeySample& sample, const cv::Mat& elsewhere,
                               const std::vector<LegendEntry>& before) {
@@ -171,15 +219,70 @@ std::optional<Point> place_of(const Image& picture, const Image& ink, const KeyS
     for (int y = 0; y < mask.rows; ++y)
         for (int x = 0; x < mask.cols; ++x)
             if (large[static_cast<std::size_t>(labels.at<int>(y, x))]) mask.at<std::uint8_t>(y, x) = 255;
-    // Its own paler border is no other ink.
-    cv::Mat own_wide, others = view_of(ink) < kInkOfKeys;
-    cv::dilate(own, own_wide, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(7, 7)));
-    others &= ~own_wide;
-    // Nor do its words stand where those of another do.
-    for (const LegendEntry& entry : before)
-        others.at<std::uint8_t>(static_cast<int>(entry.at.y), static_cast<int>(entry.at.x)) = 255;
-    cv::distanceTransform(~others, field, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    return highest_in(field, mask);
+    return farthest_on(mask, own, ink, before);
+}
+
+std::vector<DashRow> dashed_lines_of(const Image& ink, const Image& picture, const std::vector<KeySample>& samples) {
+    constexpr double kLongest = 3, kWidest = 0.5, kWidestGap = 2;  // heights of letters
+    double height = 0;
+    for (const KeySample& one : samples) height = std::max(height, one.height);
+    Image black = ink;
+    for (std::uint8_t& pixel : black.pixels) pixel = pixel < kPalestDash ? 0 : 255;
+    return dash_rows_in(black, picture, {kLongest * height, std::max(2.0, kWidest * height), kWidestGap * height});
+}
+
+// The dashed lines that are like it.
+std::optional<Point> place_on_dashes(const Image& picture, const Image& ink, const KeySample& sample,
+                                     const std::vector<DashRow>& rows, const cv::Mat& elsewhere,
+                                     const std::vector<LegendEntry>& before) {
+    cv::Mat own = cv::Mat::zeros(picture.height, picture.width, CV_8U);
+    for (const DashRow& row : rows) {
+        if (row.leads || row.kind != *sample.dashes) continue;
+        // Its darkest ink has its colour; borders are paler.
+        int darkest = 255 * 3;
+        PixelColour own_colour{};
+        for (const Run& run : row.ink)
+            for (int x = run.begin; x < run.end; ++x) {
+                const PixelColour colour = colour_at(picture, x, run.row);
+                const int sum = colour[0] + colour[1] + colour[2];
+                if (sum >= darkest) continue;
+                darkest = sum;
+                own_colour = colour;
+            }
+        if (channels_apart(own_colour, sample.colour) > kSameOfDashes) continue;
+        for (std::size_t i = 0; i + 1 < row.points.size(); ++i)
+            cv::line(own, cv::Point(static_cast<int>(row.points[i].x), static_cast<int>(row.points[i].y)),
+                     cv::Point(static_cast<int>(row.points[i + 1].x), static_cast<int>(row.points[i + 1].y)), cv::Scalar(255),
+                     std::max(1, static_cast<int>(row.width)));
+    }
+    own &= elsewhere;
+    return farthest_on(own, own, ink, before);
+}
+
+// Black and whole, as axes are, and the only curve that is.
+std::optional<Point> place_on_black(const Image& ink, const std::vector<DashRow>& rows, const cv::Mat& elsewhere,
+                                    const std::vector<LegendEntry>& before) {
+    constexpr double kLong = 0.25;  // of the picture
+    cv::Mat own = (view_of(ink) < kInkOfKeys) & elsewhere;
+    for (const DashRow& row : rows)
+        for (const Run& run : row.ink) own(cv::Rect(run.begin, run.row, run.end - run.begin, 1)) = 0;
+    const int long_across = std::max(3, static_cast<int>(kLong * ink.width)),
+              long_down = std::max(3, static_cast<int>(kLong * ink.height));
+    cv::Mat level, upright;
+    cv::morphologyEx(own, level, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(long_across, 1)));
+    cv::morphologyEx(own, upright, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(1, long_down)));
+    own &= ~(level | upright);
+    cv::Mat labels, stats, middles;
+    const int count = cv::connectedComponentsWithStats(own, labels, stats, middles, 8, CV_32S);
+    int curve = 0;
+    for (int i = 1; i < count; ++i) {
+        if (std::hypot(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT)) < long_across) continue;
+        if (curve != 0) return std::nullopt;
+        curve = i;
+    }
+    if (curve == 0) return std::nullopt;
+    const cv::Mat mask = labels == curve;
+    return farthest_on(mask, mask, ink, before);
 }
 
 }  // namespace
@@ -194,10 +297,16 @@ std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<Legen
         cv::rectangle(elsewhere, cv::Point(one.box.left - room, one.box.top - room),
                       cv::Point(one.box.right + room, one.box.bottom + room), cv::Scalar(0), cv::FILLED);
     }
+    const bool any_dashes =
+        std::any_of(samples.begin(), samples.end(), [](const KeySample& one) { return one.dashes.has_value(); });
+    const std::vector<DashRow> rows = any_dashes ? dashed_lines_of(ink, picture, samples) : std::vector<DashRow>{};
     std::vector<LegendEntry> entries;
     for (const KeySample& one : samples) {
-        if (one.line && is_grey(one.colour)) continue;
-        const auto at = one.hatch ? hatched_place(picture) : place_of(picture, ink, one, elsewhere, entries);
+        if (one.line && is_grey(one.colour) && !any_dashes) continue;
+        const auto at = one.hatch                         ? hatched_place(picture)
+                        : one.dashes                      ? place_on_dashes(picture, ink, one, rows, elsewhere, entries)
+                        : one.line && is_grey(one.colour) ? place_on_black(ink, rows, elsewhere, entries)
+                                                          : place_of(picture, ink, one, elsewhere, entries);
         if (at) entries.push_back({one.words, one.box, *at});
     }
     return entries;

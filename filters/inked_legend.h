@@ -24,7 +24,8 @@ struct LegendEntry {
 };
 
 /// Of a picture whose words are painted over. Empty unless at least two words have samples in a row or a column. An entry is left
-/// out if its sample looks like another one, if it is a line as black or grey as axes may be, or if nothing else is painted so.
+/// out if its sample looks like another one, or if nothing else is painted so. A line may differ by its dashes only; one that is
+/// whole, and as black or grey as axes may be, counts beside dashed ones, if only one curve is so.
 std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<LegendWords>& words);
 
 }  // namespace tactics

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "filters/arrow_heads.h"
@@ -44,6 +45,8 @@ Stroke head_of(const InkedHead& head, double mm) {
 
 // Dashes as drawing tools make them: on the page up to 11 mm long, 1.6 mm wide, with gaps of no more than 5.5 mm.
 constexpr double kLongestDash = 11, kWidestDash = 1.6, kMostGap = 5.5;
+
+DashLimits dash_limits(double mm) { return {kLongestDash / mm, std::max(2.0, kWidestDash / mm), kMostGap / mm}; }
 
 // A point is as large as it is drawn, but as wide as two of the dots of braille, which it is not taken for then.
 constexpr double kLeastPoint = 0.5, kMostPoint = 4.8, kFeltPoint = 1.6;  // radius, mm
@@ -108,19 +111,70 @@ void join(Image& picture, const DashRow& row) {
              std::max(1, static_cast<int>(std::lround(row.width))));
 }
 
-void take_dashes(Image& picture, KnownParts& parts) {
-    // Dashes of half a pixel are pale, but darker than the grids of plotting tools (b0b0b0).
+// Level or upright from end to end.
+std::optional<bool> is_level(const DashRow& row) {
+    const double across = std::abs(row.points.front().x - row.points.back().x),
+                 down = std::abs(row.points.front().y - row.points.back().y);
+    for (const Point& p : row.points)
+        if (std::min(std::abs(p.x - row.points.front().x), std::abs(p.y - row.points.front().y)) > row.width) return std::nullopt;
+    return across > down;
+}
+
+// Two others at least are parallel to it and as long.
+bool is_of_grid(const DashRow& row, const std::vector<DashRow>& rows) {
+    const auto level = is_level(row);
+    const double length = distance(row.points.front(), row.points.back());
+    return level && std::count_if(rows.begin(), rows.end(), [&](const DashRow& other) {
+                        return other.kind == row.kind && is_level(other) == level &&
+                               std::abs(distance(other.points.front(), other.points.back()) - length) < 0.1 * length;
+                    }) > 2;
+}
+
+// What the marks of a line are says something if another line has others.
+bool tell_lines_apart(const std::vector<DashRow>& rows) {
+    std::optional<DashKind> kind;
+    for (const DashRow& row : rows) {
+        if (row.leads || is_of_grid(row, rows)) continue;
+        if (kind && *kind != row.kind) return true;
+        kind = row.kind;
+    }
+    return false;
+}
+
+// Dashes of half a pixel are pale, but darker than the grids of plotting tools (b0b0b0).
+Image ink_of_dashes(const Image& picture) {
     constexpr std::uint8_t kPalest = 0xb0;
     Image ink = ink_on_white(picture);
     for (std::uint8_t& sample : ink.pixels) sample = sample < kPalest ? 0 : 255;
+    return ink;
+}
+
+// Where one dash goes on behind another a step of pixels may look like a small head.
+bool is_within_row(Point tip, const std::vector<DashRow>& rows) {
+    return std::any_of(rows.begin(), rows.end(), [&](const DashRow& row) {
+        for (std::size_t i = 2; i + 2 < row.points.size(); ++i)
+            if (distance(row.points[i], tip) <= 2 * row.width + 1) return true;
+        return false;
+    });
+}
+
+void take_dashes(Image& picture, KnownParts& parts) {
+    const Image ink = ink_of_dashes(picture);
     std::vector<Run> ink_of_all;
     const double mm = picture.mm_per_pixel;
-    for (const DashRow& row : dash_rows_in(ink, {kLongestDash / mm, std::max(2.0, kWidestDash / mm), kMostGap / mm})) {
+    const std::vector<DashRow> rows = dash_rows_in(ink, picture, dash_limits(mm));
+    const bool told_apart = tell_lines_apart(rows);
+    for (const DashRow& row : rows) {
         if (row.leads) {
             join(picture, row);
             continue;
         }
-        Stroke stroke{{}, false, LineClass::normal, kStrength, Role::dash};
+        const DashKind kind = told_apart && !is_of_grid(row, rows) ? row.kind : DashKind::dashes;
+        Stroke stroke{{},
+                      false,
+                      kind == DashKind::dashes ? LineClass::normal : LineClass::thick,
+                      kStrength,
+                      kind == DashKind::dots ? Role::dots : Role::dash};
         for (const Point& p : row.points) stroke.points.push_back({p.x * mm, p.y * mm});
         parts.strokes.push_back(std::move(stroke));
         ink_of_all.insert(ink_of_all.end(), row.ink.begin(), row.ink.end());
@@ -153,6 +207,10 @@ KnownParts take_known_parts(Image& picture, bool fills) {
                 return distance(point.middle, head.tip) < head.length() + point.radius;
             });
         });
+        if (!heads.empty()) {
+            const auto rows = dash_rows_in(ink_of_dashes(picture), picture, dash_limits(mm));
+            std::erase_if(heads, [&](const InkedHead& head) { return is_within_row(head.tip, rows); });
+        }
         take_out(picture, heads);
         for (const InkedHead& head : heads) parts.strokes.push_back(head_of(head, mm));
     }

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "filters/chart_axis.h"
-#include "filters/line_styles.h"
 #include "tactics/error.h"
+#include "tactics/geometry/line_styles.h"
 #include "tactics/units.h"
 
 namespace tactics {

@@ -7,8 +7,8 @@ namespace tactics {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> kRoles{"line", "lead", "tick",  "dash",    "arrow", "symbol",
-                                                  "axis", "grid", "scale", "pattern", "mark"};
+constexpr std::array<std::string_view, 12> kRoles{"line", "lead", "tick",  "dash",    "arrow", "symbol",
+                                                  "axis", "grid", "scale", "pattern", "mark",  "dots"};
 
 }  // namespace
 

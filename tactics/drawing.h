@@ -39,9 +39,10 @@ enum class Role : std::uint8_t {
     scale,    ///< the scale bar and its end marks
     pattern,  ///< a mark of an area's texture
     mark,     ///< marks where sheets of a large page meet
+    dots,     ///< a dotted line, stored whole until repair makes a row of dots of it, each a dash
 };
 /// The drawing itself, without the additions inside or around it.
-inline bool is_drawn(Role role) { return role < Role::scale; }
+inline bool is_drawn(Role role) { return role < Role::scale || role == Role::dots; }
 std::string_view name_of(Role role);     ///< "line", "lead", ...
 Role role_named(std::string_view name);  ///< Role::line for any other word
 

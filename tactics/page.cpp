@@ -24,6 +24,7 @@ LineKind kind_of(const PageStroke& stroke) {
         case Role::pattern: return LineKind::pattern;
         case Role::line:
         case Role::dash:
+        case Role::dots:
         case Role::arrow:
         case Role::symbol: break;
     }

@@ -29,6 +29,7 @@ std::string_view layer_of(const PageStroke& stroke, const Page& page) {
         case Role::tick: return marks::kInner;
         case Role::line:
         case Role::dash:
+        case Role::dots:
         case Role::arrow:
         case Role::symbol:
         case Role::axis: break;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tactics/geometry/grid.h"
+#include "tactics/geometry/line_styles.h"
 #include "tactics/geometry/vectors.h"
 #include "tactics/geometry/walk.h"
 #include "tactics/repair/means.h"
@@ -21,7 +22,8 @@ namespace {
 constexpr double kDash = 8, kShortestDash = 6, kShare = 0.5, kLongGap = 1.4;
 constexpr double kBent = 1.05;  // on a curve it is less far straight across than along the line
 constexpr double kDashStep = 0.5;
-constexpr double kCorner = 0.866;  // cosine of 30 degrees, by which a line turns at a corner within kTurn, mm, on both sides
+constexpr std::size_t kLeastDots = 3;  // of a dotted line
+constexpr double kCorner = 0.866;      // cosine of 30 degrees, by which a line turns at a corner within kTurn, mm, on both sides
 constexpr double kTurn = 1;
 constexpr double kMostDashes = 2000;  // of a line; a page has room for far fewer
 constexpr double kMostOfAll = 50000;  // of a drawing: several sheets full of them; lines beyond stay whole
@@ -57,6 +59,7 @@ public:
     // The line itself if there is no room for two dashes.
     std::vector<Stroke> cut(std::size_t number) {
         const Stroke& line = drawing_.strokes[number];
+        if (std::vector<Stroke> marks = with_dots(number); !marks.empty()) return marks;
         const double length = length_of(line);
         const Lengths lengths(medium_, page_.strokes[number].width);
         const double most = length / lengths.dash;
@@ -88,6 +91,30 @@ public:
     }
 
 private:
+    // Dots are left out where others are near: their gaps say nothing, and the line goes on behind. Nothing if it has no dots, or
+    // too few of them would be left.
+    std::vector<Stroke> with_dots(std::size_t number) {
+        const Stroke& line = drawing_.strokes[number];
+        const LineStyle style = line_style(line.role == Role::dots         ? kDottedStyle
+                                           : line.line == LineClass::thick ? kThickDashedStyle
+                                                                           : kDashedStyle,
+                                           medium_);
+        const std::size_t chain = chain_of_[number];
+        if (std::find(style.marks.begin(), style.marks.end(), 0) == style.marks.end() || chain == geometry_.chains.size())
+            return {};
+        if (length_of(line) / style.gap > std::min(kMostDashes, left_)) return {};
+        std::vector<Stroke> marks = in_style(line.points, line.closed, style, medium_);
+        const std::size_t all = marks.size();
+        std::erase_if(marks, [&](const Stroke& mark) {
+            return std::any_of(mark.points.begin(), mark.points.end(),
+                               [&](Point p) { return is_near(geometry_.chains[chain], chain, p); });
+        });
+        if (marks.size() < std::max(kLeastDots, all / 2)) return {};
+        left_ -= static_cast<double>(all);
+        for (Stroke& mark : marks) mark.strength = line.strength;
+        return marks;
+    }
+
     std::vector<Box> boxes() const {
         std::vector<Box> all;
         for (std::size_t piece = 0; piece < geometry_.pieces.size(); ++piece) all.push_back(geometry_.box_of_piece(piece, 0));
@@ -213,7 +240,9 @@ private:
 }  // namespace
 
 bool cut_dashes(Drawing& drawing, const Medium& medium) {
-    const auto is_dashed = [](const Stroke& stroke) { return stroke.role == Role::dash && stroke.points.size() > 1; };
+    const auto is_dashed = [](const Stroke& stroke) {
+        return (stroke.role == Role::dash || stroke.role == Role::dots) && stroke.points.size() > 1;
+    };
     if (std::none_of(drawing.strokes.begin(), drawing.strokes.end(), is_dashed)) return false;
     Dashing dashing(drawing, medium);
     std::vector<Stroke> strokes;
@@ -225,9 +254,10 @@ bool cut_dashes(Drawing& drawing, const Medium& medium) {
         }
         std::vector<Stroke> dashes = dashing.cut(i);
         any = any || dashes.size() > 1;
+        for (Stroke& dash : dashes) dash.role = Role::dash;
         std::move(dashes.begin(), dashes.end(), std::back_inserter(strokes));
     }
-    if (any) drawing.strokes = std::move(strokes);
+    drawing.strokes = std::move(strokes);
     return any;
 }
 

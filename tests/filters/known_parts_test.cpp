@@ -12,6 +12,7 @@
 #include <set>
 
 #include "filters/arrow_heads.h"
+#include "filters/dash_rows.h"
 #include "filters/inked_legend.h"
 #include "filters/inked_points.h"
 #include "tests/filters/pictures.h"
@@ -260,6 +261,82 @@ TEST(InkedLegend, SamplesOfOneColourSayNothing) {
     for (const int y : {20, 40, 150, 200})
         for (int x = y < 100 ? 30 : 20; x < (y < 100 ? 60 : 380); ++x) picture.row(y)[x] = picture.row(y + 1)[x] = 90;
     EXPECT_TRUE(legend_in(picture, {{{66, 14, 120, 26}, 12}, {{66, 34, 120, 46}, 12}}).empty());
+}
+
+// Marks of these lengths, and gaps, along a wave around that height; as a plotting tool draws them.
+Shape wave(double height, const std::vector<double>& marks) {
+    double period = 0;
+    for (const double mark : marks) period += mark;
+    return [=](double x, double y) {
+        if (x < 20 || x > 380) return false;
+        const double slope = 12 * std::cos(x / 40) / 40, off = std::abs(y - height - 12 * std::sin(x / 40));
+        if (off > 1 * std::hypot(1, slope)) return false;
+        double along = std::fmod(x - 20, period);
+        for (std::size_t i = 0; i < marks.size(); along -= marks[i++])
+            if (along < marks[i]) return i % 2 == 0;
+        return false;
+    };
+}
+
+const std::vector<double> kDashed{11, 4}, kDotted{2, 4}, kDashDotted{16, 4, 2, 4};
+
+TEST(DashRows, MarksOfEachKindAreToldApart) {
+    for (const auto& [marks, kind] : {std::pair{kDashed, DashKind::dashes}, std::pair{kDotted, DashKind::dots},
+                                      std::pair{kDashDotted, DashKind::dashes_and_dots}}) {
+        const Image picture = inked(400, 100, {wave(50, marks)});
+        const auto rows = dash_rows_in(picture, picture, {30, 5, 12});
+        ASSERT_EQ(rows.size(), 1u);
+        EXPECT_EQ(rows[0].kind, kind);
+        EXPECT_LT(std::min(rows[0].points.front().x, rows[0].points.back().x), 30);
+        EXPECT_GT(std::max(rows[0].points.front().x, rows[0].points.back().x), 370);
+    }
+}
+
+TEST(DashRows, GoOnBehindWhatTheyCross) {
+    std::vector<Shape> shapes{line({200, 20}, {200, 280}, 2)};
+    for (double t = 0; t < 300; t += 14)
+        for (const double sign : {1.0, -1.0}) {
+            const auto on = [&](double u) { return Point{50 + u, 150 + sign * 0.6 * (u - 150)}; };
+            shapes.push_back(line(on(t), on(t + 8), 2));
+        }
+    const Image picture = inked(400, 300, shapes);
+    const auto rows = dash_rows_in(picture, picture, {30, 5, 10});
+    ASSERT_EQ(rows.size(), 2u);
+    for (const DashRow& row : rows) EXPECT_GT(distance(row.points.front(), row.points.back()), 320);
+}
+
+TEST(DashRows, GetStylesThatAFingerTellsApartIfAPictureHasSeveral) {
+    Image picture = inked(400, 200, {wave(50, kDashed), wave(100, kDotted), wave(150, kDashDotted)});
+    picture.mm_per_pixel = 0.4;
+    std::set<std::pair<Role, LineClass>> styles;
+    for (const Stroke& stroke : take_known_parts(picture, false).strokes) styles.insert({stroke.role, stroke.line});
+    const std::set<std::pair<Role, LineClass>> all{
+        {Role::dash, LineClass::normal}, {Role::dots, LineClass::thick}, {Role::dash, LineClass::thick}};
+    EXPECT_EQ(styles, all);
+    Image one = inked(400, 100, {wave(50, kDotted)});
+    one.mm_per_pixel = 0.4;
+    const KnownParts parts = take_known_parts(one, false);
+    ASSERT_EQ(parts.strokes.size(), 1u);
+    EXPECT_EQ(parts.strokes[0].role, Role::dash);
+}
+
+TEST(InkedLegend, BlackLinesAreToldByTheirDashes) {
+    const std::vector<std::vector<double>> looks{{400}, kDashed, kDotted, kDashDotted};
+    std::vector<Shape> shapes;
+    std::vector<LegendWords> words;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const double y = 20 + 20 * static_cast<double>(i);
+        shapes.push_back(wave(140 + 50 * static_cast<double>(i), looks[i]));
+        shapes.push_back([look = wave(y, looks[i]), y](double u, double v) {  // begins with a mark, as legends do
+            return u < 75 && std::abs(v - y) <= 1 && look(u - 10, y + 12 * std::sin((u - 10) / 40));
+        });
+        const int top = static_cast<int>(y) - 6;
+        words.push_back({{84, top, 136, top + 12}, 12});
+    }
+    const auto entries = legend_in(inked(400, 340, shapes), words);
+    ASSERT_EQ(entries.size(), 4u);
+    for (const LegendEntry& entry : entries)
+        EXPECT_NEAR(entry.at.y, 140 + 50 * static_cast<double>(entry.words) + 12 * std::sin(entry.at.x / 40), 3);
 }
 
 }  // namespace

@@ -158,6 +158,31 @@ TEST(Dashes, WhatIsBrokenInTheEndIsCounted) {
     EXPECT_GT(by_cutting, 0u);  // or nothing was tried
 }
 
+// Dots beside another line would be felt as a part of it; without them the row goes on behind it.
+TEST(Dashes, DottedLinesAreRowsOfDotsClearOfOthers) {
+    for (const char* name : {"swell", "embosser"}) {
+        const Medium& medium = find_medium(name, "test");
+        Drawing drawing = blank();
+        drawing.strokes.push_back({{{10, 100}, {170, 100}}, false, LineClass::thick, 0, Role::dots});
+        drawing.strokes.push_back({{{77, 20}, {82, 200}}, false});
+        drawing.strokes.push_back({{{10, 150}, {12, 150}}, false, LineClass::thick, 0, Role::dots});  // too short
+        ASSERT_TRUE(cut_dashes(drawing, medium));
+        EXPECT_EQ(places(drawing, medium, {"gap"}), 0u);
+        std::size_t dots = 0;
+        bool before = false, behind = false;
+        for (const Stroke& stroke : drawing.strokes) {
+            EXPECT_NE(stroke.role, Role::dots);
+            if (stroke.role != Role::dash || stroke.points[0].y != 100) continue;
+            ++dots;
+            EXPECT_LT(length_of(stroke), 0.1);
+            before = before || stroke.points[0].x < 30;
+            behind = behind || stroke.points[0].x > 150;
+        }
+        EXPECT_GT(dots, 15u);
+        EXPECT_TRUE(before && behind);
+    }
+}
+
 TEST(Dashes, OfVeryManyTheLastStayWhole) {
     const Medium& swell = find_medium("swell", "test");
     Drawing drawing = blank();

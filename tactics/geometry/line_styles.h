@@ -27,6 +27,9 @@ struct LineStyle {
 /// gaps of 5.4. Dots stand as far apart as the medium has gaps; those of thick lines are beads.
 LineStyle line_style(std::size_t number, const Medium& medium);
 
+/// The numbers of some of them.
+inline constexpr std::size_t kDashedStyle = 1, kDottedStyle = 3, kThickDashedStyle = 4;
+
 /// From the beginning of a sample to its end, mm: a finger meets each part of a style twice.
 double sample_length(const Medium& medium);
 

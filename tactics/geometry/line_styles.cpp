@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "filters/line_styles.h"
+#include "tactics/geometry/line_styles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Line styles: what a finger tells them by is there in samples, in long lines and in short pieces.
-#include "filters/line_styles.h"
+#include "tactics/geometry/line_styles.h"
 
 #include <gtest/gtest.h>
 
