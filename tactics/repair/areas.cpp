@@ -66,12 +66,13 @@ Mend to_outline(Drawing& drawing, std::size_t index) {
 }
 
 // The closest place between each two areas, by their numbers, the lower first.
-std::map<std::pair<std::size_t, std::size_t>, NearPair> close_areas(const Seen& seen) {
+std::map<std::pair<std::size_t, std::size_t>, NearPair> close_areas(Seen& seen) {
     std::map<std::pair<std::size_t, std::size_t>, NearPair> closest;
-    for (NearPair pair : seen.near.pairs) {
-        const Chain *one = &seen.geometry.chains[seen.geometry.pieces[pair.one].chain],
-                    *other = &seen.geometry.chains[seen.geometry.pieces[pair.other].chain];
-        if (!one->ring || !other->ring || one->owner == other->owner) continue;
+    for (std::size_t i = 0; i < seen.near.size(); ++i) {
+        const Chain *one = &seen.geometry.chains[seen.geometry.pieces[seen.near[i].one].chain],
+                    *other = &seen.geometry.chains[seen.geometry.pieces[seen.near[i].other].chain];
+        if (!one->ring || !other->ring || one->owner == other->owner || !seen.near.is_too_close(i)) continue;
+        NearPair pair = seen.near.pair(i);
         if (one->owner > other->owner) {
             std::swap(one, other);
             std::swap(pair.at, pair.other_at);
@@ -146,7 +147,7 @@ Mends lighten(Drawing& drawing, const Medium& medium) {
     return changes;
 }
 
-bool drop_rims(Drawing& drawing, const Seen& seen) {
+bool drop_rims(Drawing& drawing, Seen& seen) {
     std::vector<Box> boxes;
     for (const Area& area : drawing.areas)
         if (is_small(area)) boxes.push_back(box_of(area.rings[0]));
@@ -171,14 +172,13 @@ bool drop_rims(Drawing& drawing, const Seen& seen) {
         const Chain& chain = seen.geometry.chains[seen.geometry.pieces[piece].chain];
         return chain.ring ? small[chain.owner] : rims[chain.owner];
     };
-    const auto& pairs = seen.near.pairs;
-    if (std::none_of(pairs.begin(), pairs.end(),
-                     [&](const NearPair& pair) { return is_crowded(pair.one) || is_crowded(pair.other); }))
-        return false;
-    return std::erase_if(drawing.strokes, is_rim) > 0;
+    for (std::size_t i = 0; i < seen.near.size(); ++i)
+        if ((is_crowded(seen.near[i].one) || is_crowded(seen.near[i].other)) && seen.near.is_too_close(i))
+            return std::erase_if(drawing.strokes, is_rim) > 0;
+    return false;
 }
 
-Mends move_areas_apart(Drawing& drawing, const Medium& medium, const Seen& seen) {
+Mends move_areas_apart(Drawing& drawing, const Medium& medium, Seen& seen) {
     Shifts shifts(drawing);
     auto close = close_areas(seen);
     const std::size_t first = close.size();
@@ -197,7 +197,8 @@ Mends move_areas_apart(Drawing& drawing, const Medium& medium, const Seen& seen)
         }
         if (!pushed) break;
         shifted = shifts.shifted();
-        close = close_areas(Seen(shifted, medium));
+        Seen anew(shifted, medium);
+        close = close_areas(anew);
     }
     Mends changes;
     if (close.size() >= first) return changes;
@@ -208,15 +209,15 @@ Mends move_areas_apart(Drawing& drawing, const Medium& medium, const Seen& seen)
     return changes;
 }
 
-Mends outline_areas(Drawing& drawing, const Seen& seen) {
+Mends outline_areas(Drawing& drawing, Seen& seen) {
     Mends changes;
     if (drawing.areas.empty()) return changes;
     const PageGeometry& geometry = seen.geometry;
     const std::vector<std::size_t> worth = worth_of(geometry, drawing);
     std::set<std::size_t> too_close;  // areas
-    for (const NearPair& pair : seen.near.pairs) {
-        const std::uint32_t a = geometry.pieces[pair.one].chain, b = geometry.pieces[pair.other].chain;
-        if (!geometry.chains[a].ring || !geometry.chains[b].ring) continue;
+    for (std::size_t i = 0; i < seen.near.size(); ++i) {
+        const std::uint32_t a = geometry.pieces[seen.near[i].one].chain, b = geometry.pieces[seen.near[i].other].chain;
+        if (!geometry.chains[a].ring || !geometry.chains[b].ring || !seen.near.is_too_close(i)) continue;
         too_close.insert(geometry.chains[worth[a] < worth[b] ? a : b].owner);
     }
     for (const std::size_t i : too_close) {

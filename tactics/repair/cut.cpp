@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
+#include <span>
+#include <utility>
 
 #include "tactics/geometry/course.h"
 #include "tactics/repair/means.h"
@@ -55,10 +56,8 @@ double length_of(const PageGeometry& geometry, const Chain& chain, Run run) {
 
 // Of two parts of one line that are too close, the later one has less worth, counted from the farthest tip of a closed line, so
 // that one whole side of a thin bar's outline stays.
-std::vector<std::size_t> places_of(const PageGeometry& geometry, const Chain& chain) {
-    std::vector<std::size_t> places(chain.count);
-    std::iota(places.begin(), places.end(), std::size_t{0});
-    if (!chain.closed) return places;
+std::size_t tip_of(const PageGeometry& geometry, const Chain& chain) {
+    if (!chain.closed) return 0;
     Point middle;
     for (std::size_t i = 0; i < chain.count; ++i) {
         const Point p = geometry.pieces[chain.first + i].line.a;
@@ -71,39 +70,68 @@ std::vector<std::size_t> places_of(const PageGeometry& geometry, const Chain& ch
             farthest = away;
             tip = i;
         }
-    for (std::size_t i = 0; i < chain.count; ++i) places[i] = (i + chain.count - tip) % chain.count;
-    return places;
+    return tip;
 }
 
-// Which pieces go: from the most worthy chain to the least, and what has gone takes nothing with it.
-std::vector<bool> pieces_to_go(const PageGeometry& geometry, const Drawing& drawing, const std::vector<NearPair>& pairs) {
-    const std::vector<std::size_t> worth = worth_of(geometry, drawing);
-    std::vector<std::vector<std::size_t>> places(geometry.chains.size());
-    const auto place = [&](std::uint32_t piece) {
-        const std::uint32_t c = geometry.pieces[piece].chain;
-        if (places[c].empty()) places[c] = places_of(geometry, geometry.chains[c]);
-        return places[c][piece - geometry.chains[c].first];
-    };
-    struct Rivals {
-        std::uint32_t lesser, greater;
-        std::size_t worth, place;  // of the lesser
-    };
-    std::vector<Rivals> all;
-    for (const NearPair& pair : pairs) {
-        const std::uint32_t a = geometry.pieces[pair.one].chain, b = geometry.pieces[pair.other].chain;
-        const bool one_less = a == b ? place(pair.one) > place(pair.other) : worth[a] < worth[b];
-        const std::uint32_t lesser = one_less ? pair.one : pair.other;
-        if (geometry.chains[geometry.pieces[lesser].chain].ring) continue;  // outline_areas sees to it
-        all.push_back({lesser, one_less ? pair.other : pair.one, worth[geometry.pieces[lesser].chain], place(lesser)});
+// What is too close to each piece and is of more worth, or is an earlier part of the same line: numbers of suspects.
+class Rivals {
+public:
+    Rivals(const PageGeometry& geometry, const NearSuspects& near, double lacks, const std::vector<std::size_t>& worth)
+        : begins_(geometry.pieces.size() + 1) {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> rivals;  // the lesser piece, and the number of the suspect
+        std::vector<std::size_t> tips;
+        for (const Chain& chain : geometry.chains) tips.push_back(tip_of(geometry, chain));
+        const auto place = [&](std::uint32_t piece) {
+            const std::uint32_t c = geometry.pieces[piece].chain;
+            const Chain& chain = geometry.chains[c];
+            return (piece - chain.first + chain.count - tips[c]) % chain.count;
+        };
+        for (std::size_t i = 0; i < near.size(); ++i) {
+            const auto [one, other, lack, white] = near[i];
+            if (!(lack > lacks + kRounding)) continue;
+            const std::uint32_t a = geometry.pieces[one].chain, b = geometry.pieces[other].chain;
+            const std::uint32_t lesser = (a == b ? place(one) > place(other) : worth[a] < worth[b]) ? one : other;
+            if (geometry.chains[geometry.pieces[lesser].chain].ring) continue;  // outline_areas sees to it
+            rivals.push_back({lesser, static_cast<std::uint32_t>(i)});
+            ++begins_[lesser + 1];
+        }
+        std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+        numbers_.resize(rivals.size());
+        std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
+        for (const auto& [lesser, number] : rivals) numbers_[next[lesser]++] = number;
     }
-    std::sort(all.begin(), all.end(), [](const Rivals& a, const Rivals& b) {
-        if (a.worth != b.worth) return a.worth > b.worth;
-        if (a.place != b.place) return a.place < b.place;
-        return a.greater < b.greater;
-    });
+    bool empty() const { return numbers_.empty(); }
+    std::span<const std::uint32_t> of(std::size_t piece) const {
+        return std::span(numbers_).subspan(begins_[piece], begins_[piece + 1] - begins_[piece]);
+    }
+
+private:
+    std::vector<std::uint32_t> begins_, numbers_;
+};
+
+// Which pieces go: from the most worthy chain to the least, and what has gone takes nothing with it. Nothing: none.
+std::vector<bool> pieces_to_go(const PageGeometry& geometry, const Drawing& drawing, NearSuspects& near, double lacks) {
+    const std::vector<std::size_t> worth = worth_of(geometry, drawing);
+    const Rivals rivals(geometry, near, lacks, worth);
+    if (rivals.empty()) return {};
+    std::vector<std::size_t> by_worth(worth.size());
+    for (std::size_t c = 0; c < worth.size(); ++c) by_worth[worth.size() - 1 - worth[c]] = c;
     std::vector<bool> gone(geometry.pieces.size());
-    for (const Rivals& rivals : all)
-        if (!gone[rivals.greater]) gone[rivals.lesser] = true;
+    bool any = false;
+    for (const std::size_t c : by_worth) {
+        const Chain& chain = geometry.chains[c];
+        const std::size_t tip = tip_of(geometry, chain);
+        for (std::size_t k = 0; k < chain.count; ++k) {
+            const std::size_t piece = chain.first + (tip + k) % chain.count;
+            const auto all = rivals.of(piece);
+            gone[piece] = std::any_of(all.begin(), all.end(), [&](std::uint32_t number) {
+                const auto suspect = near[number];
+                return !gone[suspect.one == piece ? suspect.other : suspect.one] && near.is_too_close(number);
+            });
+            any = any || gone[piece];
+        }
+    }
+    if (!any) gone.clear();
     return gone;
 }
 
@@ -136,14 +164,11 @@ std::vector<Stroke> without(const Stroke& stroke, const PageGeometry& geometry, 
     return left;
 }
 
-Mends cut_lesser(Drawing& drawing, const Medium& medium, const Seen& seen, double lacks, Vicinity& changed) {
+Mends cut_lesser(Drawing& drawing, const Medium& medium, Seen& seen, double lacks, Vicinity& changed) {
     const PageGeometry& geometry = seen.geometry;
-    std::vector<NearPair> near;
-    std::copy_if(seen.near.pairs.begin(), seen.near.pairs.end(), std::back_inserter(near),
-                 [lacks](const NearPair& pair) { return pair.lacks > lacks + kRounding; });
     Mends changes;
-    if (near.empty()) return changes;
-    const std::vector<bool> gone = pieces_to_go(geometry, drawing, near);
+    const std::vector<bool> gone = pieces_to_go(geometry, drawing, seen.near, lacks);
+    if (gone.empty()) return changes;
     const double reach = reach_of_change(geometry, medium);
     std::vector<Stroke> strokes;
     for (const Chain& chain : geometry.chains) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "tactics/repair/means.h"
+#include "tactics/rules/rule.h"
 
 namespace tactics {
 
@@ -30,10 +31,10 @@ bool points_to(const PageGeometry& geometry, const Station& end, double inwards,
 
 }  // namespace
 
-Mends join_ends(Drawing& drawing, const Medium& medium, const Seen& seen) {
+Mends join_ends(Drawing& drawing, const Medium& medium, Seen& seen) {
     const PageGeometry& geometry = seen.geometry;
     std::map<std::pair<std::size_t, bool>, Joint> joints;  // of a chain's beginning (true) or end
-    const auto look = [&](std::uint32_t piece, Point at, std::uint32_t other, Point to) {
+    const auto look = [&](std::size_t number, std::uint32_t piece, Point at, std::uint32_t other, Point to) {
         const std::uint32_t c = geometry.pieces[piece].chain;
         const Chain& chain = geometry.chains[c];
         if (chain.ring || chain.closed || chain.length < kLastPart) return;
@@ -41,14 +42,16 @@ Mends join_ends(Drawing& drawing, const Medium& medium, const Seen& seen) {
         if (gap > kNearly * medium.gap) return;
         for (const bool begins : {true, false}) {
             const Station end{c, begins ? 0 : chain.length};
-            if (distance(at, geometry.point_at(end)) > kAtEnd) continue;
+            if (distance(at, geometry.point_at(end)) > kAtEnd || !seen.near.is_too_close(number)) continue;
             const auto [known, fresh] = joints.try_emplace({c, begins}, Joint{to, gap});
             if (!fresh && known->second.gap > gap) known->second = {to, gap};
         }
     };
-    for (const NearPair& pair : seen.near.pairs) {
-        look(pair.one, pair.at, pair.other, pair.other_at);
-        look(pair.other, pair.other_at, pair.one, pair.at);
+    for (std::size_t i = 0; i < seen.near.size(); ++i) {
+        if (seen.near[i].white > kNearly * medium.gap + kRounding) continue;
+        const NearPair pair = seen.near.pair(i);
+        look(i, pair.one, pair.at, pair.other, pair.other_at);
+        look(i, pair.other, pair.other_at, pair.one, pair.at);
     }
     Mends changes;
     std::vector<Point> reached;

@@ -18,7 +18,7 @@ using Mends = std::vector<Mend>;
 Mends thin_out(Drawing& drawing, const Medium& medium, double times);
 
 /// Ends that nearly meet a line, and point to it, are led onto it.
-Mends join_ends(Drawing& drawing, const Medium& medium, const Seen& seen);
+Mends join_ends(Drawing& drawing, const Medium& medium, Seen& seen);
 
 /// Bends lines that are too close away from each other, each by at most kFarthestMove. Lines that end on another move with it.
 /// Areas stay. Nothing if that does not help: then the drawing is unchanged. Bends too small to mention are not among the
@@ -31,15 +31,15 @@ inline constexpr double kFarthestMove = 1;  // mm
 
 /// Where small areas are too close to others, lines that only go round one of them go, of all small areas alike, so that they
 /// stay alike; true: some went. What is drawn stays, by half a line's width smaller.
-bool drop_rims(Drawing& drawing, const Seen& seen);
+bool drop_rims(Drawing& drawing, Seen& seen);
 
 /// Small areas that are too close to others, as points of a chart are, move away as they are, each by at most kFarthestMove.
 /// Nothing if that does not help.
-Mends move_areas_apart(Drawing& drawing, const Medium& medium, const Seen& seen);
+Mends move_areas_apart(Drawing& drawing, const Medium& medium, Seen& seen);
 
 /// Areas that are too close to others, or have slits that are too narrow, become outlines; small ones go. Others may then be
 /// too close across the place that became free.
-Mends outline_areas(Drawing& drawing, const Seen& seen);
+Mends outline_areas(Drawing& drawing, Seen& seen);
 
 /// If the page is too black, turns the largest areas into outlines.
 Mends lighten(Drawing& drawing, const Medium& medium);
@@ -49,7 +49,7 @@ Mends break_crossings(Drawing& drawing, const Medium& medium, const PageGeometry
 
 /// Takes away what is too close, by more than `lacks` mm, to something of more worth. Once may not be enough, as new ends come
 /// near to others; they do so in `changed` only.
-Mends cut_lesser(Drawing& drawing, const Medium& medium, const Seen& seen, double lacks, Vicinity& changed);
+Mends cut_lesser(Drawing& drawing, const Medium& medium, Seen& seen, double lacks, Vicinity& changed);
 
 /// The remaining runs of pieces of a stroke, as strokes, without those shorter than `shortest`. `gone` has a flag for each piece
 /// of the chain. Records the changes; a removed run beside another line that is longer than `along` is reported as merged.

@@ -24,10 +24,9 @@ void each_distance(const Medium& medium, Visit visit) {
         if (const auto limit = limit_of(*find_rule(name), medium)) visit(*limit + kRoom, apart);
 }
 
-void add(NearPairs& near, const NarrowPairs& found, double limit, Apart apart) {
+void add(NearPairs& near, const NarrowPairs& found, double limit) {
     for (const NarrowPair& pair : found.pairs)
         near.pairs.push_back({pair.one, pair.other, pair.at, pair.other_at, limit - pair.measured});
-    if (apart == Apart::edges) near.gaps = near.pairs.size();
     near.work += found.work;
     near.complete = near.complete && found.complete;
 }
@@ -48,12 +47,43 @@ Page page_of(const Drawing& drawing, const Medium& medium) {
     return page;
 }
 
-NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double lacks, const Vicinity* where) {
-    NearPairs near;
+NearSuspects::NearSuspects(const PageGeometry& geometry, const Medium& medium, double lacks, const Vicinity* where)
+    : geometry_(geometry), begins_{0} {
     each_distance(medium, [&](double limit, Apart apart) {
-        if (limit > lacks) add(near, narrow_pairs(geometry, limit - lacks, apart, where), limit, apart);
+        if (!(limit > lacks)) return;
+        rules_.push_back({limit, apart, {geometry, limit - lacks, apart, where}});
+        begins_.push_back(begins_.back() + rules_.back().suspects.all().size());
     });
-    return near;
+}
+
+NearSuspects::Suspect NearSuspects::operator[](std::size_t number) const {
+    const std::size_t number_of_rule = rule_of(number);
+    const ByRule& rule = rules_[number_of_rule];
+    const auto [one, other, measured] = rule.suspects.all()[number - begins_[number_of_rule]];
+    const double ink =
+        geometry_.chains[geometry_.pieces[one].chain].half_width + geometry_.chains[geometry_.pieces[other].chain].half_width;
+    return {one, other, rule.limit - measured, rule.apart == Apart::edges ? measured : measured - ink};
+}
+
+NearPair NearSuspects::pair(std::size_t number) const {
+    const auto [one, other, lacks, white] = (*this)[number];
+    const Nearest near = nearest(geometry_.pieces[one].line, geometry_.pieces[other].line);
+    return {one, other, near.one, near.other, lacks};
+}
+
+bool NearSuspects::is_too_close(std::size_t number) {
+    const std::size_t rule = rule_of(number);
+    return rules_[rule].suspects.is_narrow(number - begins_[rule]);
+}
+
+bool NearSuspects::any_too_close() {
+    for (std::size_t i = 0; i < size(); ++i)
+        if (is_too_close(i)) return true;
+    return false;
+}
+
+bool NearSuspects::complete() const {
+    return std::all_of(rules_.begin(), rules_.end(), [](const ByRule& rule) { return rule.suspects.complete(); });
 }
 
 MovingNearPairs::MovingNearPairs(const PageGeometry& geometry, const Medium& medium, double lacks, double moves) {
@@ -64,7 +94,7 @@ MovingNearPairs::MovingNearPairs(const PageGeometry& geometry, const Medium& med
 
 NearPairs MovingNearPairs::pairs(std::span<const Segment> now, std::size_t most) {
     NearPairs near;
-    for (ByRule& rule : rules_) add(near, rule.moving.pairs(now, most), rule.limit, rule.apart);
+    for (ByRule& rule : rules_) add(near, rule.moving.pairs(now, most), rule.limit);
     return near;
 }
 
@@ -75,27 +105,33 @@ double reach_of_change(const PageGeometry& geometry, const Medium& medium) {
 }
 
 Seen::Seen(const Drawing& drawing, const Medium& medium, const Vicinity* where, double lacks)
-    : page(page_of(drawing, medium)), geometry(page), near(near_pairs(geometry, medium, lacks, where)) {}
+    : page(page_of(drawing, medium)), geometry(page), near(geometry, medium, lacks, where) {}
 
 // A drawing has no margins and no braille.
-Broken broken_rules(const Seen& seen, const Medium& medium) {
-    Broken broken{0, seen.near.complete};
-    // Between each two chains the rules tell the narrowest place.
+Broken broken_rules(Seen& seen, const Medium& medium) {
+    Broken broken;
+    // Between each two chains the rules tell the narrowest place, so only one is asked for.
     const auto count = [&](std::size_t begin, std::size_t end) {
-        std::vector<std::uint64_t> chains;
+        constexpr std::size_t kLately = 1 << 12;
+        std::vector<std::uint64_t> chains, lately(kLately);
         for (std::size_t i = begin; i < end; ++i) {
-            const NearPair& pair = seen.near.pairs[i];
-            if (pair.lacks <= kRoom + kRounding) continue;
-            const std::uint64_t a = seen.geometry.pieces[pair.one].chain, b = seen.geometry.pieces[pair.other].chain;
-            chains.push_back(std::min(a, b) << 32 | std::max(a, b));
+            const auto [one, other, lacks, white] = seen.near[i];
+            if (lacks <= kRoom + kRounding) continue;
+            const std::uint64_t a = seen.geometry.pieces[one].chain, b = seen.geometry.pieces[other].chain;
+            const std::uint64_t both = std::min(a, b) << 32 | std::max(a, b), told = both + 1;  // 0: none
+            std::uint64_t& known = lately[both * 0x9e3779b97f4a7c15 >> 52];
+            if (known == told || !seen.near.is_too_close(i)) continue;
+            known = told;
+            chains.push_back(both);
         }
         std::sort(chains.begin(), chains.end());
         const auto places = static_cast<std::size_t>(std::unique(chains.begin(), chains.end()) - chains.begin());
         broken.places += std::min(places, kMostPlaces);
         broken.complete = broken.complete && places <= kMostPlaces;
     };
-    count(0, seen.near.gaps);
-    count(seen.near.gaps, seen.near.pairs.size());
+    for (std::size_t rule = 0; rule + 1 < seen.near.begins().size(); ++rule)
+        count(seen.near.begins()[rule], seen.near.begins()[rule + 1]);
+    broken.complete = broken.complete && seen.near.complete();
     for (const Demand& demand : demands_of(medium)) {
         if (!demand.rule->hard || demand.rule == find_rule("gap") || demand.rule == find_rule("merging-dots")) continue;
         const Findings findings = demand.rule->check(seen.geometry, demand.limit);

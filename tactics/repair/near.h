@@ -22,16 +22,50 @@ struct NearPair {
     Point at, other_at;                ///< where they are nearest, on their middle lines
     double lacks = 0;                  ///< mm
 };
+
+/// Pairs that break the hard rules for distances of that medium unless ink joins or covers them, which takes longest to tell: ask
+/// about no more of them than must be known.
+class NearSuspects {
+public:
+    /// Those that lack more than `lacks`, `where` or anywhere. The geometry must outlive them.
+    NearSuspects(const PageGeometry& geometry, const Medium& medium, double lacks = 0, const Vicinity* where = nullptr);
+
+    struct Suspect {
+        std::uint32_t one, other;  ///< pieces of the geometry
+        double lacks;              ///< mm
+        double white;              ///< mm from edge to edge
+    };
+    std::size_t size() const { return begins_.back(); }
+    /// Where those of each rule begin; at last `size()`.
+    const std::vector<std::size_t>& begins() const { return begins_; }
+    Suspect operator[](std::size_t number) const;
+    NearPair pair(std::size_t number) const;
+    /// Remembers the answer.
+    bool is_too_close(std::size_t number);
+    bool any_too_close();
+    /// False: there are more, or so much was asked that some answers are not known and count as no.
+    bool complete() const;
+
+private:
+    struct ByRule {
+        double limit;
+        Apart apart;
+        NarrowSuspects suspects;
+    };
+    std::size_t rule_of(std::size_t number) const { return rules_.size() > 1 && number >= begins_[1] ? 1 : 0; }
+
+    const PageGeometry& geometry_;
+    std::vector<ByRule> rules_;
+    std::vector<std::size_t> begins_;
+};
+
 struct NearPairs {
     std::vector<NearPair> pairs;
-    std::size_t gaps = 0;  ///< this many at the beginning break the rule gap, the others merging-dots
     std::size_t work = 0;  ///< number of comparisons
     bool complete = true;
 };
-/// By the hard rules for distances of that medium: those that lack more than `lacks`, `where` or anywhere.
-NearPairs near_pairs(const PageGeometry& geometry, const Medium& medium, double lacks = 0, const Vicinity* where = nullptr);
 
-/// The same while lines bend, at most `moves` mm from their place in the geometry, which must outlive it.
+/// Pairs that are too close while lines bend, at most `moves` mm from their place in the geometry, which must outlive it.
 class MovingNearPairs {
 public:
     MovingNearPairs(const PageGeometry& geometry, const Medium& medium, double lacks, double moves);
@@ -60,7 +94,7 @@ struct Seen {
 
     const Page page;
     const PageGeometry geometry;
-    const NearPairs near;
+    NearSuspects near;
 };
 
 /// Places that break a hard rule about lines and areas, as check_page counts them.
@@ -68,7 +102,7 @@ struct Broken {
     std::size_t places = 0;
     bool complete = true;
 };
-Broken broken_rules(const Seen& seen, const Medium& medium);
+Broken broken_rules(Seen& seen, const Medium& medium);
 
 /// The worth of each chain of the geometry: of two that are too close, the one of greater worth stays. Areas come before lines,
 /// then the wider line, then the one with more evidence. All are different.

@@ -42,7 +42,7 @@ public:
     Repairing(Drawing& drawing, const Medium& medium) : drawing_(drawing), medium_(medium) { put_on_steps(drawing_); }
 
     // All of the drawing.
-    const Seen& seen() {
+    Seen& seen() {
         if (!seen_) seen_ = std::make_unique<Seen>(drawing_, medium_);
         return *seen_;
     }
@@ -65,15 +65,15 @@ public:
         constexpr double kHopeless = 2 * kFarthestMove;
         Vicinity all(drawing_.width, drawing_.height);
         if (seen_) {
-            use([&](const Seen& seen) { return cut_lesser(drawing_, medium_, seen, kHopeless, all); });
+            use([&](Seen& seen) { return cut_lesser(drawing_, medium_, seen, kHopeless, all); });
             return;
         }
-        const Seen hopeless(drawing_, medium_, nullptr, kHopeless);
+        Seen hopeless(drawing_, medium_, nullptr, kHopeless);
         add(cut_lesser(drawing_, medium_, hopeless, kHopeless, all));
     }
 
     void bend() {
-        if (seen_ && seen_->near.pairs.empty()) return;
+        if (seen_ && !seen_->near.any_too_close()) return;
         const auto bends = move_apart(drawing_, medium_);
         if (!bends) return;
         add(*bends);
@@ -85,7 +85,7 @@ public:
     void break_crossings() {
         const auto mean = [this](const PageGeometry& geometry) { return tactics::break_crossings(drawing_, medium_, geometry); };
         if (seen_) {
-            use([&](const Seen& seen) { return mean(seen.geometry); });
+            use([&](Seen& seen) { return mean(seen.geometry); });
             return;
         }
         const Page page = page_of(drawing_, medium_);
@@ -99,7 +99,7 @@ public:
         for (int round = 0; round < kMostRounds; ++round) {
             Vicinity changed(drawing_.width, drawing_.height);
             if (!add(cut_lesser(drawing_, medium_, *seen_, 0, changed))) break;
-            all = !seen_->near.complete;
+            all = !seen_->near.complete();
             seen_ = std::make_unique<Seen>(drawing_, medium_, all ? nullptr : &changed);
         }
         // No line is near anything, here or elsewhere; but areas may be, which no cutting sees to.
@@ -145,32 +145,34 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         repaired.kept = length_before > 0 ? std::min(1.0, length_of_all(mended) / length_before) : 1;
     };
     repairing.thin(kMostLine);
-    if (!repairing.seen().near.complete) repairing.thin(kMostLine / 2);
-    const Broken before = broken_rules(repairing.seen(), medium);
+    Broken before = broken_rules(repairing.seen(), medium);
+    if (!repairing.seen().near.complete()) {
+        repairing.thin(kMostLine / 2);
+        before = broken_rules(repairing.seen(), medium);
+    }
     repaired.broken_before = repaired.broken_after = before.places;
-    if (!repairing.seen().near.complete) {
+    if (!repairing.seen().near.complete()) {
         repaired.complete = false;
         finish();
         return repaired;
     }
     bool moved = false;  // areas move once, so that none goes farther than kFarthestMove
     const auto part_areas = [&] {
-        const auto move = [&](const Seen& seen) { return move_areas_apart(mended, medium, seen); };
+        const auto move = [&](Seen& seen) { return move_areas_apart(mended, medium, seen); };
         bool parted = !moved && repairing.use(move);
         moved = moved || parted;
         int round = 0;
-        while (round++ < kMostRounds && repairing.use([&](const Seen& seen) { return outline_areas(mended, seen); }))
-            parted = true;
+        while (round++ < kMostRounds && repairing.use([&](Seen& seen) { return outline_areas(mended, seen); })) parted = true;
         return parted;
     };
     if (before.places > 0) {
-        repairing.use([&](const Seen& seen) { return join_ends(mended, medium, seen); });
+        repairing.use([&](Seen& seen) { return join_ends(mended, medium, seen); });
         if (!mended.areas.empty()) {
             if (drop_rims(mended, repairing.seen())) {
                 repairing.look_again();
                 length_before = length_of_all(mended);
             }
-            repairing.use([&](const Seen&) { return lighten(mended, medium); });
+            repairing.use([&](Seen&) { return lighten(mended, medium); });
             part_areas();
         }
         repairing.cut_hopeless();

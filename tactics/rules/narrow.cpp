@@ -21,8 +21,6 @@ struct Candidate {
     Point one, other;
 };
 
-enum class Wanted { narrowest, all };
-
 Point towards(Point from, Point to, double by) {
     const double length = distance(from, to);
     return length > 0 ? Point{from.x + (to.x - from.x) / length * by, from.y + (to.y - from.y) / length * by} : from;
@@ -41,11 +39,10 @@ Phrase pair_words(const Chain& one, const Chain& other, bool same) {
 
 class NarrowSearch {
 public:
-    NarrowSearch(const PageGeometry& geometry, double limit, Apart apart, Wanted wanted, const Vicinity* where)
+    NarrowSearch(const PageGeometry& geometry, double limit, Apart apart, const Vicinity* where)
         : geometry_(geometry),
           limit_(limit),
           apart_(apart),
-          wanted_(wanted),
           grid_(boxes(geometry, limit), geometry.page.width, geometry.page.height),
           ways_(geometry) {
         middles_.reserve(geometry.pieces.size());
@@ -64,13 +61,18 @@ public:
         for (const Point& middle : middles_) within_.push_back(where->holds(middle));
     }
 
-    bool run() {
-        return geometry_.complete && grid_.pairs(kMostNear, [this](std::size_t i, std::size_t j) { return look(i, j); });
-    }
-
-    NarrowPairs pairs() {
-        const bool complete = run();
-        return {std::move(pairs_), looked_ + ways_.work(), complete};
+    // Calls take(i, j, nearest, measured) for all that are near enough, until it returns false; then that.
+    template <typename Take>
+    bool each_near(Take take) {
+        return geometry_.complete && grid_.pairs(kMostNear, [&](std::size_t i, std::size_t j) {
+            if (!within_.empty() && !within_[i] && !within_[j]) return true;
+            ++looked_;
+            if (is_far_or_bend(i, j)) return true;
+            const Nearest near = nearest(geometry_.pieces[i].line, geometry_.pieces[j].line);
+            const double ink = ink_of(i, j), measured = apart_ == Apart::edges ? near.distance - ink : near.distance;
+            if (near.distance - ink <= kTouch || measured >= limit_ - kRounding) return true;
+            return take(i, j, near, measured);
+        });
     }
 
     // Those that is_far_or_bend says nothing of; false: there are too many.
@@ -87,8 +89,20 @@ public:
 
     Findings places() {
         Findings findings;
-        findings.complete = run();
-        for (const auto& [pair, best] : best_) {
+        std::unordered_map<std::uint64_t, Candidate> narrowest;
+        std::size_t asked = 0;
+        findings.complete = each_near([&](std::size_t i, std::size_t j, const Nearest& near, double measured) {
+            const std::uint32_t a = geometry_.pieces[i].chain, b = geometry_.pieces[j].chain;
+            const std::uint64_t pair = (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
+            const auto known = narrowest.find(pair);
+            if (known != narrowest.end() && known->second.apart <= measured) return true;
+            if (++asked > kMostCandidates) return false;
+            if (!is_gap(i, j, near)) return !exhausted();
+            const Segment white = white_between(i, j, near);
+            narrowest[pair] = {measured, white.a, white.b};
+            return narrowest.size() <= kMostPlaces;
+        });
+        for (const auto& [pair, best] : narrowest) {
             const std::size_t a = pair >> 32, b = pair & 0xffffffff;
             findings.places.push_back(
                 {best.apart, best.one, best.other, pair_words(geometry_.chains[a], geometry_.chains[b], a == b)});
@@ -128,30 +142,6 @@ private:
         all.reserve(geometry.pieces.size());
         for (std::size_t i = 0; i < geometry.pieces.size(); ++i) all.push_back(geometry.box_of_piece(i, limit / 2));
         return all;
-    }
-
-    bool look(std::size_t i, std::size_t j) {
-        if (!within_.empty() && !within_[i] && !within_[j]) return true;
-        ++looked_;
-        if (is_far_or_bend(i, j)) return true;
-        const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
-        const Nearest near = nearest(p.line, q.line);
-        const double ink = ink_of(i, j), measured = apart_ == Apart::edges ? near.distance - ink : near.distance;
-        if (near.distance - ink <= kTouch || measured >= limit_ - kRounding) return true;
-        const std::uint64_t pair = (std::uint64_t{std::min(p.chain, q.chain)} << 32) | std::max(p.chain, q.chain);
-        if (wanted_ == Wanted::narrowest) {
-            const auto known = best_.find(pair);
-            if (known != best_.end() && known->second.apart <= measured) return true;
-        }
-        if (++candidates_ > kMostCandidates) return false;
-        if (!is_gap(i, j, near)) return !ways_.exhausted();
-        if (wanted_ == Wanted::all) {
-            pairs_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), measured, near.one, near.other});
-            return true;
-        }
-        const Segment white = white_between(i, j, near);
-        best_[pair] = {measured, white.a, white.b};
-        return best_.size() <= kMostPlaces;
     }
 
     // Most pairs are dismissed quickly: too far apart, or parts of one line with a bend between them.
@@ -195,32 +185,48 @@ private:
     const PageGeometry& geometry_;
     double limit_;
     Apart apart_;
-    Wanted wanted_;
     Grid grid_;
     std::vector<Point> middles_;  // of pieces
     std::vector<double> halves_;  // half their lengths, mm
     std::vector<bool> within_;    // pieces that are where it is looked; empty: all are
     std::vector<bool> patterns_;  // chains that are marks of a texture
     bool any_area_ = false;
-    std::unordered_map<std::uint64_t, Candidate> best_;
-    std::vector<NarrowPair> pairs_;
-    std::size_t candidates_ = 0, looked_ = 0;
+    std::size_t looked_ = 0;
     InkWays ways_;
 };
 
 Findings narrow_places(const PageGeometry& geometry, double limit, Apart apart) {
-    return NarrowSearch(geometry, limit, apart, Wanted::narrowest, nullptr).places();
+    return NarrowSearch(geometry, limit, apart, nullptr).places();
 }
 
-NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart, const Vicinity* where) {
-    return NarrowSearch(geometry, limit, apart, Wanted::all, where).pairs();
+NarrowSuspects::NarrowSuspects(const PageGeometry& geometry, double limit, Apart apart, const Vicinity* where)
+    : geometry_(geometry), search_(std::make_unique<NarrowSearch>(geometry, limit, apart, where)) {
+    complete_ = search_->each_near([this](std::size_t i, std::size_t j, const Nearest&, double measured) {
+        all_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), measured});
+        return all_.size() <= kMostCandidates;
+    });
+    told_.resize(all_.size());
 }
+
+NarrowSuspects::~NarrowSuspects() = default;
+NarrowSuspects::NarrowSuspects(NarrowSuspects&&) noexcept = default;
+
+bool NarrowSuspects::is_narrow(std::size_t number) {
+    Told& told = told_[number];
+    if (told == Told::nothing) {
+        const auto [i, j, measured] = all_[number];
+        told = search_->is_gap(i, j, nearest(geometry_.pieces[i].line, geometry_.pieces[j].line)) ? Told::yes : Told::no;
+    }
+    return told == Told::yes;
+}
+
+bool NarrowSuspects::complete() const { return complete_ && !search_->exhausted(); }
 
 MovingNarrowPairs::MovingNarrowPairs(const PageGeometry& geometry, double limit, Apart apart, double moves)
     : geometry_(geometry),
       limit_(limit),
       apart_(apart),
-      search_(std::make_unique<NarrowSearch>(geometry, limit + 2 * moves, apart, Wanted::all, nullptr)),
+      search_(std::make_unique<NarrowSearch>(geometry, limit + 2 * moves, apart, nullptr)),
       complete_(search_->suspects([this](std::size_t i, std::size_t j) {
           suspects_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), Told::nothing});
       })) {}

@@ -28,24 +28,50 @@ inline constexpr double kBend = 4;
 /// - what is black between the two, or has a third thing in it.
 Findings narrow_places(const PageGeometry& geometry, double limit, Apart apart);
 
+class NarrowSearch;
+
+/// Two pieces that are nearer than the limit.
+struct NearPieces {
+    std::uint32_t one = 0, other = 0;  ///< pieces
+    double measured = 0;
+};
+
+/// All that may be narrow places, not just the narrowest between each two things. To tell whether one is takes far longer than to
+/// tell that it may be, so each is asked about on its own, and the answer is kept.
+class NarrowSuspects {
+public:
+    /// Those of which one piece has its middle `where`; nullptr: anywhere. The geometry must outlive them.
+    NarrowSuspects(const PageGeometry& geometry, double limit, Apart apart, const Vicinity* where = nullptr);
+    ~NarrowSuspects();
+    NarrowSuspects(NarrowSuspects&&) noexcept;
+
+    const std::vector<NearPieces>& all() const { return all_; }
+    bool is_narrow(std::size_t number);
+    /// False: there are more, or so much was asked that some answers are not known and count as no.
+    bool complete() const;
+
+private:
+    const PageGeometry& geometry_;
+    std::unique_ptr<NarrowSearch> search_;
+    std::vector<NearPieces> all_;
+    enum class Told : std::uint8_t { nothing, yes, no };
+    std::vector<Told> told_;  ///< of each
+    bool complete_;
+};
+
 /// Two pieces that are nearer than the limit, where they are nearest.
 struct NarrowPair {
     std::uint32_t one = 0, other = 0;  ///< pieces
     double measured = 0;
     Point at, other_at;  ///< on their middle lines
 };
-/// All that make the narrow places, not just the narrowest between each two things.
 struct NarrowPairs {
     std::vector<NarrowPair> pairs;
     std::size_t work = 0;  ///< number of comparisons; unlike time, it is the same for the same page
     bool complete = true;
 };
-/// Those of which one piece has its middle `where`; nullptr: anywhere.
-NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart, const Vicinity* where = nullptr);
 
-class NarrowSearch;
-
-/// The same, repeatedly, while lines bend: no point may move farther than `moves` mm from its place in the geometry. Bends,
+/// Those that are, repeatedly, while lines bend: no point may move farther than `moves` mm from its place in the geometry. Bends,
 /// meetings and covered parts are determined once, from the initial state, and do not change. The geometry must outlive it.
 class MovingNarrowPairs {
 public:

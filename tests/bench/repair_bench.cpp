@@ -36,10 +36,10 @@ BENCHMARK(mend)->Name("repair/sheets")->Arg(1)->Arg(2)->Arg(3)->Unit(benchmark::
 void look(benchmark::State& state) {
     const Page page = page_of(drawing_on(static_cast<int>(state.range(0))), swell());
     const PageGeometry geometry(page);
-    for (auto _ : state) benchmark::DoNotOptimize(near_pairs(geometry, swell()));
+    for (auto _ : state) benchmark::DoNotOptimize(NearSuspects(geometry, swell()));
     state.counters["pieces"] = static_cast<double>(geometry.pieces.size());
 }
-BENCHMARK(look)->Name("near_pairs/sheets")->Arg(1)->Arg(2)->Arg(3)->Unit(benchmark::kMillisecond);
+BENCHMARK(look)->Name("near_suspects/sheets")->Arg(1)->Arg(2)->Arg(3)->Unit(benchmark::kMillisecond);
 
 void measure(benchmark::State& state) {
     const Page page = page_of(drawing_on(1), swell());

@@ -3,8 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "tactics/rules/narrow.h"
 #include "tests/rules/pages.h"
@@ -31,12 +36,57 @@ std::set<std::tuple<std::uint32_t, std::uint32_t, long>> told(const NarrowPairs&
     return all;
 }
 
+// Looks at the page as it is.
+NarrowPairs narrow_pairs(const PageGeometry& geometry, double limit, Apart apart) {
+    NarrowSuspects suspects(geometry, limit, apart);
+    NarrowPairs found;
+    for (std::size_t i = 0; i < suspects.all().size(); ++i)
+        if (const auto [one, other, measured] = suspects.all()[i]; suspects.is_narrow(i))
+            found.pairs.push_back({one, other, measured, {}, {}});
+    found.complete = suspects.complete();
+    return found;
+}
+
 Page tangle(unsigned seed) {
     Dice chance(seed);
     Page page = blank_page(120, 120);
     for (int i = 0; i < 14; ++i)
         add_line(page, wandering_line(chance, {chance.between(20, 100), chance.between(20, 100)}, 6, 12), 0.8, i % 4 == 0);
     return page;
+}
+
+// The rule tells the narrowest of them; they are asked about in any order, and twice.
+TEST(NarrowSuspects, AnswerAsTheRuleDoesInAnyOrder) {
+    std::size_t places = 0, no = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const Page page = tangle(seed);
+        const PageGeometry geometry(page);
+        NarrowSuspects suspects(geometry, kLimit, Apart::edges);
+        ASSERT_TRUE(suspects.complete());
+        std::vector<std::size_t> order(suspects.all().size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        Dice chance(seed);
+        for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[chance.below(i)]);
+        std::map<std::pair<std::uint32_t, std::uint32_t>, double> narrowest;
+        std::vector<bool> answers(order.size());
+        for (const std::size_t i : order) {
+            const auto [one, other, measured] = suspects.all()[i];
+            answers[i] = suspects.is_narrow(i);
+            no += !answers[i];
+            if (!answers[i]) continue;
+            const std::uint32_t a = geometry.pieces[one].chain, b = geometry.pieces[other].chain;
+            const auto [known, fresh] = narrowest.try_emplace({std::min(a, b), std::max(a, b)}, measured);
+            if (!fresh) known->second = std::min(known->second, measured);
+        }
+        for (const std::size_t i : order) EXPECT_EQ(suspects.is_narrow(i), answers[i]);
+        std::multiset<double> expected, found;
+        for (const Finding& finding : narrow_places(geometry, kLimit, Apart::edges).places) expected.insert(finding.measured);
+        for (const auto& [chains, measured] : narrowest) found.insert(measured);
+        EXPECT_EQ(found, expected) << seed;
+        places += expected.size();
+    }
+    EXPECT_GT(places, 100u);
+    EXPECT_GT(no, 1000u);
 }
 
 TEST(MovingPairs, AreThoseOfThePageWhereNothingMoves) {
