@@ -9,7 +9,7 @@
 #include "tactics/readers/gzip.h"
 #include "tests/print/hard_pages.h"
 
-namespace tactics {
+namespace tactics::own_pdf_test {
 namespace {
 
 std::string written(const std::string& name, const std::vector<Page>& pages) {
@@ -73,4 +73,4 @@ TEST(OwnPdf, HostileTablesAreHarmless) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::own_pdf_test
