@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <utility>
 #include <vector>
 
+#include "tactics/geometry/course.h"
 #include "tactics/geometry/grid.h"
 #include "tactics/geometry/line_styles.h"
 #include "tactics/geometry/vectors.h"
@@ -237,6 +239,27 @@ private:
     double left_ = kMostOfAll;           // dashes
 };
 
+// Wide marks on both legs of a sharp bend may be too near to each other: of two the later goes.
+void leave_out_crowded(std::vector<Stroke>& marks, const Medium& medium) {
+    constexpr double kRounding = 0.03;  // mm: steps of the page
+    if (marks.size() < 2) return;
+    std::vector<Stroke> kept;
+    for (Stroke& mark : marks) {
+        const double width = width_of(mark.line, medium), least = medium.gap + width + kRounding, length = length_of(mark);
+        const bool crowded = std::any_of(kept.begin(), kept.end(), [&](const Stroke& other) {
+            if (distance(mark.points[0], other.points[0]) > least + length + length_of(other)) return false;
+            for (const auto& [one, two] :
+                 {std::pair<const Stroke*, const Stroke*>{&mark, &other}, std::pair<const Stroke*, const Stroke*>{&other, &mark}})
+                for (const Point& p : one->points)
+                    for (std::size_t k = 0; k + 1 < two->points.size(); ++k)
+                        if (distance_to_segment(p, two->points[k], two->points[k + 1]) < least) return true;
+            return false;
+        });
+        if (!crowded) kept.push_back(std::move(mark));
+    }
+    marks = std::move(kept);
+}
+
 }  // namespace
 
 bool cut_dashes(Drawing& drawing, const Medium& medium) {
@@ -253,6 +276,7 @@ bool cut_dashes(Drawing& drawing, const Medium& medium) {
             continue;
         }
         std::vector<Stroke> dashes = dashing.cut(i);
+        if (drawing.strokes[i].line == LineClass::thick) leave_out_crowded(dashes, medium);
         any = any || dashes.size() > 1;
         for (Stroke& dash : dashes) dash.role = Role::dash;
         std::move(dashes.begin(), dashes.end(), std::back_inserter(strokes));
