@@ -24,18 +24,21 @@ Nearest nearest(const Segment& one, const Segment& other) {
         const Point p{one.a.x + t * (one.b.x - one.a.x), one.a.y + t * (one.b.y - one.a.y)};
         return {0, p, p};
     }
-    // Compares squares, because it is called for every two pieces that are near each other.
-    Nearest best{std::numeric_limits<double>::infinity(), {}, {}};
-    const auto consider = [&best](Point p, Point q) {
-        const double dx = p.x - q.x, dy = p.y - q.y, square = dx * dx + dy * dy;
-        if (square < best.distance) best = {square, p, q};
-    };
-    consider(one.a, nearest_on(other, one.a));
-    consider(one.b, nearest_on(other, one.b));
-    consider(nearest_on(one, other.a), other.a);
-    consider(nearest_on(one, other.b), other.b);
-    best.distance = std::sqrt(best.distance);
-    return best;
+    // Compares squares, and all four before it chooses, because it is called for every two pieces that are near each other.
+    const Point on_other_a = nearest_on(other, one.a), on_other_b = nearest_on(other, one.b);
+    const Point on_one_a = nearest_on(one, other.a), on_one_b = nearest_on(one, other.b);
+    const auto square = [](Point p, Point q) { return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y); };
+    const double squares[] = {square(one.a, on_other_a), square(one.b, on_other_b), square(on_one_a, other.a),
+                              square(on_one_b, other.b)};
+    const int first = squares[1] < squares[0] ? 1 : 0, last = squares[3] < squares[2] ? 3 : 2;
+    const int least = squares[last] < squares[first] ? last : first;
+    if (!(squares[least] < std::numeric_limits<double>::infinity())) return {std::numeric_limits<double>::infinity(), {}, {}};
+    switch (least) {
+        case 0: return {std::sqrt(squares[0]), one.a, on_other_a};
+        case 1: return {std::sqrt(squares[1]), one.b, on_other_b};
+        case 2: return {std::sqrt(squares[2]), on_one_a, other.a};
+        default: return {std::sqrt(squares[3]), on_one_b, other.b};
+    }
 }
 
 Box box_of(const Segment& s, double margin) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "tactics/repair/means.h"
 #include "tactics/rules/rule.h"
@@ -34,6 +35,12 @@ bool points_to(const PageGeometry& geometry, const Station& end, double inwards,
 Mends join_ends(Drawing& drawing, const Medium& medium, Seen& seen) {
     const PageGeometry& geometry = seen.geometry;
     std::map<std::pair<std::size_t, bool>, Joint> joints;  // of a chain's beginning (true) or end
+    struct Ends {
+        Point begin, end;
+    };
+    std::vector<Ends> ends;  // of each chain
+    for (const Chain& chain : geometry.chains)
+        ends.push_back({geometry.pieces[chain.first].line.a, geometry.pieces[chain.first + chain.count - 1].line.b});
     const auto look = [&](std::size_t number, std::uint32_t piece, Point at, std::uint32_t other, Point to) {
         const std::uint32_t c = geometry.pieces[piece].chain;
         const Chain& chain = geometry.chains[c];
@@ -41,8 +48,7 @@ Mends join_ends(Drawing& drawing, const Medium& medium, Seen& seen) {
         const double gap = distance(at, to) - chain.half_width - geometry.chains[geometry.pieces[other].chain].half_width;
         if (gap > kNearly * medium.gap) return;
         for (const bool begins : {true, false}) {
-            const Station end{c, begins ? 0 : chain.length};
-            if (distance(at, geometry.point_at(end)) > kAtEnd || !seen.near.is_too_close(number)) continue;
+            if (distance(at, begins ? ends[c].begin : ends[c].end) > kAtEnd || !seen.near.is_too_close(number)) continue;
             const auto [known, fresh] = joints.try_emplace({c, begins}, Joint{to, gap});
             if (!fresh && known->second.gap > gap) known->second = {to, gap};
         }

@@ -55,8 +55,10 @@ public:
         return true;
     }
 
-    void thin(double times) {
-        if (add(thin_out(drawing_, medium_, times))) seen_.reset();
+    bool thin(double times) {
+        const bool thinned = add(thin_out(drawing_, medium_, times));
+        if (thinned) seen_.reset();
+        return thinned;
     }
 
     // Pairs that bending cannot help must not block those it can. They are a small part of all close pairs; if not all of these
@@ -145,11 +147,10 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         repaired.kept = length_before > 0 ? std::min(1.0, length_of_all(mended) / length_before) : 1;
     };
     repairing.thin(kMostLine);
+    if (!repairing.seen().near.complete()) repairing.thin(kMostLine / 2);
     Broken before = broken_rules(repairing.seen(), medium);
-    if (!repairing.seen().near.complete()) {
-        repairing.thin(kMostLine / 2);
-        before = broken_rules(repairing.seen(), medium);
-    }
+    // Also if it takes too long to tell what is too close.
+    if (!repairing.seen().near.complete() && repairing.thin(kMostLine / 2)) before = broken_rules(repairing.seen(), medium);
     repaired.broken_before = repaired.broken_after = before.places;
     if (!repairing.seen().near.complete()) {
         repaired.complete = false;

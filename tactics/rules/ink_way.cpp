@@ -32,6 +32,7 @@ InkWays::InkWays(const PageGeometry& geometry)
       ways_(2 * geometry.contacts.size()),
       asked_(2 * geometry.contacts.size()) {
     find_contacts_of_pieces();
+    find_touching();
 }
 
 void InkWays::find_contacts_of_pieces() {
@@ -52,6 +53,31 @@ void InkWays::find_contacts_of_pieces() {
             to_contact_[i] = std::max(0.0, std::min(piece.along - before, behind - end));
         }
     }
+}
+
+void InkWays::find_touching() {
+    constexpr int kLeast = 6, kMost = 16;  // powers of two
+    int size = kLeast;
+    while (size < kMost && (std::size_t{1} << size) < geometry_.contacts.size()) ++size;
+    touching_.resize(std::size_t{1} << size);
+    touching_shift_ = 64 - size;
+    for (const Contact& contact : geometry_.contacts) {
+        const bool turned = contact.one.chain > contact.other.chain;
+        const Station &one = turned ? contact.other : contact.one, &other = turned ? contact.one : contact.other;
+        touching_[touching_at(one.chain, other.chain)] = {static_cast<std::uint32_t>(one.chain),
+                                                          static_cast<std::uint32_t>(other.chain), one.along, other.along,
+                                                          contact.apart};
+    }
+}
+
+bool InkWays::touch_within(const Station& from, const Station& to, double most) const {
+    const bool turned = from.chain > to.chain;
+    const Station &one = turned ? to : from, &other = turned ? from : to;
+    const Touching& touching = touching_[touching_at(one.chain, other.chain)];
+    if (touching.first != one.chain || touching.last != other.chain || touching.first == touching.last) return false;
+    return geometry_.way(geometry_.chains[one.chain], one.along, touching.departs) + touching.between +
+               geometry_.way(geometry_.chains[other.chain], touching.arrives, other.along) <=
+           most;
 }
 
 bool InkWays::may_join(std::size_t piece, std::size_t other, double most) const {
@@ -129,10 +155,11 @@ void InkWays::find_gates(const Station& goal) {
 }
 
 bool InkWays::may_reach(Point from, double left) const {
-    return std::any_of(gates_.begin(), gates_.end(), [from, left](const Gate& gate) {
+    for (const Gate& gate : gates_) {
         const double straight = left - gate.way, dx = from.x - gate.at.x, dy = from.y - gate.at.y;
-        return straight >= 0 && dx * dx + dy * dy <= straight * straight;
-    });
+        if (straight >= 0 && dx * dx + dy * dy <= straight * straight) return true;
+    }
+    return false;
 }
 
 // Along the same chain from a place where a way has been it is no farther: nothing new comes of it. Lines that touch do so in
@@ -144,17 +171,30 @@ bool InkWays::is_detour(const Station& at, double way) const {
     });
 }
 
+// Lines that meet touch in many pieces side by side: what one of these contacts leads to, those farther on do, too.
+bool InkWays::is_beside_last(const Station& there, double way) {
+    Been& last = lately_[there.chain % lately_.size()];
+    if (last.at.chain == there.chain &&
+        last.way + geometry_.way(geometry_.chains[there.chain], last.at.along, there.along) <= way + kStraight)
+        return true;
+    last = {there, way};
+    return false;
+}
+
 bool InkWays::go_on(const Station& at, const Step* by, const Goal& goal) {
     const Chain& chain = geometry_.chains[at.chain];
     const auto& meetings = geometry_.contacts_of[at.chain];
     const double way = by == nullptr ? 0 : by->way, most = goal.most, reach = most - way;
     been_.push_back({at, way});
+    lately_.fill({{Known::kNone}, 0});
     std::size_t work = 10;
     const auto take = [&](const PageGeometry::Meets& here) {
         ++work;
         const Contact& contact = geometry_.contacts[here.contact];
         const double on = way + geometry_.way(chain, at.along, here.along) + contact.apart;
         if (on > most) return false;
+        const Station& there = here.turned ? contact.one : contact.other;
+        if (is_beside_last(there, on)) return false;
         // It is measured from the place of `one`.
         if (!may_reach(contact.at, most - (here.turned ? on : on - contact.apart) + kStraight)) return false;
         const std::size_t side = 2 * here.contact + (here.turned ? 1 : 0);
@@ -162,9 +202,10 @@ bool InkWays::go_on(const Station& at, const Step* by, const Goal& goal) {
         asked_[side] = question_;
         ways_[side] = on;
         const double departs = by == nullptr ? here.along : by->departs;
-        open_.push_back({on, departs, here.contact, here.turned});
-        std::push_heap(open_.begin(), open_.end(), kLonger);
-        const Station& there = here.turned ? contact.one : contact.other;
+        if (!is_detour(there, on)) {
+            open_.push_back({on, departs, here.contact, here.turned});
+            std::push_heap(open_.begin(), open_.end(), kLonger);
+        }
         if (there.chain != goal.at.chain) return false;
         if (on + geometry_.way(geometry_.chains[there.chain], there.along, goal.at.along) > most) return false;
         known(goal.from, goal.at) = {goal.from.chain, goal.at.chain, departs, there.along,

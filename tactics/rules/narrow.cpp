@@ -16,6 +16,9 @@ constexpr std::size_t kMostNear = 100'000'000;
 // Pairs near enough for a closer examination.
 constexpr std::size_t kMostCandidates = 1'000'000;
 
+// Mm by which sums of lengths may be off.
+constexpr double kSure = 1e-9;
+
 struct Candidate {
     double apart;
     Point one, other;
@@ -119,6 +122,14 @@ public:
         return geometry_.chains[geometry_.pieces[i].chain].half_width + geometry_.chains[geometry_.pieces[j].chain].half_width;
     }
 
+    // A bend, as an earlier search shows wherever on the two pieces they are nearest. Needs no nearest places.
+    bool is_known_bend(std::size_t i, std::size_t j, double apart) {
+        const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
+        const double beside = halves_[i] + halves_[j];
+        return ways_.known_within({p.chain, p.along + halves_[i]}, {q.chain, q.along + halves_[j]},
+                                  kBend * apart - beside - kSure);
+    }
+
     // It is white between the two, and no bend. The cheapest question first.
     bool is_gap(std::size_t i, std::size_t j, const Nearest& near) {
         const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
@@ -144,15 +155,18 @@ private:
         return all;
     }
 
-    // Most pairs are dismissed quickly: too far apart, or parts of one line with a bend between them.
+    // Most pairs are dismissed quickly: too far apart, or parts of one line or of two that touch, with a bend between them.
     bool is_far_or_bend(std::size_t i, std::size_t j) const {
         const Piece &p = geometry_.pieces[i], &q = geometry_.pieces[j];
         const bool one = patterns_[p.chain], other = patterns_[q.chain];
         if (apart_ == Apart::edges ? one || other : one && other) return true;
         const double ink = ink_of(i, j), least = distance(middles_[i], middles_[j]) - halves_[i] - halves_[j];
         if (least - (apart_ == Apart::edges ? ink : 0) >= limit_) return true;
-        return p.chain == q.chain && geometry_.way(geometry_.chains[p.chain], p.along, q.along) + geometry_.longest_piece <
-                                         kBend * std::max(ink + kTouch, least);
+        const double bend = kBend * std::max(ink + kTouch, least);
+        if (p.chain == q.chain)
+            return geometry_.way(geometry_.chains[p.chain], p.along, q.along) + geometry_.longest_piece < bend;
+        return ways_.touch_within({p.chain, p.along + halves_[i]}, {q.chain, q.along + halves_[j]},
+                                  bend - halves_[i] - halves_[j] - kSure);
     }
 
     Segment white_between(std::size_t i, std::size_t j, const Nearest& near) const {
@@ -171,12 +185,15 @@ private:
 
     bool is_covered(const Segment& between, std::uint32_t one, std::uint32_t other) {
         const Point middle = middle_of(between);
+        const double reach = distance(between.a, between.b) / 2 + kSure;
         return geometry_.ink.any_near(box_of(between, 0), [&](std::size_t k) {
             ++looked_;
             const Piece& third = geometry_.pieces[k];
             if (third.chain == one || third.chain == other) return false;
-            const double half_width = geometry_.chains[third.chain].half_width;
-            if (distance(middle, nearest_on(third.line, middle)) < half_width - 1e-6) return true;
+            const double half_width = geometry_.chains[third.chain].half_width,
+                         off = distance(middle, nearest_on(third.line, middle));
+            if (off < half_width - 1e-6) return true;
+            if (off > half_width + reach) return false;
             const double apart = nearest(between, third.line).distance;
             return half_width > 0 ? apart < half_width - 1e-6 : apart == 0;
         });
@@ -200,7 +217,7 @@ Findings narrow_places(const PageGeometry& geometry, double limit, Apart apart) 
 }
 
 NarrowSuspects::NarrowSuspects(const PageGeometry& geometry, double limit, Apart apart, const Vicinity* where)
-    : geometry_(geometry), search_(std::make_unique<NarrowSearch>(geometry, limit, apart, where)) {
+    : geometry_(geometry), apart_(apart), search_(std::make_unique<NarrowSearch>(geometry, limit, apart, where)) {
     complete_ = search_->each_near([this](std::size_t i, std::size_t j, const Nearest&, double measured) {
         all_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j), measured});
         return all_.size() <= kMostCandidates;
@@ -215,6 +232,11 @@ bool NarrowSuspects::is_narrow(std::size_t number) {
     Told& told = told_[number];
     if (told == Told::nothing) {
         const auto [i, j, measured] = all_[number];
+        const double apart = apart_ == Apart::edges ? measured + search_->ink_of(i, j) : measured;
+        if (search_->is_known_bend(i, j, apart)) {
+            told = Told::no;
+            return false;
+        }
         told = search_->is_gap(i, j, nearest(geometry_.pieces[i].line, geometry_.pieces[j].line)) ? Told::yes : Told::no;
     }
     return told == Told::yes;

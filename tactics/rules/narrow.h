@@ -52,6 +52,7 @@ public:
 
 private:
     const PageGeometry& geometry_;
+    Apart apart_;
     std::unique_ptr<NarrowSearch> search_;
     std::vector<NearPieces> all_;
     enum class Told : std::uint8_t { nothing, yes, no };

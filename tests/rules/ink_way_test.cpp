@@ -81,6 +81,32 @@ TEST(InkWay, IsTheOneByGoingEverywhere) {
     EXPECT_LT(joined, asked * 9 / 10);
 }
 
+// What needs no search tells of no way that there is not, and of some that lead through one contact.
+TEST(InkWay, ThroughOneContactIsToldWithoutASearch) {
+    int told = 0, not_told = 0;
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+        const Page page = thicket(seed, 6 + static_cast<int>(seed), 0.4 + 0.1 * seed);
+        const PageGeometry geometry(page);
+        const InkWays ways(geometry);
+        Dice chance(seed + 60);
+        for (std::size_t c = 0; c < geometry.contacts.size(); c += 5) {
+            const Contact& contact = geometry.contacts[c];
+            if (contact.one.chain == contact.other.chain) continue;
+            const auto beside = [&](const Station& at) {
+                const double length = geometry.chains[at.chain].length;
+                return Station{at.chain, std::clamp(at.along + chance.between(-2, 2), 0.0, length)};
+            };
+            const Station from = beside(contact.one), to = beside(contact.other);
+            const double way = naive_way(geometry, from, to), most = way + chance.between(-1, 2);
+            EXPECT_EQ(ways.touch_within(from, to, most), ways.touch_within(to, from, most));
+            EXPECT_FALSE(way > most && ways.touch_within(from, to, most)) << seed << " " << c << " " << way << " " << most;
+            ++(ways.touch_within(from, to, most) ? told : not_told);
+        }
+    }
+    EXPECT_GT(told, 30);
+    EXPECT_GT(not_told, 100);
+}
+
 // That it is farther than so much from one place says less of those beside it.
 TEST(InkWay, IsToldAnewForPlacesBesideEachOther) {
     int asked = 0;
