@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <span>
 
 #include "tactics/information/chain_code.h"
 #include "tactics/information/entropy.h"
 #include "tactics/information/neighbour_counts.h"
+#include "tactics/information/repeats.h"
 
 namespace tactics {
 
@@ -53,52 +53,14 @@ double variance_of(const std::vector<float>& costs, std::size_t parts) {
     return std::max(alone, mean_of(steps) / 2 / static_cast<double>(size));
 }
 
-LevelGrid top_of(const LevelGrid& grid, std::size_t rows) {
-    std::vector<std::uint16_t> values;
-    values.reserve(rows * static_cast<std::size_t>(grid.columns));
-    for (std::size_t i = 0; i < rows * static_cast<std::size_t>(grid.columns); ++i) values.push_back(grid.values[i]);
-    return {grid.columns, static_cast<int>(rows), 1, grid.levels, std::move(values)};
-}
-
-// How many times as wide and as high a grid is as one of which each cell became a block of equal cells.
-struct Enlargement {
-    std::size_t across = 1, down = 1;
-};
-
-// Places where anything changes are multiples of the factor.
-Enlargement enlargement_of(const LevelGrid& grid) {
-    const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
-    if (grid.slices != 1) return {};
-    Enlargement by{columns, rows};
-    grid.values.visit([&](const auto* values) {
-        for (std::size_t y = 1; y < rows && by.down > 1; ++y)
-            if (!std::equal(values + y * columns, values + (y + 1) * columns, values + (y - 1) * columns))
-                by.down = std::gcd(by.down, y);
-        for (std::size_t y = 0; y < rows && by.across > 1; y += by.down)
-            for (std::size_t x = 1; x < columns && by.across > 1; ++x)
-                if (values[y * columns + x] != values[y * columns + x - 1]) by.across = std::gcd(by.across, x);
-    });
-    return by;
-}
-
-LevelGrid reduced(const LevelGrid& grid, const Enlargement& by) {
-    const auto columns = static_cast<std::size_t>(grid.columns) / by.across, rows = static_cast<std::size_t>(grid.rows) / by.down;
-    std::vector<std::uint16_t> values;
-    values.reserve(columns * rows);
-    for (std::size_t y = 0; y < rows; ++y)
-        for (std::size_t x = 0; x < columns; ++x)
-            values.push_back(grid.values[y * by.down * static_cast<std::size_t>(grid.columns) + x * by.across]);
-    return {static_cast<int>(columns), static_cast<int>(rows), 1, grid.levels, std::move(values)};
-}
-
 // The codes of a grid, each tried once, with what the shortest one takes for each cell.
 class Codes {
 public:
-    Codes(const CountedRows& rows, const std::vector<std::uint64_t>& seen)
+    Codes(const CountedRows& rows, const std::vector<std::uint64_t>& seen, bool with_chains)
         : rows_(rows), ranks_(ranks_of(seen)), occurring_(static_cast<std::size_t>(ranks_.levels)), counting_(rows, ranks_) {
         for (std::size_t i = 0; i < seen.size(); ++i)
             if (seen[i] > 0) occurring_[ranks_.of[i]] = static_cast<std::uint32_t>(seen[i]);
-        try_all();
+        try_all(with_chains);
     }
 
     const Code& alone() const { return alone_; }
@@ -125,7 +87,7 @@ public:
 private:
     std::size_t width() const { return counting_.classes().rest.size(); }
 
-    void try_all() {
+    void try_all(bool with_chains) {
         NeighbourCounts counts = counting_.count_all();
         alone_ = adaptive_code(occurring_, occurring_.size());
         const double looked_at = static_cast<double>(rows_.grid().count()) / rows_.cells();  // the levels of all rows
@@ -140,7 +102,7 @@ private:
         reckon(spatial_);
         errors_ = std::move(counts.errors);
         try_near(std::move(counts.near));
-        try_chains();
+        if (with_chains) try_chains();
         // Which code it is has to be said, too.
         const double said = ranks_.bits + std::log2(static_cast<double>(counting_.neighbours() + 4));
         alone_.bits += said;
@@ -248,8 +210,20 @@ double doubt_of(const Codes& codes, bool spatial, const CountedRows& rows) {
     return (kDeviations * std::sqrt(variance) + kUnforeseen * cell) / rows.share();
 }
 
+CodeLength length_of_parts(std::span<const LevelGrid> parts, bool with_doubt);
+
+// What a grid follows from, instead of the grid, and so many bits that say how. Another grid of its source may still have cells
+// that break the rule.
+void take_if_shorter(CodeLength& length, const CodeLength& source, double said, const CountedRows& rows) {
+    if (source.best.bits + said >= length.best.bits) return;
+    length.best = source.best;
+    length.best.bits += said;
+    length.least = std::min(length.least, source.least);
+    length.doubt = source.doubt + kUnforeseen * unforeseen_cell(rows);
+}
+
 CodeLength length_of(const CountedRows& rows, const std::vector<std::uint64_t>& seen, bool with_doubt) {
-    const Codes codes(rows, seen);
+    const Codes codes(rows, seen, true);
     const double share = rows.share();
     const auto of_whole = [share](const Code& code) {
         return Code{code.bits / share, code.learnt / share, code.free, code.corrected / share};
@@ -258,26 +232,28 @@ CodeLength length_of(const CountedRows& rows, const std::vector<std::uint64_t>& 
     const bool spatial = length.spatial.bits < length.alone.bits;
     length.best = spatial ? length.spatial : length.alone;
     if (with_doubt) length.doubt = doubt_of(codes, spatial, rows) + rows.unlike() * length.best.bits;
-    if (const Enlargement by = enlargement_of(rows.whole()); by.across * by.down > 1) {
-        const LevelGrid small = reduced(rows.whole(), by);
-        const CountedRows few(small);
-        const CodeLength once = length_of(few, counts_of(few.grid()), with_doubt);
-        const double said = std::log2(rows.whole().columns) + std::log2(rows.whole().rows);  // by how much
-        if (once.best.bits + said < length.best.bits) {
-            length.best = {once.best.bits + said, once.best.learnt, once.best.free, once.best.corrected};
-            length.least = std::min(length.least, once.least);
-            length.doubt = with_doubt ? once.doubt + said : 0;
-        }
-    }
-    if (const std::size_t period = rows.period(); period > 0) {
-        const double once = code_length(top_of(rows.whole(), period)).best.bits + std::log2(CountedRows::kMostPeriod);
-        length.best = {std::min(length.best.bits, once), 0, 0, 0};
-        length.least = 0;
-        length.doubt = with_doubt ? 2 * kUnforeseen * unforeseen_cell(rows) : 0;
+    if (const auto small = reduced(rows.whole()))
+        take_if_shorter(length, length_of_parts({&small->grid, 1}, with_doubt), small->said, rows);
+    if (const auto shift = rows.shift()) {
+        constexpr double kShifts = (2 * kMostShift + 1) * (kMostShift + 1);
+        take_if_shorter(length, length_of_parts(borders_of(rows.whole(), *shift), with_doubt), std::log2(kShifts), rows);
     }
     if (const double raw = raw_bits(rows.cells() / share, rows.grid().levels); raw < length.best.bits)
         length.best = {raw, std::min(raw, length.alone.learnt), 0, raw};
     return length;
+}
+
+// Of all of them, one after the other.
+CodeLength length_of_parts(std::span<const LevelGrid> parts, bool with_doubt) {
+    CodeLength sum;
+    for (const LevelGrid& part : parts) {
+        const CountedRows rows(part);
+        const CodeLength one = length_of(rows, counts_of(rows.grid()), with_doubt);
+        sum.best += one.best;
+        sum.least += one.least;
+        sum.doubt += one.doubt;
+    }
+    return sum;
 }
 
 }  // namespace
@@ -286,6 +262,12 @@ CodeLength code_length(const LevelGrid& grid) {
     check_grid(grid);
     const CountedRows rows(grid);
     return length_of(rows, counts_of(rows.grid()), false);
+}
+
+double neighbour_bits(const LevelGrid& grid) {
+    const CountedRows rows(grid);
+    const Codes codes(rows, counts_of(rows.grid()), false);
+    return std::min(raw_bits(grid), std::min(codes.alone().bits, codes.spatial().bits) / rows.share());
 }
 
 CodeLength code_length(const CountedRows& rows, const std::vector<std::uint64_t>& seen) { return length_of(rows, seen, true); }

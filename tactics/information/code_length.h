@@ -11,8 +11,9 @@
 //   prediction          the error of the median edge detector of JPEG-LS (ITU-T T.87, A.4.1; on voxels the median of the three
 //                       cells before it), by how rough it is around. Of over 256 levels large errors are counted in classes of
 //                       an eighth of a power of two, whose rest is written as it is;
-//   repetition          rows that are all the same as those up to 64 rows before are written once;
-//   enlargement         blocks of equal cells, all as wide and as high, are written as one cell each.
+//   repetition          of a grid in which each cell equals the one up to 128 rows and columns before it, only those without
+//                       such a cell are written;
+//   enlargement         rows and columns that equal the one before are left out, if two thirds of the cells or fewer remain.
 // Each is an adaptive code by R. E. Krichevsky and V. K. Trofimov (1981), whose length depends only on what was counted, so one
 // pass is enough, and which needs no table: what it costs to learn is in it.
 #pragma once
@@ -44,5 +45,8 @@ struct CodeLength {
 CodeLength code_length(const LevelGrid& grid);
 /// With it. `seen`: how often each level is in the rows that are counted (counts_of).
 CodeLength code_length(const CountedRows& rows, const std::vector<std::uint64_t>& seen);
+
+/// By levels alone, neighbours and prediction only, or as the values are written: faster, and enough for a part of a picture.
+double neighbour_bits(const LevelGrid& grid);
 
 }  // namespace tactics

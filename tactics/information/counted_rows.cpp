@@ -10,31 +10,39 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kCounted = 1'500'000;
+constexpr std::size_t kCounted = 1'000'000;
 constexpr std::size_t kLeastBands = 32;
 constexpr double kUnlike = 0.05;
 constexpr std::size_t kWeighed = 1 << 19, kParts = 64, kPart = 4096;
 
-// Of each row, the sum of the differences between its cells and those `back` cells before them: 1 is the cell to the left,
-// `columns` the cell above.
+// Of a row of any width, the sum of the differences between its cells and those so many before them.
 template <typename Value>
-std::vector<double> differences(const Value* values, std::size_t rows, std::size_t columns, std::size_t back) {
-    std::vector<double> all(back == columns ? 1 : 0);
-    all.reserve(rows);
-    for (std::size_t y = all.size(); y < rows; ++y) {
-        const Value* row = values + y * columns;
-        const Value* before = row - back;
-        std::uint32_t sum = 0;  // of 65,536 columns at most 2^32
-        double whole = 0;
-        for (std::size_t from = back == 1 ? 1 : 0; from < columns; from += 65'536) {
-            sum = 0;
-            const std::size_t end = std::min(columns, from + 65'536);
-            for (std::size_t x = from; x < end; ++x) sum += static_cast<std::uint32_t>(std::abs(row[x] - before[x]));
-            whole += sum;
-        }
-        all.push_back(whole);
+double row_difference(const Value* row, const Value* before, std::size_t columns) {
+    constexpr std::size_t kPiece = 65'536;  // so many differences are at most 2^32
+    double whole = 0;
+    for (std::size_t from = 0; from < columns; from += kPiece) {
+        std::uint32_t sum = 0;
+        for (std::size_t x = from; x < std::min(columns, from + kPiece); ++x)
+            sum += static_cast<std::uint32_t>(std::abs(row[x] - before[x]));
+        whole += sum;
     }
-    return all;
+    return whole;
+}
+
+// Of each row, from the cells to the left and from those above; read once for both.
+struct Differences {
+    std::vector<double> left, above;
+};
+
+template <typename Value>
+Differences differences(const Value* values, std::size_t rows, std::size_t columns) {
+    Differences found;
+    for (std::size_t y = 0; y < rows; ++y) {
+        const Value* row = values + y * columns;
+        found.left.push_back(row_difference(row + 1, row, columns - 1));
+        found.above.push_back(y > 0 ? row_difference(row, row - columns, columns) : 0);
+    }
+    return found;
 }
 
 // A xorshift of G. Marsaglia (2003). Bands at even distances would miss what repeats at that distance.
@@ -55,54 +63,56 @@ double unlikeness(const std::vector<double>& differ, const std::vector<std::size
     return all > 0 ? std::abs(counted / rows * static_cast<double>(differ.size()) / all - 1) : 0;
 }
 
-std::size_t period_of(const LevelGrid& grid) {
-    const auto columns = static_cast<std::size_t>(grid.columns), rows = static_cast<std::size_t>(grid.rows);
-    if (grid.slices != 1) return 0;
-    return grid.values.visit([&](const auto* values) -> std::size_t {
-        const auto is_same = [&](std::size_t y, std::size_t period) {
-            return std::equal(values + y * columns, values + (y + 1) * columns, values + (y - period) * columns);
-        };
-        for (std::size_t period = 1; period <= std::min(CountedRows::kMostPeriod, rows / 2); ++period) {
-            bool repeats = true;
-            constexpr std::size_t kLooks = 16;  // first here and there, as empty rows are often many
-            for (std::size_t i = 0; repeats && i < kLooks; ++i)
-                repeats = is_same(period + i * (rows - 1 - period) / (kLooks - 1), period);
-            for (std::size_t y = period; repeats && y < rows; ++y) repeats = is_same(y, period);
-            if (repeats) return period;
+// Where bands begin, and how unlike the whole they are.
+struct Draw {
+    std::vector<std::size_t> firsts;
+    double unlike = 0;
+};
+
+// Of a few draws the one that is most like the whole.
+Draw likest_draw(const Differences& differ, std::size_t bands, std::uint64_t& state) {
+    constexpr int kDraws = 8;
+    const std::size_t rows = differ.left.size();
+    Draw best;
+    for (int i = 0; i < kDraws; ++i) {
+        Draw draw;
+        for (std::size_t band = 0; band < bands; ++band) {
+            const std::size_t from = band * rows / bands, to = (band + 1) * rows / bands;
+            draw.firsts.push_back(from + random_below(state, to - from - CountedRows::kBand + 1));
         }
-        return 0;
-    });
+        draw.unlike = std::max(unlikeness(differ.left, draw.firsts), unlikeness(differ.above, draw.firsts));
+        if (i == 0 || draw.unlike < best.unlike) best = std::move(draw);
+    }
+    return best;
 }
 
 }  // namespace
 
-CountedRows::CountedRows(const LevelGrid& whole) : whole_(whole), period_(period_of(whole)) {
+CountedRows::CountedRows(const LevelGrid& whole) : whole_(whole), shift_(shift_of(whole)) {
     const auto columns = static_cast<std::size_t>(whole.columns), rows = static_cast<std::size_t>(whole.rows);
-    const std::size_t bands = std::max(kLeastBands, kCounted / ((kBand - kBefore) * columns));
-    if (whole.slices != 1 || rows < 2 * bands * kBand || period_ > 0) return;
-    std::vector<std::size_t> firsts;
+    std::size_t bands = std::max(kLeastBands, kCounted / ((kBand - kBefore) * columns));
+    if (whole.slices != 1 || rows < 2 * bands * kBand || shift_) return;
+    const Differences differ = whole.values.visit([&](const auto* values) { return differences(values, rows, columns); });
     std::uint64_t state = 0x9e3779b97f4a7c15;
-    for (std::size_t i = 0; i < bands; ++i) {
-        const std::size_t from = i * rows / bands, to = (i + 1) * rows / bands;
-        firsts.push_back(from + random_below(state, to - from - kBand + 1));
-    }
-    for (const std::size_t back : {std::size_t{1}, columns})
-        unlike_ = std::max(unlike_, whole.values.visit([&](const auto* values) {
-            return unlikeness(differences(values, rows, columns, back), firsts);
-        }));
-    if (unlike_ > kUnlike) {
-        unlike_ = 0;
+    for (; rows >= 2 * bands * kBand; bands *= 2) {
+        const Draw draw = likest_draw(differ, bands, state);
+        if (draw.unlike > kUnlike) continue;
+        unlike_ = draw.unlike;
+        take(draw.firsts);
         return;
     }
-    const auto take = [&](const auto* values) {
-        using Value = std::remove_cvref_t<decltype(*values)>;
-        std::vector<Value> taken;
-        taken.reserve(bands * kBand * columns);
+}
+
+void CountedRows::take(const std::vector<std::size_t>& firsts) {
+    const auto columns = static_cast<std::size_t>(whole_.columns);
+    const auto taken = [&](const auto* values) {
+        std::vector<std::remove_cvref_t<decltype(*values)>> cells;
+        cells.reserve(firsts.size() * kBand * columns);
         for (const std::size_t first : firsts)
-            taken.insert(taken.end(), values + first * columns, values + (first + kBand) * columns);
-        return Cells(std::move(taken));
+            cells.insert(cells.end(), values + first * columns, values + (first + kBand) * columns);
+        return Cells(std::move(cells));
     };
-    bands_ = {whole.columns, static_cast<int>(bands * kBand), 1, whole.levels, whole.values.visit(take)};
+    bands_ = {whole_.columns, static_cast<int>(firsts.size() * kBand), 1, whole_.levels, whole_.values.visit(taken)};
 }
 
 double CountedRows::cells() const { return share() * static_cast<double>(whole_.count()); }

@@ -3,20 +3,22 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "tactics/information/grid.h"
+#include "tactics/information/repeats.h"
 
 namespace tactics {
 
 using RowRange = std::pair<std::size_t, std::size_t>;  ///< from the first up to, not with, the second
 
-/// Of one slice of 3.75 million cells and 640 rows or more, one and a half million cells are counted, or 256 rows if that is
-/// more, in bands of eight rows. The height is divided evenly into as many parts as there are bands, and each part has a band at
-/// a random place, the same in each run. Every cell is compared with the one to its left and the one above, however: where the
-/// differences in the bands, of either kind, are not as large as in the whole to a twentieth, all rows are counted. All are
-/// counted, too, where rows repeat.
+/// Of one slice of 2.5 million cells and 640 rows or more, a million cells are counted, or 256 rows if that is more, in bands of
+/// eight rows. The height is divided evenly into as many parts as there are bands, and each part has a band at a random place,
+/// the same in each run. Every cell is compared with the one to its left and the one above, however: of eight such draws that one
+/// is taken whose differences, of either kind, are most like those of the whole. Where they are not as large to a twentieth,
+/// twice as many rows are counted, and so on, and in the end all. All are counted, too, where a pattern repeats (shift_of).
 class CountedRows {
 public:
     /// `whole` must outlive it.
@@ -29,18 +31,19 @@ public:
     double cells() const;  ///< that are counted
     double share() const;  ///< of those of the whole grid
     const LevelGrid& whole() const { return whole_; }
-    /// Each row of the whole equals the one so many rows above it; 0: no number up to kMostPeriod does it.
-    std::size_t period() const { return period_; }
+    const std::optional<Shift>& shift() const { return shift_; }  ///< shift_of the whole
     /// How far the differences between cells in the bands are from those of the whole grid, as a share of these.
     double unlike() const { return unlike_; }
     /// Parts of it that show how it varies: all of it if that is not much.
     std::vector<RowRange> parts() const;
 
-    static constexpr std::size_t kBefore = 2, kBand = kBefore + 8, kMostPeriod = 64;
+    static constexpr std::size_t kBefore = 2, kBand = kBefore + 8;
 
 private:
+    void take(const std::vector<std::size_t>& firsts);
+
     const LevelGrid& whole_;
-    std::size_t period_;
+    std::optional<Shift> shift_;
     LevelGrid bands_;
     double unlike_ = 0;
 };

@@ -8,10 +8,10 @@
 namespace tactics {
 
 /// Bits of the whole grid for an error of so many levels, root mean square (over 0): the rate of a Gaussian source of its
-/// spectrum by reverse water-filling (T. Berger, "Rate Distortion Theory", 1971, section 4.5), or the length of the code of the
-/// grid quantised to that error, whichever is less: a wall is no Gaussian. The spectrum is the mean over at most 16 squares of at
-/// most 128 cells, each without its plane and under a Hann window, slices of voxels apart; the code is that of all of it, or of
-/// bands of rows with a quarter of a million cells.
+/// spectrum by reverse water-filling (T. Berger, "Rate Distortion Theory", 1971, section 4.5), or as neighbour_bits has it
+/// of the grid quantised to that error, whichever is less: a wall is no Gaussian. The spectrum is the mean over at most 16
+/// squares of at most 128 cells, each without its plane and under a Hann window, slices of voxels apart; the code is that of all
+/// of it, or of bands of rows with a quarter of a million cells.
 double felt_bits(const LevelGrid& grid, double error);
 
 /// The first of the two, bits a cell.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kRoughness = 16;  // classes
 constexpr std::size_t kShared = 1'000'000;
-constexpr std::size_t kSampled = 300'000;
+constexpr std::size_t kSampled = 150'000;
 constexpr int kPad = 2;  // cells beside a row
 
 // Nearest first.

@@ -35,7 +35,7 @@ TEST(FeltRate, AWaveNeedsNextToNothingAndAPlaneNothing) {
 
 TEST(FeltRate, FallsWithTheErrorAndIsNeverOverTheCode) {
     for (const LevelGrid& grid : {terrain(200, 160, 256, 3), wall(200, 160, 256), noise(100, 80, 256, 2)}) {
-        double before = code_length(grid).best.bits * 1.0001 + 1;
+        double before = neighbour_bits(grid) * 1.0001 + 1;
         for (const double error : {0.3, 1.0, 3.0, 10.0, 30.0, 300.0}) {
             const double bits = felt_bits(grid, error);
             EXPECT_LE(bits, before * 1.02 + 20) << error;

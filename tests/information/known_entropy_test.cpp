@@ -183,6 +183,36 @@ TEST(KnownEntropy, OfAnEnlargedGridIsThatOfTheSmallOne) {
     }
 }
 
+// Cut at its edges it is still an enlarged one.
+TEST(KnownEntropy, OfAnEnlargedGridThatIsCutIsHeld) {
+    for (const int times : {3, 11}) {
+        const LevelGrid small = noise(90, 60, 4, 7);
+        const LevelGrid large = grid_by(90 * times - 2, 60 * times - 2, 4, [&](int x, int y) {
+            return small.values[static_cast<std::size_t>((y + 1) / times * 90 + (x + 1) / times)];
+        });
+        const Measures measures = measure(large, {});
+        EXPECT_LE(measures.low, 2 * 5400) << times;
+        EXPECT_GE(measures.high, 2 * 5400) << times;
+        EXPECT_LE(measures.high, 2.2 * 5400) << times;
+    }
+}
+
+// Wherever stripes run to, they tell nothing, and of tiles all are as the first.
+TEST(KnownEntropy, OfWhatRepeatsIsThatOfOnce) {
+    for (const int width : {3, 20, 57}) {
+        const Measures slanting = measure(grid_by(401, 389, 3, [&](int x, int y) { return (3 * x + 2 * y) / width % 3; }), {});
+        EXPECT_EQ(slanting.low, 0) << width;
+        EXPECT_LT(slanting.high, 1500) << width;
+    }
+    const LevelGrid tile = noise(67, 41, 16, 2);
+    const Measures tiled = measure(
+        grid_by(500, 400, 16, [&](int x, int y) { return tile.values[static_cast<std::size_t>(y % 41 * 67 + x % 67)]; }), {});
+    EXPECT_LE(tiled.low, 67 * 41 * 4);
+    EXPECT_GE(tiled.low, 66 * 40 * 4);
+    EXPECT_GE(tiled.high, 67 * 41 * 4);
+    EXPECT_LT(tiled.high, 68 * 42 * 4);
+}
+
 // Wide ones are counted by part of their rows, too.
 TEST(KnownEntropy, OfAWideGridIsHeldByAPartOfItsRows) {
     const Measures measures = measure(noise(6000, 1000, 16, 3), {});
