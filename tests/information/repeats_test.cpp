@@ -7,7 +7,7 @@
 
 #include "tests/information/sources.h"
 
-namespace tactics::tests {
+namespace tactics::tests::repeats_test {
 namespace {
 
 int at(const LevelGrid& grid, int x, int y) {
@@ -96,4 +96,4 @@ TEST(Repeats, OneOtherCellIsNoShift) {
 }
 
 }  // namespace
-}  // namespace tactics::tests
+}  // namespace tactics::tests::repeats_test
