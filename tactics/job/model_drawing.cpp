@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/geometry/shape.h"
 #include "tactics/geometry/triangulate.h"
 #include "tactics/layout/place.h"
 #include "tactics/solid/views.h"
@@ -40,6 +41,12 @@ std::vector<const FoldedObject*> with_fate(const FoldOut& made, FoldedObject::Fa
     return found;
 }
 
+std::vector<const FoldedObject*> moved_ones(const FoldOut& made) {
+    std::vector<const FoldedObject*> found = with_fate(made, FoldedObject::Fate::drawn);
+    std::erase_if(found, [](const FoldedObject* one) { return !(one->moved > 0); });
+    return found;
+}
+
 }  // namespace
 
 bool is_terrain(const Model& model) {
@@ -62,6 +69,7 @@ const FoldOut& ModelDrawing::on(const Sheet& sheet) {
         notes_.clear();
         FoldWish fold = wish_.fold;
         fold.language = sheet.language;
+        fold.turns = sheet.orientation == Orientation::automatic && !sheet.binding;
         made_ =
             (wish_.view == ModelView::views ? views_of : fold_out)(*model_, room.width, room.height, *sheet.medium, fold, notes_);
         medium_ = sheet.medium;
@@ -103,6 +111,12 @@ std::vector<Phrase> fold_lines(const FoldOut& made) {
     if (made.spread > 1)
         lines.push_back(phrase("things are moved apart, {0} times as far from the middle, so that their faces have room",
                                numeral(made.spread)));
+    if (const auto moved = moved_ones(made); !moved.empty()) {
+        double most = 0;
+        for (const FoldedObject* one : moved) most = std::max(most, one->moved);
+        lines.push_back(phrase("moved off what was too close, by up to {0} on the page: {1}", spoken_length(most * made.scale),
+                               named_objects(moved)));
+    }
     if (const auto small = with_fate(made, FoldedObject::Fate::small); !small.empty())
         lines.push_back(phrase("too small to be felt at this size: {0}; draw a part alone to feel them", named_objects(small)));
     if (const auto hidden = with_fate(made, FoldedObject::Fate::hidden); !hidden.empty())
@@ -119,11 +133,11 @@ std::string fold_json(const FoldOut& made) {
         text += std::string(i == 0 ? "" : ",") + "{\"name\":" + json_text(one.name) + ",\"path\":" + json_text(one.path) +
                 ",\"form\":" + json_text(tactics::name_of(one.form)) + ",\"fate\":" + json_text(name_of(one.fate)) +
                 ",\"shape\":" + json_text(one.shape) + ",\"size_mm\":" + to_text(one.size) +
-                ",\"kept\":" + std::to_string(one.kept) + ",\"folded\":" + std::to_string(one.folded) +
-                ",\"flattened\":" + std::to_string(one.flattened) + ",\"straightened\":" + std::to_string(one.straightened) +
-                ",\"lying\":" + std::to_string(one.lying) + ",\"hanging\":" + std::to_string(one.hanging) +
-                ",\"wedges\":" + std::to_string(one.wedges) + ",\"doubled\":" + std::to_string(one.doubled) +
-                ",\"left_out\":" + std::to_string(one.left_out);
+                ",\"moved_mm\":" + to_text(one.moved) + ",\"kept\":" + std::to_string(one.kept) +
+                ",\"folded\":" + std::to_string(one.folded) + ",\"flattened\":" + std::to_string(one.flattened) +
+                ",\"straightened\":" + std::to_string(one.straightened) + ",\"lying\":" + std::to_string(one.lying) +
+                ",\"hanging\":" + std::to_string(one.hanging) + ",\"wedges\":" + std::to_string(one.wedges) +
+                ",\"doubled\":" + std::to_string(one.doubled) + ",\"left_out\":" + std::to_string(one.left_out);
         if (one.fate == FoldedObject::Fate::drawn)
             text += ",\"x_percent\":" + to_text(100 * one.at.x / made.drawing.width) +
                     ",\"y_percent\":" + to_text(100 * one.at.y / made.drawing.height);

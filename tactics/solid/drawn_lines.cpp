@@ -8,6 +8,7 @@
 #include "tactics/solid/close_sides.h"
 #include "tactics/solid/joined_sides.h"
 #include "tactics/solid/shown_twice.h"
+#include "tactics/solid/thin_walls.h"
 
 namespace tactics {
 
@@ -82,6 +83,24 @@ void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const Ov
     }
 }
 
+// Those on a panel that are no border of it, without the inner sides of thin walls, which are counted.
+std::vector<LaidLine> own_lines(const Panel& panel, const PlacedPanel& placed, double touching, double apart,
+                                std::size_t& inner) {
+    std::vector<LaidLine> lines;
+    for (const PanelLine& own : panel.lines) {
+        LaidLine& line = lines.emplace_back();
+        line.closed = own.closed;
+        for (const Point3& at : own.points) line.points.push_back(placed.placement.of(at));
+    }
+    // A border is drawn, too; without one, the lines that lie on it are the outer ones.
+    const std::size_t count = lines.size();
+    if (panel.is_bordered)
+        for (const auto& ring : placed.shape.rings) lines.push_back({ring, true});
+    if (count > 0) inner += leave_out_inner(lines, placed.shape.rings, touching, apart);
+    if (panel.is_bordered) lines.resize(lines.size() - placed.shape.rings.size());
+    return lines;
+}
+
 }  // namespace
 
 DrawnLines lines_of(const FlatLayout& layout, const std::vector<ModelPart>& parts, const Panels& panels,
@@ -96,6 +115,7 @@ DrawnLines lines_of(const FlatLayout& layout, const std::vector<ModelPart>& part
         twice[hinge.other].push_back({hinge.other_from, hinge.other_to});
     }
     std::vector<DrawnSide> sides;
+    std::size_t inner = 0;
     for (const PlacedPanel& placed : layout.panels) {
         Over over;
         if (placed.handling == Handling::kept)
@@ -108,12 +128,9 @@ DrawnLines lines_of(const FlatLayout& layout, const std::vector<ModelPart>& part
             }
         const Panel& panel = panels.panels[placed.panel];
         const LineClass line = level[panel.part] > 0 ? LineClass::thick : LineClass::normal;
-        for (const PanelLine& own : panel.lines)
+        for (const LaidLine& own : own_lines(panel, placed, touching, apart, inner))
             for (std::size_t i = 0; i + (own.closed ? 0 : 1) < own.points.size(); ++i)
-                take_visible(
-                    sides,
-                    {placed.placement.of(own.points[i]), placed.placement.of(own.points[(i + 1) % own.points.size()]), line},
-                    over, touching, as_one);
+                take_visible(sides, {own.points[i], own.points[(i + 1) % own.points.size()], line}, over, touching, as_one);
         for (std::size_t r = 0; r < panel.rings.size() && panel.is_bordered; ++r)
             for (std::size_t i = 0; i < panel.rings[r].size(); ++i) {
                 if (r == 0 && std::find(panel.open_sides.begin(), panel.open_sides.end(), i) != panel.open_sides.end()) continue;
@@ -140,7 +157,7 @@ DrawnLines lines_of(const FlatLayout& layout, const std::vector<ModelPart>& part
     }
     sides = merged(sides, touching);
     const std::size_t united = unite_close(sides, touching, apart);
-    return {joined(sides, touching), united};
+    return {joined(sides, touching), united + inner};
 }
 
 }  // namespace tactics

@@ -10,7 +10,7 @@ namespace tactics {
 
 struct DrawnLines {
     std::vector<Stroke> strokes;
-    std::size_t united = 0;  ///< sides that were moved onto others
+    std::size_t united = 0;  ///< sides that were moved onto others, and those of walls that are too thin to be felt as two lines
 };
 
 /// mm of the model. Things that lie on others have thick lines (M. Kurze, CHI 1997: background thin, foreground thick), a side

@@ -14,6 +14,11 @@ struct FlatShape {
     std::vector<std::vector<Point>> rings;
     Box box = kNothing;
 };
+/// Makes the first hold the second, too.
+inline void take(Box& box, const Box& other) {
+    box.take({other.left, other.top});
+    box.take({other.right, other.bottom});
+}
 FlatShape flat_shape(std::vector<std::vector<Point>> rings);
 
 enum class ShapeMeeting {

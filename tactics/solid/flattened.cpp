@@ -11,6 +11,7 @@ namespace tactics {
 
 namespace {
 
+constexpr double kAsClose = 1e-3;    // of two distances, by which they may differ and be the same
 constexpr double kNearBorder = 0.2;  // of the holder's smaller extent: farther in, a bar stands in its middle
 
 Point towards(Point from, Point to) {
@@ -31,12 +32,12 @@ std::vector<FlatBar> ways_to_flatten(const FlatShape& holder, Point held, double
     std::size_t corner = 0, side = 0;
     double to_corner = std::numeric_limits<double>::infinity(), to_side = to_corner;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-        if (distance(ring[i], held) < to_corner) {
+        if (distance(ring[i], held) < (1 - kAsClose) * to_corner) {
             to_corner = distance(ring[i], held);
             corner = i;
         }
         const double off = distance_to_segment(held, ring[i], ring[(i + 1) % ring.size()]);
-        if (off < to_side) {
+        if (off < (1 - kAsClose) * to_side) {
             to_side = off;
             side = i;
         }

@@ -9,6 +9,7 @@
 #include "tactics/solid/drawn_lines.h"
 #include "tactics/solid/folded_objects.h"
 #include "tactics/solid/lay_flat.h"
+#include "tactics/solid/moved_off.h"
 #include "tactics/solid/named_part.h"
 #include "tactics/solid/object_regions.h"
 #include "tactics/solid/panels.h"
@@ -25,6 +26,7 @@ constexpr double kAboveIsAsGood = 0.1;  // of the rating: people look at things 
 constexpr double kSpreads[] = {1.25, 1.6, 2};
 constexpr double kWorthMoving = 0.05;    // of the rating that the moved layout must be better by
 constexpr double kSameScale = 0.02;      // of the scale, within which it is the same
+constexpr double kAsGoodAsBest = 1e-4;   // of the rating: of those the first is kept
 constexpr double kMoving = 0.05;         // of the rating that it costs to be twice as far apart
 constexpr std::size_t kMostNames = 100;  // six letters in braille with their gaps take 4 cm2, of which A4 has some 100 to spare
 
@@ -32,52 +34,49 @@ struct Laid {
     FlatLayout layout;
     Panels panels;
     std::vector<std::uint32_t> thing;
+    std::vector<Point3> off = {};  // how far each part is moved off what was too close; empty: nothing was
     double spread = 1;
 };
-
-Box box_of(const FlatLayout& layout) {
-    Box box = kNothing;
-    for (const PlacedPanel& panel : layout.panels)
-        for (const auto& ring : panel.shape.rings)
-            for (const Point& at : ring) box.take(at);
-    for (const PlacedBar& bar : layout.bars) {
-        box.take(bar.from);
-        box.take(bar.to);
-    }
-    return box;
-}
 
 double edge_of(const Medium& medium) { return medium.thick_line / 2; }
 
 double between_lines(const Medium& medium) { return least_apart(medium, medium.line, medium.line); }
+// What stands on something has thick lines.
+double between_things(const Medium& medium) { return least_apart(medium, medium.thick_line, medium.thick_line); }
+
+// What a drawing has to fit. `lines`, `things`: mm of the model that must be between two lines, and between two things.
+struct Fit {
+    SheetRoom room;
+    double shortest = 0, lines = 0, things = 0;
+};
 
 // `least`: of what has no extent in the plane, as a rod along the line of sight, how long it is in space.
-double scale_for(const Box& box, double least, double width, double height, double edge) {
-    const double room_across = width - 2 * edge, room_down = height - 2 * edge;
-    if (std::max(box.width(), box.height()) < 1e-6 * least) return std::min(room_across, room_down) / least;
-    return std::min(room_across / std::max(box.width(), 1e-9), room_down / std::max(box.height(), 1e-9));
+double scale_for(const Box& box, double least, const SheetRoom& room) {
+    if (std::max(box.width(), box.height()) < 1e-6 * least) return std::min(room.width, room.height) / least;
+    return scale_in(room, box);
 }
 
-Laid lay(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view, double gap,
+Laid lay(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view, const Fit& fit,
          const FoldWish& wish) {
-    const LayoutWish layout{wish.reader, gap, wish.effort};
+    const LayoutWish layout{wish.reader, fit.lines, wish.effort, fit.room, fit.shortest};
+    const std::vector<Point3> off = wish.move ? moved_off(parts, thing, view, fit.things) : std::vector<Point3>{};
     const Panels panels = [&] {
         Panels made = panels_of(parts, thing, view);
+        // A hand's reach depends on the true positions of things.
         find_reached(made, parts, wish.reach);
-        return made;
+        return off.empty() ? made : moved(std::move(made), off);
     }();
-    Laid best{lay_flat(parts, panels, thing, view, layout), panels, thing};
+    Laid best{lay_flat(parts, panels, thing, view, layout), panels, thing, off};
     // If everything is shown already, there is nothing to gain.
     if (!wish.move || best.layout.rating.shown > 1 - kWorthMoving) return best;
     const double value = best.layout.rating.value();
     for (const double spread : kSpreads) {
         const std::vector<Point3> by = spread_by(parts, thing, view, spread);
         if (by.empty()) break;
-        // A hand's reach depends on the true positions of things.
-        Laid other{{}, moved(panels, by), thing, spread};
+        Laid other{{}, moved(panels, by), thing, off, spread};
         other.layout = lay_flat(parts, other.panels, thing, view, layout);
         other.layout.rating.asked += kMoving * std::log2(spread);
-        if (other.layout.rating.value() > std::max(value + kWorthMoving, best.layout.rating.value() + 1e-9))
+        if (other.layout.rating.value() > std::max(value + kWorthMoving, best.layout.rating.value() + kAsGoodAsBest))
             best = std::move(other);
     }
     return best;
@@ -95,12 +94,13 @@ struct Fitted {
     double scale = 0;  // 0: not known yet
 };
 
-void lay_felt(Fitted& fitted, const Model& model, double between, const FoldWish& wish) {
+void lay_felt(Fitted& fitted, const Model& model, const SheetRoom& room, const Medium& medium, const FoldWish& wish) {
     const std::vector<std::uint32_t> thing = things_of(model, fitted.felt);
     constexpr int kFirstEffort = 4;  // what is to be hidden is not known yet
     const bool first = fitted.scale == 0;
     // As wide yet at the scale that it leads to.
-    const double gap = first ? 0 : (1 + kSameScale) * between / fitted.scale;
+    const double of_model = first ? 0 : (1 + kSameScale) / fitted.scale;
+    const Fit fit{room, medium.shortest, of_model * between_lines(medium), of_model * between_things(medium)};
     FoldWish now = wish;
     if (first) now.effort = std::min(wish.effort, kFirstEffort);
     // The plane stays what it was at first, so that what is hidden does not turn the drawing over.
@@ -108,10 +108,10 @@ void lay_felt(Fitted& fitted, const Model& model, double between, const FoldWish
         first ? planes_for(wish.plane, fitted.felt, model.viewed_from) : std::vector<ChosenPlane>{fitted.chosen};
     double most = 0;
     for (const ChosenPlane& one : planes) {
-        Laid laid = lay(fitted.felt, thing, one.view, gap, now);
+        Laid laid = lay(fitted.felt, thing, one.view, fit, now);
         const double value = laid.layout.rating.value();
         const bool is_first = &one == &planes.front();
-        if (!is_first && value <= most) continue;
+        if (!is_first && value <= most + kAsGoodAsBest) continue;
         most = value + (is_first ? kAboveIsAsGood : 0);
         fitted.chosen = one;
         fitted.laid = std::move(laid);
@@ -128,24 +128,32 @@ bool hide_small(Fitted& fitted, const std::vector<ModelPart>& parts, double leas
     return true;
 }
 
-Fitted fit(const Model& model, const std::vector<ModelPart>& parts, double width, double height, const Medium& medium,
-           const FoldWish& wish) {
-    const double between = between_lines(medium);
+Fitted fitted_to(const SheetRoom& room, const Model& model, const std::vector<ModelPart>& parts, const Medium& medium,
+                 const FoldWish& wish) {
     Fitted fitted;
     fitted.is_small.assign(parts.size(), 0);
     for (int round = 0; round < kMostScales; ++round) {
         fitted.felt.clear();
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (fitted.is_small[i] == 0) fitted.felt.push_back(parts[i]);
-        lay_felt(fitted, model, between, wish);
+        lay_felt(fitted, model, room, medium, wish);
         const double before = fitted.scale;
         double longest = 0;
         for (const ModelPart& part : fitted.felt) longest = std::max(longest, extent_of(part));
-        fitted.scale = scale_for(box_of(fitted.laid.layout), longest, width, height, edge_of(medium));
+        fitted.scale = scale_for(box_of(fitted.laid.layout), longest, room);
         const bool same = before > 0 && std::abs(fitted.scale - before) <= kSameScale * before;
         if (round + 1 == kMostScales || (!hide_small(fitted, parts, medium.shortest) && same)) break;
     }
     return fitted;
+}
+
+void tell_moved(std::vector<FoldedObject>& objects, const Fitted& fitted) {
+    for (std::size_t part = 0; part < fitted.laid.off.size(); ++part)
+        for (FoldedObject& one : objects)
+            if (one.object == fitted.felt[part].object) one.moved = std::max(one.moved, length_of(fitted.laid.off[part]));
+    const double least = touching_in(fitted.felt);
+    for (FoldedObject& one : objects)
+        if (one.moved <= least) one.moved = 0;
 }
 
 void tell_united(std::size_t count, std::vector<Phrase>& notes) {
@@ -196,10 +204,10 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
     const Model& model = wish.part.empty() ? whole : alone;
     const std::vector<ModelPart> parts = parts_of(model, wish.parts, wish.objects, notes);
     if (parts.empty()) throw Error(Fault::failed, "the model", phrase("it has no faces with an area, and nothing to draw"));
-    const Fitted fitted = fit(model, parts, width, height, medium, wish);
+    const double edge = edge_of(medium);
+    const Fitted fitted = fitted_to({width - 2 * edge, height - 2 * edge, wish.turns}, model, parts, medium, wish);
     const Laid& laid = fitted.laid;
     const Box box = box_of(laid.layout);
-    const double edge = edge_of(medium);
     const IntoDrawing into{fitted.scale, box.left, box.top, edge};
     FoldOut made;
     made.plane = fitted.chosen.plane;
@@ -219,6 +227,7 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
     for (const PlacedBar& bar : laid.layout.bars)
         if (bar.handling == Handling::wedge) drawing.areas.push_back(wedge_at(into.of(bar.from)));
     made.objects = folded_objects(model, parts, fitted.is_small, fitted.felt, laid.panels, laid.layout, into);
+    tell_moved(made.objects, fitted);
     drawing.names = names_of(made.objects, notes);
     name_ends(drawing.names, made.objects, wish.language);
     drawing.regions = object_regions(made.objects, fitted.felt, laid.panels, laid.layout, into, seen(made.plane));

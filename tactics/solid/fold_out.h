@@ -29,6 +29,7 @@ struct FoldWish {
     /// For several views: the position of the section, from the front (0) to the back (1). 0: where it cuts most parts, as near
     /// to the middle as possible.
     double section = 0;
+    bool turns = false;           ///< the sheet may be turned, so that the room is as high as it was wide
     bool move = true;             ///< things may be moved off each other
     bool unite = true;            ///< sides that are too close to be felt as two become one
     std::string language = "en";  ///< of words that stand in the drawing (BCP 47)

@@ -30,6 +30,7 @@ struct FoldedObject {
     Point at;                              ///< on it, mm in the drawing; on the section of a vessel, if there is one
     std::optional<Point> opening, bottom;  ///< of a vessel: in the circles that are drawn for them
     double size = 0;                       ///< mm of the model, its longest extent
+    double moved = 0;  ///< mm of the model: how far it was moved off what was too close, with what it stands on
 };
 
 /// Its name, or that it has none.

@@ -40,6 +40,8 @@ struct Growth::State {
     GrowingGrid panel_boxes, bar_boxes;       // of those of the layout
     std::vector<int> place;                   // of each panel in the layout; -1: not laid
     std::vector<std::size_t> laid, outlines;  // panels of each part, and those of them that are outlines
+    double smallest = 0;                      // scale
+    Box extent = kNothing;                    // of all of it
 };
 
 Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const std::vector<std::uint32_t>& thing,
@@ -101,14 +103,30 @@ void Growth::drop_hidden() {
     kept_ = std::move(seen);
 }
 
-FlatLayout Growth::grown(Strategy strategy, const std::vector<double>& favour) {
+double Growth::scale_of_kept() const {
+    Box all = kNothing;
+    for (const PlacedPanel& one : kept_) take(all, one.shape.box);
+    return wish_.room.width > 0 && std::max(all.width(), all.height()) > touching_ ? scale_in(wish_.room, all) : 0;
+}
+
+bool Growth::has_room(const State& state, const Box& box) const {
+    Box all = state.extent;
+    take(all, box);
+    return state.smallest == 0 || scale_in(wish_.room, all) >= state.smallest;
+}
+
+FlatLayout Growth::grown(Strategy strategy, const std::vector<double>& favour, double smallest) {
     State state{{kept_, {}, {}},
                 kept_boxes_,
                 no_bars_,
                 std::vector<int>(panels_.panels.size(), -1),
                 std::vector<std::size_t>(parts_.size(), 0),
-                std::vector<std::size_t>(parts_.size(), 0)};
-    for (std::size_t i = 0; i < kept_.size(); ++i) count(state, kept_[i].panel, i);
+                std::vector<std::size_t>(parts_.size(), 0),
+                smallest};
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+        count(state, kept_[i].panel, i);
+        take(state.extent, kept_[i].shape.box);
+    }
     grow(state, strategy, favour);
     take_rest(state);
     grow(state, strategy, favour);
@@ -134,6 +152,7 @@ void Growth::count(State& state, std::uint32_t panel, std::size_t place) const {
 void Growth::place(State& state, PlacedPanel placed) const {
     count(state, placed.panel, state.layout.panels.size());
     state.panel_boxes.add(placed.shape.box);
+    take(state.extent, placed.shape.box);
     state.layout.panels.push_back(std::move(placed));
 }
 
@@ -179,7 +198,7 @@ PlacedPanel Growth::folded(const State& state, const Hinge& hinge, bool other_wa
 
 void Growth::grow(State& state, Strategy strategy, const std::vector<double>& favour) const {
     struct Next {
-        double worth;
+        double worth;  // of those that are worth nearly the same the first in the list goes first, however the file was written
         std::uint32_t hinge;
         bool other_way;
         bool operator<(const Next& than) const { return worth != than.worth ? worth < than.worth : hinge > than.hinge; }
@@ -208,7 +227,8 @@ void Growth::grow(State& state, Strategy strategy, const std::vector<double>& fa
             const Hinge& hinge = panels_.hinges[number];
             const std::uint32_t child = hinge.one == panel ? hinge.other : hinge.one;
             if (may_add(state, child))
-                waiting.push({favour[child] * worth_of(hinge, child, folds), number, hinge.other == panel});
+                waiting.push({std::round(1000 * std::log(std::max(1e-300, favour[child] * worth_of(hinge, child, folds))) + 0.3),
+                              number, hinge.other == panel});
         }
     };
     for (std::size_t i = 0; i < state.layout.panels.size(); ++i) open(state.layout.panels[i].panel);
@@ -219,13 +239,16 @@ void Growth::grow(State& state, Strategy strategy, const std::vector<double>& fa
         const std::uint32_t child = next.other_way ? hinge.one : hinge.other;
         if (!may_add(state, child)) continue;
         PlacedPanel placed = folded(state, hinge, next.other_way);
-        if (placed.shape.rings.empty() || !is_free(state, placed)) continue;
+        const std::uint32_t parent = next.other_way ? hinge.other : hinge.one;
+        const PlacedPanel& onto = state.layout.panels[static_cast<std::size_t>(state.place[parent])];
+        if (placed.shape.rings.empty() || !is_free(state, placed, &onto)) continue;
         place(state, std::move(placed));
         open(child);
     }
 }
 
-bool Growth::is_free(const State& state, const PlacedPanel& placed) const {
+bool Growth::is_free(const State& state, const PlacedPanel& placed, const PlacedPanel* onto) const {
+    if (!has_room(state, placed.shape.box)) return false;
     const std::uint32_t part = panels_.panels[placed.panel].part;
     const auto is_in_its_way = [&](std::size_t number) {
         const PlacedPanel& other = state.layout.panels[number];
@@ -238,7 +261,10 @@ bool Growth::is_free(const State& state, const PlacedPanel& placed) const {
         // Lines of different things are apart, or one line.
         if (thing_[others] == thing_[part]) return false;
         const double apart = distance(placed.shape, other.shape);
-        return apart < wish_.gap && apart > touching_;
+        if (apart >= wish_.gap || apart <= touching_) return false;
+        // What stands near the border that it is folded about is as near to that in any case.
+        return onto == nullptr || other.handling != Handling::kept ||
+               meeting_of(other.shape, onto->shape, touching_) != ShapeMeeting::inside;
     };
     // Bars come last.
     return !state.panel_boxes.any_near(tactics::grown(placed.shape.box, wish_.gap), is_in_its_way);
@@ -246,6 +272,7 @@ bool Growth::is_free(const State& state, const PlacedPanel& placed) const {
 
 void Growth::place(State& state, const PlacedBar& placed) const {
     state.bar_boxes.add(box_of(placed));
+    take(state.extent, box_of(placed));
     state.layout.bars.push_back(placed);
 }
 
@@ -269,8 +296,7 @@ PlacedPanel Growth::straightened(std::uint32_t number) const {
 PlacedPanel Growth::laid(std::uint32_t number) const {
     const Panel& panel = panels_.panels[number];
     PlacedPanel placed{.panel = number, .handling = Handling::lying, .folds = 1, .height = 0, .placement = {}, .shape = {}};
-    // About the lowest of its sides that lie in the plane; without one about its
-    // lowest corner.
+    // About the lowest of its sides that lie in the plane; without one about its lowest corner.
     Point3 foot = panel.rings.front().front();
     for (const Point3& corner : panel.rings.front())
         if (dot(corner, view_.toward) < dot(foot, view_.toward) - touching_) foot = corner;
@@ -295,15 +321,14 @@ void Growth::take_rest(State& state) const {
     for (std::uint32_t i = 0; i < panels_.panels.size(); ++i) {
         const Panel& panel = panels_.panels[i];
         if (laid_parts[panel.part] != 0 || panel.rings.empty() || panel.kind == PanelKind::hanging) continue;
-        // The side that looks most towards the reader, or else straight away from
-        // him.
+        // The side that looks most towards the reader, or else straight away from him.
         const auto worth = [&](const Panel& one) {
             const double toward = dot(one.normal, view_.toward);
             return toward <= -kAligned  ? 0.9
                    : toward >= kUpright ? toward
                                         : -1 + 1e-3 * std::sqrt(one.area) / (1 + std::sqrt(one.area));
         };
-        if (best[panel.part] == ~0u || worth(panel) > worth(panels_.panels[best[panel.part]]) + 1e-6) best[panel.part] = i;
+        if (best[panel.part] == ~0u || worth(panel) > worth(panels_.panels[best[panel.part]]) + 1e-4) best[panel.part] = i;
     }
     for (std::uint32_t part = 0; part < parts_.size(); ++part) {
         if (best[part] == ~0u || state.place[best[part]] >= 0) continue;
@@ -317,6 +342,7 @@ void Growth::take_rest(State& state) const {
 }
 
 bool Growth::is_free(const State& state, const PlacedBar& bar, std::uint32_t holder) const {
+    if (!has_room(state, box_of(bar))) return false;
     const double apart = std::max(wish_.gap, touching_);
     const auto is_in_its_way = [&](std::size_t number) {
         const PlacedPanel& other = state.layout.panels[number];

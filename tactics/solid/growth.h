@@ -23,8 +23,11 @@ public:
     /// All must outlive it.
     Growth(const std::vector<ModelPart>& parts, const Panels& panels, const std::vector<std::uint32_t>& thing,
            const ViewPlane& view, const LayoutWish& wish);
-    /// `favour`: of each panel, by which its turn comes sooner.
-    FlatLayout grown(Strategy strategy, const std::vector<double>& favour);
+    /// `favour`: of each panel, by which its turn comes sooner. `smallest`: nothing is folded out that would make the scale in
+    /// the room smaller than that; 0: it may.
+    FlatLayout grown(Strategy strategy, const std::vector<double>& favour, double smallest = 0);
+    /// Of what lies where it is, without all else; 0: of nothing, or in no room.
+    double scale_of_kept() const;
 
 private:
     struct State;
@@ -35,7 +38,9 @@ private:
     void count(State& state, std::uint32_t panel, std::size_t place) const;
     void place(State& state, PlacedPanel placed) const;
     void place(State& state, const PlacedBar& placed) const;
-    bool is_free(const State& state, const PlacedPanel& placed) const;
+    bool has_room(const State& state, const Box& box) const;
+    /// `onto`: what it is folded out of; nothing: of nothing.
+    bool is_free(const State& state, const PlacedPanel& placed, const PlacedPanel* onto = nullptr) const;
     bool is_free(const State& state, const PlacedBar& bar, std::uint32_t holder) const;
     bool lies_on_what_is_kept(const State& state, const PlacedBar& bar) const;
     bool may_add(const State& state, std::uint32_t panel) const;

@@ -69,15 +69,27 @@ struct FlatLayout {
     Rating rating;
 };
 
+/// Round all that is laid out.
+Box box_of(const FlatLayout& layout);
 /// mm: what is nearer than that in a layout touches.
 double touching_in(const std::vector<ModelPart>& parts);
 /// The largest number of outlines of a part that is useful; further sides show nothing new.
 std::size_t most_outlines(PartForm form);
 
+/// The room that a drawing has on its sheet, mm; 0: its size is of no matter.
+struct SheetRoom {
+    double width = 0, height = 0;
+    bool turns = false;  ///< the sheet may be turned
+};
+/// mm of the drawing for one of the model, if it is as large as the room allows.
+double scale_in(const SheetRoom& room, const Box& box);
+
 struct LayoutWish {
     ReaderWish reader;
-    double gap = 0;   ///< mm of the model: between lines of different things
-    int effort = 64;  ///< layouts that are tried beyond the strategies (layouts_tried); the best is kept
+    double gap = 0;       ///< mm of the model: between lines of different things
+    int effort = 64;      ///< layouts that are tried beyond the strategies (layouts_tried); the best is kept
+    SheetRoom room = {};  ///< what is folded out may make all smaller, which is hard for a reader, too
+    double shortest = 0;  ///< mm of the drawing, below which a part is not felt
 };
 
 }  // namespace tactics

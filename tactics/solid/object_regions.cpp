@@ -9,6 +9,7 @@
 
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/region_place.h"
+#include "tactics/geometry/shape.h"
 #include "tactics/geometry/triangulate.h"
 
 namespace tactics {
@@ -43,7 +44,7 @@ void add_strip(Region& region, Point from, Point to) {
                             {from.x + aside.x, from.y + aside.y}});
 }
 
-Phrase what_was_done(const FoldedObject& one, int held, const Phrase& seen) {
+Phrase what_was_done(const FoldedObject& one, int held, const Phrase& seen, double scale) {
     if (one.fate == FoldedObject::Fate::small) return phrase("too small to be felt at this size");
     if (one.fate == FoldedObject::Fate::hidden) return phrase("under or behind other things");
     Phrase text;
@@ -52,6 +53,7 @@ Phrase what_was_done(const FoldedObject& one, int held, const Phrase& seen) {
         if (number > 0) say(words(static_cast<std::size_t>(number)));
     };
     if (one.kept > 0) say(phrase("seen {0}", seen));
+    if (one.moved > 0) say(phrase("moved by {0} off what was too close", spoken_length(one.moved * scale)));
     count(one.straightened,
           [](std::size_t n) { return phrases(n, "a face that leant, turned upright", "{0} faces that leant, turned upright"); });
     if (one.kept > 0)
@@ -197,7 +199,7 @@ std::vector<Region> object_regions(const std::vector<FoldedObject>& objects, con
     }
     for (std::size_t i = 0; i < objects.size(); ++i) {
         regions[i].name = called(objects[i]);
-        regions[i].description = what_was_done(objects[i], held[i], seen);
+        regions[i].description = what_was_done(objects[i], held[i], seen, into.scale);
         regions[i].counts = counts_of(objects[i]);
         regions[i].path = objects[i].path;
     }
@@ -227,6 +229,8 @@ std::vector<Phrase> fold_remarks(const Drawing& drawing, const std::vector<Folde
     if (any_object([](const FoldedObject& one) { return one.bottom.has_value(); }))
         remarks.push_back(phrase("A dashed circle is the bottom of a vessel; its opening is a circle without gaps."));
     if (!drawing.areas.empty()) remarks.push_back(phrase("A wedge is a line towards you, thick where it is near."));
+    if (any_object([](const FoldedObject& one) { return one.moved > 0; }))
+        remarks.push_back(phrase("Things that are too close to be felt one by one are moved a little off each other."));
     if (spread > 1)
         remarks.push_back(
             phrase("Things are moved apart, {0} times as far from the middle, so that their faces have room.", numeral(spread)));

@@ -18,8 +18,8 @@ Panels moved(Panels panels, const std::vector<Point3>& by) {
             for (Point3& at : line.points) move(at, by[panel.part]);
     }
     for (Hinge& hinge : panels.hinges) {
-        const Point3& way = by[panels.panels[hinge.one].part];
-        for (Point3* at : {&hinge.one_from, &hinge.one_to, &hinge.other_from, &hinge.other_to}) move(*at, way);
+        for (Point3* at : {&hinge.one_from, &hinge.one_to}) move(*at, by[panels.panels[hinge.one].part]);
+        for (Point3* at : {&hinge.other_from, &hinge.other_to}) move(*at, by[panels.panels[hinge.other].part]);
     }
     for (Bar& bar : panels.bars) {
         move(bar.held, by[bar.part]);

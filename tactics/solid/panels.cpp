@@ -48,7 +48,7 @@ void add_face(Panels& made, const ModelPart& part, std::uint32_t number, const V
     for (const Patch& patch : part.solid.patches) {
         if (patch.area < 0.9 * part.solid.patches.front().area) continue;
         double worth = 2 + dot(patch.normal, view.toward) + 0.1 * patch.normal.z - 0.01 * patch.normal.y;
-        if (best == nullptr || worth > best_worth + 1e-6) {
+        if (best == nullptr || worth > best_worth + 1e-4) {
             best = &patch;
             best_worth = worth;
         }
@@ -129,7 +129,7 @@ void hinge_parts(Panels& made, const std::vector<ModelPart>& parts, std::uint32_
                     if (!runs_along(from, to, c, d, apart, begin, end)) continue;
                     const Point3 along = to - from, other_along = d - c;
                     const double length = (end - begin) * length_of(along);
-                    if (length <= longest * (1 + 1e-9)) continue;
+                    if (length <= longest * (1 + 1e-4)) continue;
                     longest = length;
                     const auto on_other = [&](const Point3& at) {
                         return c + (dot(at - c, other_along) / dot(other_along, other_along)) * other_along;
@@ -151,7 +151,7 @@ std::optional<std::uint32_t> holder_of(const Panels& made, const std::vector<std
         const double off = dot(panel.normal, end - panel.rings.front().front());
         double worth = std::abs(off) - 1e-3 * dot(panel.normal, view.toward);
         if (!is_over(end - off * panel.normal, panel.normal, panel.rings)) worth += std::sqrt(panel.area);
-        if (worth < least) {
+        if (worth < least - 1e-4 * std::abs(least) || !best) {
             least = worth;
             best = place;
         }

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 #include "tactics/solid/coarse.h"
 #include "tactics/solid/named_part.h"
+#include "tactics/solid/ranks.h"
 #include "tactics/solid/space_box.h"
 
 namespace tactics {
@@ -17,6 +19,7 @@ namespace {
 constexpr double kWeld = 1e-5;             // of a model's extent, as millimetres of a house are none
 constexpr std::size_t kMostSides = 64;     // patches that a hand could tell one from the other; more are a curve
 constexpr std::size_t kMostShells = 2000;  // pieces of an object; A4 has room for as many places that a finger can tell apart
+constexpr double kSameSize = 1e-3;         // of two sizes, by which they may differ and be the same
 constexpr double kSmallSide = 0.02;        // of the area, below which a patch is a facet of something curved
 
 double extent_of(const Model& model) {
@@ -46,13 +49,13 @@ std::array<Point3, 3> directions_of(const Solid& solid) {
         else if (lots.size() < 256)
             lots.push_back({patch.normal, patch.area});
     }
-    std::stable_sort(lots.begin(), lots.end(), [](const Lot& a, const Lot& b) { return a.area > b.area * (1 + 1e-6); });
+    std::stable_sort(lots.begin(), lots.end(), [](const Lot& a, const Lot& b) { return a.area > b.area * (1 + kSameSize); });
     if (lots.empty() || lots.front().area < 0.1 * total) return {Point3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const Point3 first = lots.front().normal;
     Point3 second;
     double best = 0;
     for (const Lot& lot : lots)
-        if (std::abs(dot(lot.normal, first)) < 0.02 && lot.area > best * (1 + 1e-6)) {
+        if (std::abs(dot(lot.normal, first)) < 0.02 && lot.area > best * (1 + kSameSize)) {
             second = lot.normal;
             best = lot.area;
         }
@@ -62,7 +65,7 @@ std::array<Point3, 3> directions_of(const Solid& solid) {
         const auto& ring = solid.patches.front().rings.front();
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const Point3 side = ring[(i + 1) % ring.size()] - ring[i];
-            if (length_of(side) > longest * (1 + 1e-6)) {
+            if (length_of(side) > longest * (1 + kSameSize)) {
                 longest = length_of(side);
                 second = side;
             }
@@ -86,7 +89,7 @@ PartBox box_along(std::array<Point3, 3> axes, const Solid& solid) {
                 }
     std::array<std::size_t, 3> order = {0, 1, 2};
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return high[a] - low[a] > (high[b] - low[b]) * (1 + 1e-6); });
+                     [&](std::size_t a, std::size_t b) { return high[a] - low[a] > (high[b] - low[b]) * (1 + kSameSize); });
     for (std::size_t i = 0; i < 3; ++i) {
         box.middle = box.middle + ((low[i] + high[i]) / 2) * axes[i];
         box.axis[i] = axes[order[i]];
@@ -150,6 +153,25 @@ ModelPart part_of(Solid solid, const ModelObject& object, std::uint32_t place, c
 void add_to(Solid& crowd, Solid solid) {
     crowd.closed = false;
     std::move(solid.patches.begin(), solid.patches.end(), std::back_inserter(crowd.patches));
+}
+
+// Those of one object by where they are, whatever the order of its faces.
+void put_parts_in_order(std::vector<ModelPart>& parts, std::size_t first, double tolerance) {
+    const double grain = 50 * tolerance;
+    std::vector<Point3> middles, sizes;
+    for (std::size_t i = first; i < parts.size(); ++i) {
+        middles.push_back(parts[i].box.middle);
+        sizes.push_back({parts[i].box.half[0], parts[i].box.half[1], parts[i].box.half[2]});
+    }
+    const auto where = ranks_of(middles, grain), large = ranks_of(sizes, grain);
+    std::vector<std::size_t> order(middles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return where[a] != where[b] ? where[a] < where[b] : large[a] < large[b];
+    });
+    std::vector<ModelPart> sorted;
+    for (const std::size_t i : order) sorted.push_back(std::move(parts[first + i]));
+    std::move(sorted.begin(), sorted.end(), parts.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
 // What is on something round and smaller, of the same object, is its handle or its spout.
@@ -248,6 +270,7 @@ std::vector<ModelPart> parts_of(const Model& whole, const PartWish& wish, const 
             else if (!solid.patches.empty())
                 parts.push_back(part_of(std::move(solid), object, place, wishes[place]));
         }
+        put_parts_in_order(parts, before, tolerance);
         take_handles(parts, before);
         if (crowd.patches.empty()) continue;
         parts.push_back(part_of(std::move(crowd), object, place, wishes[place]));

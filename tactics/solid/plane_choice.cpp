@@ -31,7 +31,7 @@ std::vector<Look> looks_of(const std::vector<ModelPart>& parts) {
             for (const Patch& patch : part.solid.patches) single.push_back({patch.normal, patch.area});
         }
     }
-    const auto larger = [](const Look& a, const Look& b) { return a.area > b.area * (1 + 1e-6); };
+    const auto larger = [](const Look& a, const Look& b) { return a.area > b.area * (1 + 1e-3); };
     std::stable_sort(single.begin(), single.end(), [](const Look& a, const Look& b) { return a.area > b.area; });
     for (const Look& one : single) {
         const auto same =
@@ -51,7 +51,7 @@ double liking(const Point3& way) { return way.z - 0.1 * way.y + 0.01 * way.x; }
 Point3 predominant(const std::vector<Look>& looks) {
     const Look* best = nullptr;
     for (const Look& look : looks)
-        if (best == nullptr || (look.area > kAsMuch * looks.front().area && liking(look.way) > liking(best->way) + 1e-6))
+        if (best == nullptr || (look.area > kAsMuch * looks.front().area && liking(look.way) > liking(best->way) + 1e-4))
             best = &look;
     return best == nullptr ? kFromAbove.toward : best->way;
 }
@@ -61,7 +61,7 @@ Point3 nearest(const std::vector<Look>& looks, const Point3& from) {
     for (const Look& look : looks) all += look.area;
     const Look* best = nullptr;
     for (const Look& look : looks)
-        if (look.area >= kWorthLooking * all && (best == nullptr || dot(look.way, from) > dot(best->way, from) + 1e-6))
+        if (look.area >= kWorthLooking * all && (best == nullptr || dot(look.way, from) > dot(best->way, from) + 1e-4))
             best = &look;
     return best == nullptr ? kFromTheFront.toward : best->way;
 }

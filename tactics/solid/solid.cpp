@@ -2,14 +2,18 @@
 #include "tactics/solid/solid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/course.h"
 #include "tactics/geometry/triangulate.h"
+#include "tactics/solid/ranks.h"
 
 namespace tactics {
 
@@ -54,6 +58,8 @@ bool before(const Point3& a, const Point3& b) { return a.x != b.x ? a.x < b.x : 
 
 // Rounded, so that what differs by less than that is equal.
 double coarse(double value, double grain) { return std::round(value / grain); }
+
+constexpr double kCertain = 50;  // tolerances of welding, by which a place may differ from file to file
 
 // Faces in the order of their size, so that a patch grows from its largest.
 std::vector<std::uint32_t> by_size(const Shell& shell) {
@@ -216,25 +222,100 @@ Patch patch_of(Border border, const WeldedSurface& surface, const Point3& normal
     return patch;
 }
 
-// Sides between the same two patches that go on straight are one seam.
-void add_seam(std::vector<Seam>& seams, const Seam& seam, double tolerance) {
-    for (std::size_t i = seams.size(); i-- > 0 && seams.size() - i <= 8;) {
-        Seam& last = seams[i];
-        if (last.one != seam.one || last.other != seam.other) continue;
-        const Point3 along = last.to - last.from;
-        const double length = length_of(along);
-        const auto straight = [&](const Point3& at) { return length_of(cross(along, at - last.from)) <= 4 * tolerance * length; };
-        if (!straight(seam.from) || !straight(seam.to)) continue;
-        if (length_of(last.to - seam.from) <= 2 * tolerance) {
-            last.to = seam.to;
-            return;
+// The second goes on straight from the first, which then has both.
+bool take_seam(Seam& first, const Seam& second, double tolerance) {
+    const Point3 along = first.to - first.from;
+    const double length = length_of(along);
+    const auto straight = [&](const Point3& at) { return length_of(cross(along, at - first.from)) <= 4 * tolerance * length; };
+    if (length_of(first.to - second.from) > 2 * tolerance || !straight(second.from) || !straight(second.to)) return false;
+    first.to = second.to;
+    return true;
+}
+
+void put_in_order(std::vector<Seam>& seams, double tolerance) {
+    std::vector<Point3> middles;
+    for (const Seam& seam : seams) middles.push_back(0.5 * (seam.from + seam.to));
+    const auto where = ranks_of(middles, kCertain * tolerance);
+    std::vector<std::size_t> order(seams.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::tie(seams[a].one, seams[a].other, where[a]) < std::tie(seams[b].one, seams[b].other, where[b]);
+    });
+    std::vector<Seam> sorted;
+    for (const std::size_t i : order) sorted.push_back(seams[i]);
+    seams = std::move(sorted);
+}
+
+// Sides between the same two patches that go on straight are one seam. In the order of the patches, and of where they are.
+std::vector<Seam> whole_seams(std::vector<Seam> seams, double tolerance) {
+    put_in_order(seams, tolerance);
+    std::vector<Seam> whole;
+    for (std::size_t begin = 0, end = 0; begin < seams.size(); begin = end) {
+        while (end < seams.size() && seams[end].one == seams[begin].one && seams[end].other == seams[begin].other) ++end;
+        // By where they begin, so that each finds the one that goes on from it.
+        std::map<std::array<double, 3>, std::vector<std::size_t>> from;
+        const auto key = [&](const Point3& at, int x, int y, int z) {
+            const double cell = 4 * tolerance;
+            return std::array{std::floor(at.x / cell) + x, std::floor(at.y / cell) + y, std::floor(at.z / cell) + z};
+        };
+        for (std::size_t i = begin; i < end; ++i) from[key(seams[i].from, 0, 0, 0)].push_back(i);
+        std::vector<char> taken(end - begin, 0);
+        const auto next = [&](const Seam& seam) -> std::size_t {
+            for (int x = -1; x <= 1; ++x)
+                for (int y = -1; y <= 1; ++y)
+                    for (int z = -1; z <= 1; ++z)
+                        if (const auto found = from.find(key(seam.to, x, y, z)); found != from.end())
+                            for (const std::size_t i : found->second)
+                                if (Seam longer = seam; taken[i - begin] == 0 && take_seam(longer, seams[i], tolerance)) return i;
+            return end;
+        };
+        std::vector<Seam> grown(seams.begin() + static_cast<std::ptrdiff_t>(begin),
+                                seams.begin() + static_cast<std::ptrdiff_t>(end));
+        for (std::size_t i = begin; i < end; ++i) {
+            if (taken[i - begin] != 0) continue;
+            for (std::size_t on = next(grown[i - begin]); on != end && on != i; on = next(grown[i - begin])) {
+                if (!take_seam(grown[i - begin], grown[on - begin], tolerance)) break;
+                taken[on - begin] = 1;
+            }
         }
-        if (length_of(last.from - seam.to) <= 2 * tolerance) {
-            last.from = seam.from;
-            return;
-        }
+        for (std::size_t i = 0; i < grown.size(); ++i)
+            if (taken[i] == 0) whole.push_back(grown[i]);
     }
-    seams.push_back(seam);
+    put_in_order(whole, tolerance);
+    return whole;
+}
+
+// The first corner of each ring, and the order of patches, do not depend on the order of the faces.
+void put_in_order(Solid& solid, double tolerance) {
+    const double grain = kCertain * tolerance;
+    double largest = 0;
+    std::vector<Point3> middles, areas;
+    for (Patch& patch : solid.patches) {
+        largest = std::max(largest, patch.area);
+        middles.push_back(middle_of(patch));
+        areas.push_back({patch.area, 0, 0});
+        for (auto& ring : patch.rings) std::rotate(ring.begin(), first_corner(ring, grain), ring.end());
+    }
+    const auto where = ranks_of(middles, grain), large = ranks_of(areas, 1e-4 * largest);
+    std::vector<std::uint32_t> order(solid.patches.size()), place(order.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return large[a] != large[b] ? large[a] > large[b] : where[a] < where[b];
+    });
+    std::vector<Patch> patches;
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+        place[order[i]] = i;
+        patches.push_back(std::move(solid.patches[order[i]]));
+    }
+    solid.patches = std::move(patches);
+    for (Seam& seam : solid.seams) {
+        seam.one = place[seam.one];
+        seam.other = place[seam.other];
+        if (seam.one < seam.other) continue;
+        std::swap(seam.one, seam.other);  // which goes round it the other way
+        std::swap(seam.from, seam.to);
+    }
+    solid.seams = whole_seams(std::move(solid.seams), tolerance);
 }
 
 }  // namespace
@@ -281,8 +362,9 @@ Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& f
         const Point3 from = surface.corners[half.from], to = surface.corners[half.to];
         const double angle = std::atan2(dot((1 / length_of(to - from)) * (to - from), cross(left.normal, right.normal)),
                                         dot(left.normal, right.normal));
-        add_seam(solid.seams, {one, other, from, to, angle}, surface.tolerance);
+        solid.seams.push_back({one, other, from, to, angle});
     }
+    put_in_order(solid, surface.tolerance);
     return solid;
 }
 

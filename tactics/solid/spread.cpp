@@ -6,6 +6,7 @@
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/growing_grid.h"
 #include "tactics/geometry/lots.h"
+#include "tactics/solid/flat_shape.h"
 
 namespace tactics {
 
@@ -16,11 +17,6 @@ constexpr double kTouching = 0.01;  // of the smaller extent
 bool touch(const Box& a, const Box& b) {
     const double least = std::min({a.width(), a.height(), b.width(), b.height()});
     return meet(grown(a, kTouching * least), b);
-}
-
-void take(Box& box, const Box& other) {
-    box.take({other.left, other.top});
-    box.take({other.right, other.bottom});
 }
 
 Point middle_of(const Box& box) { return {(box.left + box.right) / 2, (box.top + box.bottom) / 2}; }
