@@ -11,7 +11,7 @@
 #include "tests/solid/folded.h"
 #include "tests/solid/models.h"
 
-namespace tactics {
+namespace tactics::moved_off_test {
 namespace {
 
 using namespace tests;
@@ -169,4 +169,4 @@ TEST(MovedOff, IsToldAndCanBeSwitchedOff) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::moved_off_test

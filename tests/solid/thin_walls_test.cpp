@@ -8,7 +8,7 @@
 
 #include "tactics/geometry/course.h"
 
-namespace tactics {
+namespace tactics::thin_walls_test {
 namespace {
 
 double length_of(const std::vector<LaidLine>& lines) {
@@ -67,4 +67,4 @@ TEST(ThinWalls, ACircleCloseToABorderGoesAndOneFartherInStays) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::thin_walls_test

@@ -9,7 +9,7 @@
 
 #include "tactics/geometry/vectors.h"
 
-namespace tactics {
+namespace tactics::convex_test {
 namespace {
 
 class Chance {
@@ -96,4 +96,4 @@ TEST(Convex, TwoThatAreMovedByWhatPartsThemTouch) {
 }
 
 }  // namespace
-}  // namespace tactics
+}  // namespace tactics::convex_test
