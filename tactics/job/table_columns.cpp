@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "tactics/error.h"
 #include "tactics/text/named_unit.h"
@@ -172,14 +173,16 @@ void tell_left_out(const TableHead& head, std::size_t y, ColumnChoice& others, s
                beginning_of(head.columns[y]), names, spelled("y")));
 }
 
-// From row to row one of both stays the same, as in a grid that is written out row by row.
+std::size_t different_cells(const TableHead& head, std::size_t column) {
+    std::set<std::string_view> cells;
+    for (const TableRow& row : head.rows) cells.insert(row.cells[column]);
+    return cells.size();
+}
+
+// Each value of one column is there with each value of the other, but for a few that are missing: a grid that is written out.
 bool is_grid(const TableHead& head, std::size_t x, std::size_t y) {
-    std::size_t steady = 0;
-    for (std::size_t i = 1; i < head.rows.size(); ++i) {
-        const std::vector<std::string>&cells = head.rows[i].cells, &before = head.rows[i - 1].cells;
-        steady += (cells[x] == before[x]) != (cells[y] == before[y]) ? 1 : 0;
-    }
-    return head.rows.size() > 4 && 2 * steady > head.rows.size();
+    const std::size_t across = different_cells(head, x), up = different_cells(head, y);
+    return head.rows.size() > 4 && across > 1 && up > 1 && 2 * across * up <= 3 * head.rows.size();
 }
 
 // A curve of heights over a plane says nothing.

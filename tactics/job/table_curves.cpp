@@ -100,9 +100,9 @@ public:
         tell_left_out(left_out_, notes);
         if (turns_ > 0)
             notes.push_back(phrase(
-                "rows are joined in their order, and {0} goes to and fro {1} times; unless that is meant, sort the rows by it, "
+                "rows are joined in their order, and {0} changes direction {1} times; unless that is meant, sort the rows by it, "
                 "or use {2}",
-                beginning_of(plot_.x.name), std::to_string(turns_), spelled("points")));
+                beginning_of(plot_.x.name), numeral(static_cast<double>(turns_)), spelled("points")));
         if (gaps_ > 0)
             notes.push_back(ups_.size() > 1
                                 ? phrases(gaps_, "{0} row has no number in one of the columns; the curve has a gap there",
@@ -184,7 +184,7 @@ private:
             const double way = point.x - before.x;
             if (way * group.way < 0 && ++group.turns > kMostTableTurns)
                 throw Error(Fault::failed, head_.name,
-                            phrase("rows are joined in their order, and {0} goes to and fro more than {1} times; sort the rows "
+                            phrase("rows are joined in their order, and {0} changes direction more than {1} times; sort the rows "
                                    "by it, or keep fewer",
                                    beginning_of(plot_.x.name), std::to_string(kMostTableTurns)));
             if (way != 0) group.way = way;

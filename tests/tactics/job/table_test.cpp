@@ -273,7 +273,7 @@ TEST(Table, WhatDoesNotGoTogetherIsRefused) {
     EXPECT_NE(refusal("a,b\n1,2\n", {.points = true, .matrix = true}).find("matrix: it has all rows"), std::string::npos);
     std::string to_and_fro = "x,y\n";
     for (int i = 0; i < 20'002; ++i) to_and_fro += std::to_string(i % 2) + "," + std::to_string(i) + "\n";
-    EXPECT_NE(refusal(to_and_fro).find("x goes to and fro more than 10000 times; sort the rows by it"), std::string::npos);
+    EXPECT_NE(refusal(to_and_fro).find("x changes direction more than 10000 times; sort the rows by it"), std::string::npos);
 }
 
 // What other programs write is what they meant.
@@ -316,7 +316,7 @@ TEST(Table, RowsInAnyOrderOfXAreNoted) {
     }
     std::shuffle(order.begin(), order.end(), random);
     for (const int i : order) shuffled += std::to_string(i) + ",1\n";
-    const char* const words = "rows are joined in their order, and x goes to and fro";
+    const char* const words = "rows are joined in their order, and x changes direction";
     EXPECT_TRUE(says(read(shuffled), words));
     EXPECT_FALSE(says(read(sorted), words));
     EXPECT_FALSE(says(read(path), words));
@@ -326,10 +326,11 @@ TEST(Table, RowsInAnyOrderOfXAreNoted) {
 }
 
 TEST(Table, HeightsThatAreDrawnAsACurveAreNoted) {
-    std::string grid = "east,north,height\n", three = "depth,heat,salt\n", rows;
+    std::string grid = "east,north,height\n", three = "depth,heat,salt\n", set = "time,set,heat\n", rows;
     for (int i = 0; i < 30; ++i) {
         grid += std::to_string(i % 6) + "," + std::to_string(i / 6) + "," + std::to_string(i * i) + "\n";
         three += std::to_string(i) + "," + std::to_string(i * i) + "," + std::to_string(90 - i) + "\n";
+        set += std::to_string(i) + "," + std::to_string(20 + i / 15) + "," + std::to_string(i % 7) + "\n";
         rows += std::to_string(0.5 * i) + "," + std::to_string(i % 5) + "," + std::to_string(i % 3) + "," +
                 std::to_string(i % 4) + "\n";
     }
@@ -338,6 +339,7 @@ TEST(Table, HeightsThatAreDrawnAsACurveAreNoted) {
     heights.z = "height";
     EXPECT_FALSE(says(read(grid, heights), "is the height over"));
     EXPECT_FALSE(says(read(three), "is the height over"));
+    EXPECT_FALSE(says(read(set), "is the height over"));
     EXPECT_TRUE(says(read(rows), "if its rows are heights, use " + spelled("matrix")));
     EXPECT_FALSE(says(read(three), "if its rows are heights"));
 }
