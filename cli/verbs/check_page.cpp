@@ -64,7 +64,7 @@ FoundPage page_of(const std::string& file, const PageWish& wish) {
     if (wish.pdf_page > 0 && holds != Holds::pdf)
         throw Error(Fault::usage, "--page", phrase("{0} is no PDF; leave it out", source.name));
     if (holds == Holds::pdf && wish.pdf_page > 0) {
-        const int pages = pages_of_pdf(source);
+        const int pages = pages_of_any_pdf(source);
         if (wish.pdf_page > pages)
             throw Error(Fault::usage, source.name,
                         phrase("there is no page {0}, but pages 1 to {1}", std::to_string(wish.pdf_page), std::to_string(pages)));

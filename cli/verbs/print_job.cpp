@@ -60,7 +60,7 @@ PrintedPages pages_of(Source& source, const PrintJob& wish) {
     PrintedPages pages;
     pages.pdf = !wish.is_text && look_at(source) == Holds::pdf;
     if (!pages.pdf) return pages;
-    pages.all = pages_of_pdf(source);
+    pages.all = pages_of_any_pdf(source);
     pages.first = wish.first_page;
     pages.last = std::min(wish.last_page, pages.all);
     if (pages.count() < 1)

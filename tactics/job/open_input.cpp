@@ -36,11 +36,23 @@ Source kept(const std::string& bytes, const std::string& name) {
 
 // The pages of a PDF that we wrote are read as they were, without a program that reads PDF.
 struct OwnPages {
-    std::string bytes;
+    std::string bytes = {};
     std::optional<std::vector<std::string_view>> svgs = {};  // parts of the bytes
 };
 
+// The whole of a file is read only if its end is one of ours.
+bool ends_as_ours(std::FILE* file) {
+    std::string end(kOwnPdfEnd, '\0');
+    if (std::fseek(file, 0, SEEK_END) != 0) return false;
+    const long size = std::ftell(file);
+    const bool found = size > 0 && std::fseek(file, std::max(0L, size - static_cast<long>(end.size())), SEEK_SET) == 0;
+    end.resize(found ? std::fread(end.data(), 1, end.size(), file) : 0);
+    std::rewind(file);
+    return may_be_own_pdf(end);
+}
+
 OwnPages own_pages_in(const Source& pdf) {
+    if (!ends_as_ours(pdf.file.get())) return {};
     OwnPages own{bytes_of(pdf.file.get())};
     std::rewind(pdf.file.get());
     own.svgs = own_pdf_pages(own.bytes);
@@ -53,6 +65,11 @@ PdfPageWish page_wish(const Wishes& wishes) { return {wishes.page, wishes.recipe
 
 Source open_input(const std::string& path, const PdfPageWish& wish, std::vector<Phrase>& notes) {
     return page_of_input(open_source(path), path, wish, notes);
+}
+
+int pages_of_any_pdf(const Source& pdf) {
+    const OwnPages own = own_pages_in(pdf);
+    return own.svgs ? static_cast<int>(own.svgs->size()) : pages_of_pdf(pdf);
 }
 
 bool is_own_pdf(Source& source) { return look_at(source) == Holds::pdf && own_pages_in(source).svgs.has_value(); }
@@ -70,7 +87,7 @@ Source page_of_input(Source source, const std::string& path, const PdfPageWish& 
     if (wish.page == 0 && pages > 1)
         notes.push_back(phrase("this is page 1 of {0}; {1} 2 is the next", std::to_string(pages), spelled("page")));
     if (own.svgs && !wish.as_picture)
-        return kept(inflated((*own.svgs)[static_cast<std::size_t>(page) - 1], kMostXmlBytes, source.name), source.name);
+        return kept(inflated((*own.svgs)[static_cast<std::size_t>(page) - 1], kMostXmlBytes + 1, source.name), source.name);
     if (!wish.as_picture) {
         const PdfText text = pdf_text(source, page);
         const auto svg = pdf_page_as_svg(source, page, text);

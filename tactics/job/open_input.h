@@ -26,7 +26,10 @@ Source open_input(const std::string& path, const PdfPageWish& wish, std::vector<
 /// The same for an opened file.
 Source page_of_input(Source source, const std::string& path, const PdfPageWish& wish, std::vector<Phrase>& notes);
 
-/// Whether it is a PDF that we wrote and nobody has changed: its pages are then read as those of our own SVG.
+/// How many pages page_of_input can give. Throws as pages_of_pdf.
+int pages_of_any_pdf(const Source& pdf);
+
+/// Whether it is a PDF of ours as it was written (own_pdf.h): its pages are then read as those of our own SVG.
 bool is_own_pdf(Source& source);
 
 }  // namespace tactics

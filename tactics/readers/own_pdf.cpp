@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kHead = "%PDF-1.6\n", kEnd = "\n%%EOF\n", kTrailer = "trailer\n<<", kId = " /ID [<";
 constexpr std::string_view kName = "54414354494353";  // TACTICS
-constexpr std::size_t kIdDigits = 32, kLongestTrailer = 400;
+constexpr std::size_t kIdDigits = 32;
 
 void append_hex_digits(std::string& text, std::uint64_t number, int digits) {
     for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) text += "0123456789ABCDEF"[number >> shift & 15];
@@ -38,15 +38,9 @@ std::optional<std::size_t> number_behind(std::string_view text, std::string_view
 // From the trailer on, which is short.
 std::string_view tail_of(std::string_view pdf) {
     if (!pdf.ends_with(kEnd)) return {};
-    const std::size_t from = pdf.size() - std::min(pdf.size(), kLongestTrailer);
+    const std::size_t from = pdf.size() - std::min(pdf.size(), kOwnPdfEnd);
     const auto at = pdf.rfind(kTrailer);
     return at == std::string_view::npos || at < from ? std::string_view() : pdf.substr(at);
-}
-
-// Where a trailer of ours says so.
-bool may_be_ours(std::string_view tail) {
-    const auto at = tail.find(kId);
-    return at != std::string_view::npos && tail.substr(at + kId.size()).starts_with(kName);
 }
 
 // The stream of an object, if it is an SVG.
@@ -64,6 +58,12 @@ std::optional<std::string_view> page_in(std::string_view object) {
 
 }  // namespace
 
+bool may_be_own_pdf(std::string_view end) {
+    const std::string_view tail = tail_of(end);
+    const auto at = tail.find(kId);
+    return at != std::string_view::npos && tail.substr(at + kId.size()).starts_with(kName);
+}
+
 std::string own_pdf_id(std::string_view before_table) {
     std::string id(kName);
     append_hex_digits(id, crc32_of(before_table), 8);
@@ -75,7 +75,7 @@ std::optional<std::vector<std::string_view>> own_pdf_pages(std::string_view pdf)
     constexpr std::string_view kTable = "xref\n0 ", kStart = "startxref\n";
     constexpr std::size_t kEntry = 20;  // ISO 32000-1, 7.5.4
     const std::string_view tail = tail_of(pdf);
-    if (!pdf.starts_with(kHead) || !may_be_ours(tail)) return std::nullopt;
+    if (!pdf.starts_with(kHead) || !may_be_own_pdf(tail)) return std::nullopt;
     std::string_view end = tail.substr(std::min(tail.size(), tail.find(kStart)));
     end.remove_prefix(std::min(end.size(), kStart.size()));
     const auto start = take_number(end);
@@ -86,13 +86,18 @@ std::optional<std::vector<std::string_view>> own_pdf_pages(std::string_view pdf)
     const auto count = take_number(table);
     if (!count || !table.starts_with('\n')) return std::nullopt;
     table.remove_prefix(1);
-    std::vector<std::string_view> pages;
+    // Objects stand one behind the other in the order of the table, as we write them, so that each byte is looked at once.
+    std::vector<std::size_t> offsets;
     for (std::size_t i = 1; i < *count && (i + 1) * kEntry <= table.size(); ++i) {
         std::string_view entry = table.substr(i * kEntry, kEntry);
         const auto offset = take_number(entry);
-        if (!offset || *offset >= before.size()) return std::nullopt;
-        if (const auto page = page_in(before.substr(*offset))) pages.push_back(*page);
+        if (!offset || *offset >= before.size() || (!offsets.empty() && *offset <= offsets.back())) return std::nullopt;
+        offsets.push_back(*offset);
     }
+    offsets.push_back(before.size());
+    std::vector<std::string_view> pages;
+    for (std::size_t i = 0; i + 1 < offsets.size(); ++i)
+        if (const auto page = page_in(before.substr(offsets[i], offsets[i + 1] - offsets[i]))) pages.push_back(*page);
     return pages.empty() ? std::nullopt : std::optional(std::move(pages));
 }
 

@@ -72,5 +72,42 @@ TEST(OwnPdf, HostileTablesAreHarmless) {
     EXPECT_THROW(inflated("no zlib at all", 100, "a.pdf"), Error);
 }
 
+// Objects in front of a table of our kind, with the identifier that they ask for.
+std::string forged(const std::string& objects, const std::vector<std::size_t>& offsets) {
+    const std::string before = "%PDF-1.6\n" + objects;
+    std::string pdf = before + "xref\n0 " + std::to_string(offsets.size() + 1) + "\n0000000000 65535 f \n";
+    for (const std::size_t offset : offsets) {
+        const std::string digits = std::to_string(offset);
+        pdf += std::string(10 - digits.size(), '0') + digits + " 00000 n \n";
+    }
+    return pdf + "trailer\n<< /Size 9 /ID [<" + own_pdf_id(before) + ">] >>\nstartxref\n" + std::to_string(before.size()) +
+           "\n%%EOF\n";
+}
+
+TEST(OwnPdf, WhatAForgedTableNamesTwiceOrALengthOversteps) {
+    const std::string entries = "1 0 obj\n<< " + std::string(kOwnPageEntries), stream = ">>\nstream\nabcd\nendstream\nendobj\n";
+    const std::string whole = entries + "/Length 4 " + stream;
+    const auto once = own_pdf_pages(forged(whole + whole, {9, 9 + whole.size()}));
+    ASSERT_TRUE(once);
+    EXPECT_EQ(*once, (std::vector<std::string_view>{"abcd", "abcd"}));
+    // One object for many entries would be searched again and again.
+    EXPECT_FALSE(own_pdf_pages(forged(whole + whole, std::vector<std::size_t>(100000, 9))));
+    EXPECT_FALSE(own_pdf_pages(forged(whole + whole, {9 + whole.size(), 9})));
+    // A stream ends with its object, and one without a length or a beginning is none.
+    EXPECT_FALSE(own_pdf_pages(forged(entries + "/Length 4000 " + stream, {9})));
+    EXPECT_FALSE(own_pdf_pages(forged(entries + "/Length 45 " + stream + whole, {9, 9 + entries.size()})));
+    EXPECT_FALSE(own_pdf_pages(forged(entries + stream, {9})));
+    EXPECT_FALSE(own_pdf_pages(forged(entries + "/Length 4 >>\nabcd\n", {9})));
+    EXPECT_FALSE(own_pdf_pages(forged(whole, {4000})));
+}
+
+TEST(OwnPdf, ItsEndTellsWhetherItMayBeOurs) {
+    const std::string pdf = written("pdf", two_pages());
+    EXPECT_TRUE(may_be_own_pdf(pdf.substr(pdf.size() - kOwnPdfEnd)));
+    EXPECT_TRUE(may_be_own_pdf(pdf));
+    EXPECT_FALSE(may_be_own_pdf(pdf.substr(0, pdf.size() - 1)));
+    EXPECT_FALSE(may_be_own_pdf("trailer\n<< /Size 9 /ID [<00112233445566778899AABBCCDDEEFF>] >>\nstartxref\n9\n%%EOF\n"));
+}
+
 }  // namespace
 }  // namespace tactics::own_pdf_test
