@@ -186,15 +186,19 @@ TEST(Dashes, DottedLinesAreRowsOfDotsClearOfOthers) {
 // On a wave, as pixels have it, the next dot is less far straight across: it stands farther on, and none is missing.
 TEST(Dashes, NoDotOfACurveIsMissing) {
     const Medium& medium = find_medium("swell", "test");
-    Drawing drawing = blank();
-    Stroke wave{{}, false, LineClass::thick, 0, Role::dots};
-    for (double x = 10; x <= 170; x += 1.5) wave.points.push_back({x, 0.4 * std::round((100 + 18 * std::sin(x / 25)) / 0.4)});
-    drawing.strokes.push_back(wave);
-    ASSERT_TRUE(cut_dashes(drawing, medium));
-    for (std::size_t i = 1; i < drawing.strokes.size(); ++i)
-        EXPECT_LT(distance(drawing.strokes[i - 1].points[0], drawing.strokes[i].points[0]),
-                  1.5 * (medium.gap + medium.thick_line));
-    EXPECT_EQ(places(drawing, medium, {"gap"}), 0u);
+    for (double bend = 12; bend < 40; ++bend) {
+        Drawing drawing = blank();
+        Stroke wave{{}, false, LineClass::thick, 0, Role::dots};
+        for (double x = 10; x <= 170; x += 1.5)
+            wave.points.push_back({x, 0.8 * std::round((100 + 0.7 * bend * std::sin(x / bend)) / 0.8)});
+        drawing.strokes.push_back(wave);
+        ASSERT_TRUE(cut_dashes(drawing, medium));
+        for (std::size_t i = 1; i < drawing.strokes.size(); ++i)
+            EXPECT_LT(distance(drawing.strokes[i - 1].points[0], drawing.strokes[i].points[0]),
+                      1.5 * (medium.gap + medium.thick_line))
+                << bend;
+        EXPECT_EQ(places(drawing, medium, {"gap"}), 0u);
+    }
 }
 
 // Two parts of a line that end on a row of dots touch only through it.
