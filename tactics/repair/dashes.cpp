@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,7 @@ namespace {
 constexpr double kDash = 8, kShortestDash = 6, kShare = 0.5, kLongGap = 1.4;
 constexpr double kBent = 1.05;  // on a curve it is less far straight across than along the line
 constexpr double kDashStep = 0.5;
+constexpr double kPageSteps = 0.03;    // mm: steps of the page
 constexpr std::size_t kLeastDots = 3;  // of a dotted line
 constexpr double kCorner = 0.866;      // cosine of 30 degrees, by which a line turns at a corner within kTurn, mm, on both sides
 constexpr double kTurn = 1;
@@ -45,6 +47,31 @@ struct Lengths {
     double least_gap, gap, dash, shortest;
 };
 
+// Their middle lines, if they do not cross.
+bool are_nearer(const Stroke& a, const Stroke& b, double least) {
+    if (distance(a.points[0], b.points[0]) > least + length_of(a) + length_of(b)) return false;
+    for (const auto& [one, two] :
+         {std::pair<const Stroke*, const Stroke*>{&a, &b}, std::pair<const Stroke*, const Stroke*>{&b, &a}})
+        for (const Point& p : one->points)
+            for (std::size_t k = 0; k + 1 < two->points.size(); ++k)
+                if (distance_to_segment(p, two->points[k], two->points[k + 1]) < least) return true;
+    return false;
+}
+
+// Wide marks on both legs of a sharp bend may be too near to each other: of two the later goes.
+void leave_out_crowded(std::vector<Stroke>& marks, const Medium& medium) {
+    if (marks.size() < 2) return;
+    std::vector<Stroke> kept;
+    for (Stroke& mark : marks) {
+        const double width = width_of(mark.line, medium);
+        const bool crowded = std::any_of(kept.begin(), kept.end(), [&](const Stroke& other) {
+            return are_nearer(mark, other, medium.gap + kPageSteps / 2 + (width + width_of(other.line, medium)) / 2);
+        });
+        if (!crowded) kept.push_back(std::move(mark));
+    }
+    marks = std::move(kept);
+}
+
 class Dashing {
 public:
     Dashing(const Drawing& drawing, const Medium& medium)
@@ -53,15 +80,16 @@ public:
           page_(page_of(drawing, medium)),
           geometry_(page_),
           grid_(boxes(), page_.width, page_.height),
-          chain_of_(drawing.strokes.size(), geometry_.chains.size()) {
+          chain_of_(drawing.strokes.size(), geometry_.chains.size()),
+          thick_beside_normal_(has_dashed(LineClass::thick) && has_dashed(LineClass::normal)) {
         for (std::size_t i = 0; i < geometry_.chains.size(); ++i)
             if (!geometry_.chains[i].ring) chain_of_[geometry_.chains[i].owner] = i;
     }
 
     // The line itself if there is no room for two dashes.
     std::vector<Stroke> cut(std::size_t number) {
+        if (std::optional<std::vector<Stroke>> marks = with_dots(number)) return *std::move(marks);
         const Stroke& line = drawing_.strokes[number];
-        if (std::vector<Stroke> marks = with_dots(number); !marks.empty()) return marks;
         const double length = length_of(line);
         const Lengths lengths(medium_, page_.strokes[number].width);
         const double most = length / lengths.dash;
@@ -89,32 +117,73 @@ public:
             Stroke stroke{part_of(line.points, line.closed, dash.from, dash.to), false, line.line, line.strength, Role::dash};
             if (stroke.points.size() > 1) strokes.push_back(std::move(stroke));
         }
+        if (line.line == LineClass::thick) leave_out_crowded(strokes, medium_);
         return strokes;
     }
 
 private:
-    // Dots are left out where others are near: their gaps say nothing, and the line goes on behind. Nothing if it has no dots, or
-    // too few of them would be left.
-    std::vector<Stroke> with_dots(std::size_t number) {
+    bool has_dashed(LineClass line) const {
+        return std::any_of(drawing_.strokes.begin(), drawing_.strokes.end(),
+                           [&](const Stroke& stroke) { return stroke.role == Role::dash && stroke.line == line; });
+    }
+
+    // Dots are left out where others are near: their gaps say nothing, and the line goes on behind. So does what is left of a
+    // dotted line between two things. Nothing if it has no dots, or too few of a longer one would be left. Where thick lines are
+    // as thin as others, dots say that thick dashes are not those of others.
+    std::optional<std::vector<Stroke>> with_dots(std::size_t number) {
         const Stroke& line = drawing_.strokes[number];
-        const LineStyle style = line_style(line.role == Role::dots         ? kDottedStyle
-                                           : line.line == LineClass::thick ? kThickDashedStyle
-                                                                           : kDashedStyle,
+        const bool thick = line.line == LineClass::thick && thick_beside_normal_;
+        const LineStyle style = line_style(line.role == Role::dots ? kDottedStyle
+                                           : thick                 ? kThickDashedStyle
+                                                                   : kDashedStyle,
                                            medium_);
         const std::size_t chain = chain_of_[number];
         if (std::find(style.marks.begin(), style.marks.end(), 0) == style.marks.end() || chain == geometry_.chains.size())
-            return {};
-        if (length_of(line) / style.gap > std::min(kMostDashes, left_)) return {};
-        std::vector<Stroke> marks = in_style(line.points, line.closed, style, medium_);
+            return std::nullopt;
+        if (length_of(line) / style.gap > std::min(kMostDashes, left_)) return std::nullopt;
+        Medium roomy = medium_;
+        roomy.gap += kPageSteps;  // or dots that have just enough room between them would be crowded on the page
+        std::vector<Stroke> marks = in_style(line.points, line.closed, style, roomy);
         const std::size_t all = marks.size();
+        const std::vector<Stroke> joined = joints(line, chain);
+        const double gap = medium_.gap + kPageSteps, from_joint = gap + (medium_.line + width_of(style.line, medium_)) / 2;
         std::erase_if(marks, [&](const Stroke& mark) {
             return std::any_of(mark.points.begin(), mark.points.end(),
-                               [&](Point p) { return is_near(geometry_.chains[chain], chain, p); });
+                               [&](Point p) { return is_near(geometry_.chains[chain], chain, p, gap); }) ||
+                   std::any_of(joined.begin(), joined.end(),
+                               [&](const Stroke& joint) { return are_nearer(mark, joint, from_joint); });
         });
-        if (marks.size() < std::max(kLeastDots, all / 2)) return {};
+        const bool rest = line.role == Role::dots && all <= kLeastDots;
+        if (!rest && marks.size() < std::max(kLeastDots, all / 2)) return std::nullopt;
         left_ -= static_cast<double>(all);
+        leave_out_crowded(marks, medium_);
+        marks.insert(marks.end(), joined.begin(), joined.end());
         for (Stroke& mark : marks) mark.strength = line.strength;
         return marks;
+    }
+
+    // What met only on a line of dots would be left with a gap too small to be felt as one.
+    std::vector<Stroke> joints(const Stroke& line, std::size_t chain) const {
+        const std::vector<PageGeometry::Meets>& all = geometry_.contacts_of[chain];
+        const auto other = [&](const PageGeometry::Meets& meets) {
+            const Contact& contact = geometry_.contacts[meets.contact];
+            return meets.turned ? contact.one : contact.other;
+        };
+        std::vector<Stroke> strokes;
+        for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+            const Station a = other(all[i]), b = other(all[i + 1]);
+            if (a.chain == chain || b.chain == chain) continue;
+            const Point from = geometry_.point_at(a), to = geometry_.point_at(b);
+            const double least =
+                medium_.gap + kPageSteps + geometry_.chains[a.chain].half_width + geometry_.chains[b.chain].half_width;
+            if (distance(from, to) >= least) continue;
+            if (a.chain == b.chain && PageGeometry::way(geometry_.chains[a.chain], a.along, b.along) < 2 * least) continue;
+            Stroke joint{{from}, false, LineClass::normal, 0, Role::dash};
+            for (const Point& p : part_of(line.points, line.closed, all[i].along, all[i + 1].along)) joint.points.push_back(p);
+            joint.points.push_back(to);
+            strokes.push_back(std::move(joint));
+        }
+        return strokes;
     }
 
     std::vector<Box> boxes() const {
@@ -123,13 +192,13 @@ private:
         return all;
     }
 
-    bool is_near(const Chain& own, std::size_t own_number, Point at) const {
-        const double reach = own.half_width + kBent * medium_.gap + medium_.thick_line / 2;
+    bool is_near(const Chain& own, std::size_t own_number, Point at, double gap) const {
+        const double reach = own.half_width + gap + medium_.thick_line / 2;
         const Box box{at.x - reach, at.y - reach, at.x + reach, at.y + reach};
         return grid_.any_near(box, [&](std::size_t piece) {
             const Piece& other = geometry_.pieces[piece];
             if (other.chain == own_number) return false;
-            const double least = kBent * medium_.gap + own.half_width + geometry_.chains[other.chain].half_width;
+            const double least = gap + own.half_width + geometry_.chains[other.chain].half_width;
             return distance(nearest_on(other.line, at), at) < least;
         });
     }
@@ -143,7 +212,7 @@ private:
         const auto steps = static_cast<std::size_t>(std::ceil(length / kDashStep));
         for (std::size_t i = 0; i <= steps; ++i) {
             const double along = std::min(static_cast<double>(i) * kDashStep, length);
-            if (!is_near(own, chain, geometry_.point_at({chain, along}))) continue;
+            if (!is_near(own, chain, geometry_.point_at({chain, along}), kBent * medium_.gap)) continue;
             const DashSpan span{std::max(0.0, along - kDashStep), std::min(length, along + kDashStep)};
             if (!spans.empty() && spans.back().to >= span.from)
                 spans.back().to = span.to;
@@ -236,29 +305,9 @@ private:
     const PageGeometry geometry_;
     const Grid grid_;
     std::vector<std::size_t> chain_of_;  // of each line; that there is none: the number of chains
+    const bool thick_beside_normal_;     // of dashed lines
     double left_ = kMostOfAll;           // dashes
 };
-
-// Wide marks on both legs of a sharp bend may be too near to each other: of two the later goes.
-void leave_out_crowded(std::vector<Stroke>& marks, const Medium& medium) {
-    constexpr double kRounding = 0.03;  // mm: steps of the page
-    if (marks.size() < 2) return;
-    std::vector<Stroke> kept;
-    for (Stroke& mark : marks) {
-        const double width = width_of(mark.line, medium), least = medium.gap + width + kRounding, length = length_of(mark);
-        const bool crowded = std::any_of(kept.begin(), kept.end(), [&](const Stroke& other) {
-            if (distance(mark.points[0], other.points[0]) > least + length + length_of(other)) return false;
-            for (const auto& [one, two] :
-                 {std::pair<const Stroke*, const Stroke*>{&mark, &other}, std::pair<const Stroke*, const Stroke*>{&other, &mark}})
-                for (const Point& p : one->points)
-                    for (std::size_t k = 0; k + 1 < two->points.size(); ++k)
-                        if (distance_to_segment(p, two->points[k], two->points[k + 1]) < least) return true;
-            return false;
-        });
-        if (!crowded) kept.push_back(std::move(mark));
-    }
-    marks = std::move(kept);
-}
 
 }  // namespace
 
@@ -276,7 +325,6 @@ bool cut_dashes(Drawing& drawing, const Medium& medium) {
             continue;
         }
         std::vector<Stroke> dashes = dashing.cut(i);
-        if (drawing.strokes[i].line == LineClass::thick) leave_out_crowded(dashes, medium);
         any = any || dashes.size() > 1;
         for (Stroke& dash : dashes) dash.role = Role::dash;
         std::move(dashes.begin(), dashes.end(), std::back_inserter(strokes));

@@ -183,6 +183,57 @@ TEST(Dashes, DottedLinesAreRowsOfDotsClearOfOthers) {
     }
 }
 
+// On a wave, as pixels have it, the next dot is less far straight across: it stands farther on, and none is missing.
+TEST(Dashes, NoDotOfACurveIsMissing) {
+    const Medium& medium = find_medium("swell", "test");
+    for (double bend = 12; bend < 40; ++bend) {
+        Drawing drawing = blank();
+        Stroke wave{{}, false, LineClass::thick, 0, Role::dots};
+        for (double x = 10; x <= 170; x += 1.5)
+            wave.points.push_back({x, 0.8 * std::round((100 + 0.7 * bend * std::sin(x / bend)) / 0.8)});
+        drawing.strokes.push_back(wave);
+        ASSERT_TRUE(cut_dashes(drawing, medium));
+        for (std::size_t i = 1; i < drawing.strokes.size(); ++i)
+            EXPECT_LT(distance(drawing.strokes[i - 1].points[0], drawing.strokes[i].points[0]),
+                      1.5 * (medium.gap + medium.thick_line))
+                << bend;
+        EXPECT_EQ(places(drawing, medium, {"gap"}), 0u);
+    }
+}
+
+// Two parts of a line that end on a row of dots touch only through it.
+TEST(Dashes, WhatMetOnALineOfDotsStaysJoined) {
+    const Medium& medium = find_medium("swell", "test");
+    Drawing drawing = blank();
+    drawing.strokes.push_back({{{10, 100}, {170, 100}}, false, LineClass::thick, 0, Role::dots});
+    drawing.strokes.push_back({{{80, 20}, {80, 99}}, false});
+    drawing.strokes.push_back({{{82, 101}, {82, 200}}, false});
+    drawing.strokes.push_back({{{121, 100}, {124, 100}}, false, LineClass::thick, 0, Role::dots});  // what repair left of another
+    drawing.strokes.push_back({{{120, 20}, {120, 100}}, false});
+    drawing.strokes.push_back({{{125, 100}, {125, 200}}, false});
+    ASSERT_TRUE(cut_dashes(drawing, medium));
+    EXPECT_EQ(places(drawing, medium, {"gap"}), 0u);
+    std::size_t dots = 0;
+    for (const Stroke& stroke : drawing.strokes) dots += stroke.line == LineClass::thick && length_of(stroke) < 0.1 ? 1 : 0;
+    EXPECT_GT(dots, 10u);
+}
+
+// An embosser has no thick lines: dots behind its dashes say that a line is not one of the thin dashed ones, if there are any.
+TEST(Dashes, ThickOnesHaveDotsOnAnEmbosserOnlyBesideThinOnes) {
+    const Medium& medium = find_medium("embosser", "test");
+    for (const bool beside_thin : {false, true}) {
+        Drawing drawing = blank();
+        drawing.strokes.push_back({{{10, 100}, {170, 100}}, false, LineClass::thick, 0, Role::dash});
+        drawing.strokes.push_back(
+            {{{10, 150}, {170, 150}}, false, beside_thin ? LineClass::normal : LineClass::thick, 0, Role::dash});
+        ASSERT_TRUE(cut_dashes(drawing, medium));
+        std::size_t dots = 0, dashes = 0;
+        for (const Stroke& stroke : drawing.strokes) ++(length_of(stroke) < 0.1 ? dots : dashes);
+        EXPECT_EQ(dots > 0, beside_thin);
+        EXPECT_GT(dashes, 10u);
+    }
+}
+
 TEST(Dashes, OfVeryManyTheLastStayWhole) {
     const Medium& swell = find_medium("swell", "test");
     Drawing drawing = blank();
