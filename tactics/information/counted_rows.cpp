@@ -29,21 +29,10 @@ double row_difference(const Value* row, const Value* before, std::size_t columns
     return whole;
 }
 
-// Of each row, from the cells to the left and from those above; read once for both.
+// Of each row, from the cells to the left and from those above, and how much comes as a surprise; read once for all.
 struct Differences {
-    std::vector<double> left, above;
+    std::vector<double> left, above, surprise;
 };
-
-template <typename Value>
-Differences differences(const Value* values, std::size_t rows, std::size_t columns) {
-    Differences found;
-    for (std::size_t y = 0; y < rows; ++y) {
-        const Value* row = values + y * columns;
-        found.left.push_back(row_difference(row + 1, row, columns - 1));
-        found.above.push_back(y > 0 ? row_difference(row, row - columns, columns) : 0);
-    }
-    return found;
-}
 
 // A xorshift of G. Marsaglia (2003). Bands at even distances would miss what repeats at that distance.
 std::size_t random_below(std::uint64_t& state, std::size_t most) {
@@ -51,6 +40,49 @@ std::size_t random_below(std::uint64_t& state, std::size_t most) {
     state ^= state >> 7;
     state ^= state << 17;
     return static_cast<std::size_t>(state % most);
+}
+
+// What came last behind the same neighbours to the left and above, by their lowest bits, foretells a cell; the logarithm of its
+// error is blind to the size of steps: a great one that comes again and again is no surprise, and a small one by chance is. Of
+// each row every fifth cell is enough, from another one on: it is about rows, and costs as much as all else that reads them all.
+class Surprises {
+public:
+    template <typename Value>
+    double of_row(const Value* row, const Value* above, std::size_t columns) {
+        double sum = 0;
+        for (std::size_t x = 1 + random_below(state_, kStep); x < columns; x += kStep) {
+            const auto value = static_cast<std::uint16_t>(row[x]);
+            std::uint16_t& last = last_[(row[x - 1] & 0xffu) << 8 | (above[x] & 0xffu)];
+            sum += lengths_[static_cast<std::size_t>(std::min(std::abs(value - last), kFar))];
+            last = value;
+        }
+        return sum;
+    }
+
+private:
+    static constexpr int kFar = 255;
+    static constexpr std::size_t kStep = 5;
+    static std::vector<float> lengths() {
+        std::vector<float> found;
+        for (int i = 0; i <= kFar; ++i) found.push_back(static_cast<float>(std::log2(1 + i)));
+        return found;
+    }
+    std::vector<std::uint16_t> last_ = std::vector<std::uint16_t>(65'536);
+    std::vector<float> lengths_ = lengths();
+    std::uint64_t state_ = 0x2545f4914f6cdd1d;
+};
+
+template <typename Value>
+Differences differences(const Value* values, std::size_t rows, std::size_t columns) {
+    Differences found;
+    Surprises surprises;
+    for (std::size_t y = 0; y < rows; ++y) {
+        const Value* row = values + y * columns;
+        found.left.push_back(row_difference(row + 1, row, columns - 1));
+        found.above.push_back(y > 0 ? row_difference(row, row - columns, columns) : 0);
+        found.surprise.push_back(y > 0 ? surprises.of_row(row, row - columns, columns) : 0);
+    }
+    return found;
 }
 
 // By which share of the whole the bands have more or less of these differences than their share of the rows.
@@ -80,7 +112,8 @@ Draw likest_draw(const Differences& differ, std::size_t bands, std::uint64_t& st
             const std::size_t from = band * rows / bands, to = (band + 1) * rows / bands;
             draw.firsts.push_back(from + random_below(state, to - from - CountedRows::kBand + 1));
         }
-        draw.unlike = std::max(unlikeness(differ.left, draw.firsts), unlikeness(differ.above, draw.firsts));
+        for (const auto* differences : {&differ.left, &differ.above, &differ.surprise})
+            draw.unlike = std::max(draw.unlike, unlikeness(*differences, draw.firsts));
         if (i == 0 || draw.unlike < best.unlike) best = std::move(draw);
     }
     return best;
@@ -126,8 +159,7 @@ std::vector<RowRange> CountedRows::parts() const {
     const std::size_t rows = grid().count() / columns;
     if (bands_.count() == 0) return parts_of(rows, columns);
     std::vector<RowRange> found;
-    const std::size_t size = std::clamp<std::size_t>(kPart / columns, 1, kBand - kBefore);
-    for (std::size_t y = kBefore; y < rows; y += kBand) found.emplace_back(y, y + size);
+    for (std::size_t y = kBefore; y < rows; y += kBand) found.emplace_back(y, y + kBand - kBefore);
     return found;
 }
 

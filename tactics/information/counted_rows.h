@@ -16,9 +16,10 @@ using RowRange = std::pair<std::size_t, std::size_t>;  ///< from the first up to
 
 /// Of one slice of 2.5 million cells and 640 rows or more, a million cells are counted, or 256 rows if that is more, in bands of
 /// eight rows. The height is divided evenly into as many parts as there are bands, and each part has a band at a random place,
-/// the same in each run. Every cell is compared with the one to its left and the one above, however: of eight such draws that one
-/// is taken whose differences, of either kind, are most like those of the whole. Where they are not as large to a twentieth,
-/// twice as many rows are counted, and so on, and in the end all. All are counted, too, where a pattern repeats (shift_of).
+/// the same in each run. Of all rows, however, three things are looked at: the differences of cells from those to the left, from
+/// those above, and what comes as a surprise behind the same neighbours, however small. Of eight draws that one is taken whose
+/// rows are most like the whole in these. Where one is not as large to a twentieth, twice as many rows are counted, and so on,
+/// and in the end all. All are counted, too, where a pattern repeats (shift_of).
 class CountedRows {
 public:
     /// `whole` must outlive it.
@@ -32,9 +33,9 @@ public:
     double share() const;  ///< of those of the whole grid
     const LevelGrid& whole() const { return whole_; }
     const std::optional<Shift>& shift() const { return shift_; }  ///< shift_of the whole
-    /// How far the differences between cells in the bands are from those of the whole grid, as a share of these.
+    /// How far those three in the bands are from those of the whole grid, as a share of these.
     double unlike() const { return unlike_; }
-    /// Parts of it that show how it varies: all of it if that is not much.
+    /// Parts of it that show how it varies: each band, or all of it if that is not much.
     std::vector<RowRange> parts() const;
 
     static constexpr std::size_t kBefore = 2, kBand = kBefore + 8;

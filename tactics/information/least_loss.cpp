@@ -53,12 +53,31 @@ LevelGrid evened(const LevelGrid& grid, double evenness, int levels) {
     return {grid.columns, grid.rows, 1, levels, std::move(out)};
 }
 
+// Levels of what was resampled and smoothed already.
+LevelGrid in_levels(const LevelGrid& smooth, const Transformation& made, int levels) {
+    if (made.evenness == 0 && made.smoothing == 0) return with_levels(smooth, levels);
+    return evened(smooth, made.evenness, std::min(levels, smooth.levels));
+}
+
+// Of a large grid strips over all of its height, which are enough to compare transformations by.
+LevelGrid strips_of(const LevelGrid& grid) {
+    constexpr int kEnough = 400'000, kStrip = 64;  // cells, rows
+    const int strips = std::max(2, kEnough / (kStrip * grid.columns));
+    if (grid.slices != 1 || grid.count() <= kEnough || grid.rows <= 2 * strips * kStrip) return grid;
+    std::vector<std::uint16_t> cells;
+    for (int strip = 0; strip < strips; ++strip) {
+        const auto first = static_cast<std::size_t>(strip * (grid.rows - kStrip) / (strips - 1));
+        const std::size_t columns = static_cast<std::size_t>(grid.columns), last = (first + kStrip) * columns;
+        for (std::size_t i = first * columns; i < last; ++i) cells.push_back(grid.values[i]);
+    }
+    return {grid.columns, strips * kStrip, 1, grid.levels, std::move(cells)};
+}
+
 }  // namespace
 
 LevelGrid transformed(MeasuredScene& scene, const Transformation& transformation, int levels) {
     const LevelGrid& there = scene.pyramid.at(transformation.longest);
-    if (transformation.evenness == 0 && transformation.smoothing == 0) return with_levels(there, levels);
-    return evened(smoothed(there, transformation.smoothing), transformation.evenness, std::min(levels, there.levels));
+    return in_levels(smoothed(there, transformation.smoothing), transformation, levels);
 }
 
 HeightMap transformed_heights(MeasuredScene& scene, const Transformation& transformation, int levels) {
@@ -76,18 +95,34 @@ LeastLoss least_loss(MeasuredScene& scene, const MediumChannel& channel) {
     const double all = scene.measures.bits;
     LeastLoss least{{plain.fit.longest, 0, 0}, plain.loss, plain.loss, plain.fit.levels, 0};
     if (plain.loss == 0) return least;
-    for (const double share : kShares)
-        for (const int smoothing : kSmoothings)
+    const auto loss_of = [&](double code) { return std::max(0.0, all - std::min(plain.capacity, code)) / all; };
+    const double floor = loss_of(plain.capacity);  // nothing loses less
+    bool sampled = false;
+    for (const double share : kShares) {
+        const int longest = std::max(1, static_cast<int>(share * plain.fit.longest));
+        const LevelGrid& there = scene.pyramid.at(longest);
+        const LevelGrid strips = strips_of(there);
+        const double times = static_cast<double>(there.count()) / static_cast<double>(strips.count());
+        for (const int smoothing : kSmoothings) {
+            if (scene.is_drawn() && smoothing > 0) continue;
+            const LevelGrid smooth = smoothed(strips, smoothing);
             for (const double evenness : kEvenness) {
-                const Transformation tried{std::max(1, static_cast<int>(share * plain.fit.longest)), smoothing, evenness};
-                if (scene.is_drawn() && (smoothing > 0 || evenness > 0)) continue;
+                if (least.loss <= floor || (scene.is_drawn() && evenness > 0)) continue;
                 ++least.tried;
-                const double code = code_length(transformed(scene, tried, plain.fit.levels)).best.bits;
-                const double loss = std::max(0.0, all - std::min(plain.capacity, code)) / all;
+                const Transformation tried{longest, smoothing, evenness};
+                const double loss = loss_of(times * code_length(in_levels(smooth, tried, plain.fit.levels)).best.bits);
                 if (loss >= least.loss) continue;
                 least.loss = loss;
                 least.best = tried;
+                sampled = times > 1;
             }
+        }
+    }
+    if (!sampled) return least;
+    least.loss = loss_of(code_length(transformed(scene, least.best, plain.fit.levels)).best.bits);
+    if (least.loss < plain.loss) return least;
+    least.loss = plain.loss;
+    least.best = {plain.fit.longest, 0, 0};
     return least;
 }
 

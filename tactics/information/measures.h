@@ -16,8 +16,10 @@ struct Measures {
     double bits = 0;  ///< of the whole by the shortest code (code_length.h): in so many it can be written
     /// The least that a code finds and what the shortest one needs, each with what other grids of the same source may have less
     /// or more (CodeLength::least, doubt). The entropy lies between if each cell is drawn by chance and by a few cells next to
-    /// it, or if such a grid was enlarged or repeats (repeats.h). A grid that was made by another rule may hold less than `low`.
-    /// `high` is at most `raw`.
+    /// it, in the same way all over, or if such a grid was enlarged, by 1.5 % of each side or more, or repeats from edge to edge
+    /// every 128 cells or fewer (repeats.h). A grid that was made by another rule may hold less than `low`: a pattern with a
+    /// margin, one that repeats after more cells, a mirrored one; and, by a few hundredths, one that has two sources side by
+    /// side. `high` is at most `raw`.
     double low = 0, high = 0;
     double counted = 1;          ///< share of the rows that were counted and stand for the rest
     double spatial = 0;          ///< bits of the whole by a code that looks at neighbours, whether or not it is the shortest

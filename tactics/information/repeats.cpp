@@ -129,7 +129,7 @@ std::optional<Reduced> reduced(const LevelGrid& grid) {
     if (grid.slices != 1) return {};
     return grid.values.visit([&](const auto* values) -> std::optional<Reduced> {
         const Places down = fresh_rows(values, columns, rows);
-        const std::size_t most = 2 * grid.count() / (3 * down.size());
+        const std::size_t most = 97 * grid.count() / (100 * down.size());
         const std::optional<Places> across = fresh_columns(values, columns, down, most);
         if (!across) return {};
         std::vector<std::uint16_t> left;

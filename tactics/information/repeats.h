@@ -17,7 +17,7 @@ struct Reduced {
     LevelGrid grid;
     double said = 0;  ///< bits: which rows and columns are left out
 };
-/// Nothing if more than two thirds of the cells remain, and of voxels.
+/// Nothing if more than 97 % of the cells remain, and of voxels.
 std::optional<Reduced> reduced(const LevelGrid& grid);
 
 /// Each cell equals that so many rows above it and so many columns to its left (or, under 0, to its right), if there is one.
@@ -25,8 +25,8 @@ struct Shift {
     int aside = 0, down = 0;
 };
 /// The one that leaves the fewest cells without such a cell, neither over kMostShift nor over half of the grid. Nothing if there
-/// is none, of one level, and of voxels. Of many that
-/// hold in most rows but not in all, the first few are tried.
+/// is none, of one level, and of voxels. Of many that hold in most rows but not in all, the first few are tried. It must hold in
+/// the whole grid: a pattern with a margin has none, nor has one that is mirrored.
 std::optional<Shift> shift_of(const LevelGrid& grid);
 inline constexpr int kMostShift = 128;
 

@@ -9,6 +9,7 @@
 #include "print/format.h"
 #include "tactics/error.h"
 #include "tactics/haptics/simulated/arm.h"
+#include "tactics/information/code_length.h"
 #include "tactics/information/least_loss.h"
 #include "tactics/information/media.h"
 #include "tests/information/sources.h"
@@ -150,6 +151,18 @@ TEST(LeastLoss, IsNeverMoreThanThePlainOneAndCanBeMadeAgain) {
     const LevelGrid low = grid_by(160, 120, 256, [](int x, int y) { return 10 + (x * y) % 30 / 5 + (x == 5 ? 240 : 0); });
     MeasuredScene scene = scene_of(low, 1, 0, 10, "low");
     EXPECT_LT(least_loss(scene, named("graphiti")).loss, least_loss(scene, named("graphiti")).plain);
+}
+
+// Strips choose, but what is told is of the whole.
+TEST(LeastLoss, OfALargeSceneItIsThatOfTheWhole) {
+    MeasuredScene scene = scene_of(
+        grid_by(500, 1000, 256, [](int x, int y) { return 10 + (x * y) % 30 / 5 + (x == 5 ? 240 : 0); }), 1, 0, 10, "large");
+    const MediumChannel fine{.width = 2000, .height = 2000, .pitch = 1, .levels = 5};
+    const LeastLoss least = least_loss(scene, fine);
+    ASSERT_LT(least.loss, least.plain);
+    const Carried plain = carried_by(scene, fine);
+    const double code = code_length(transformed(scene, least.best, plain.fit.levels)).best.bits, all = scene.measures.bits;
+    EXPECT_NEAR(least.loss, std::max(0.0, all - std::min(plain.capacity, code)) / all, 1e-12);
 }
 
 TEST(LeastLoss, ItsHeightsLieInTheMiddleOfTheirLevels) {

@@ -221,6 +221,21 @@ TEST(KnownEntropy, OfAWideGridIsHeldByAPartOfItsRows) {
     EXPECT_GE(measures.high, 24e6 - 1);
 }
 
+// A strip of faint chance between steps that are great, but foretold: bands of rows must not pass it by.
+TEST(KnownEntropy, AStripOfChanceInALargeBoardIsFound) {
+    for (const int top : {333, 517}) {
+        RandomNumbers random(static_cast<std::uint64_t>(top));
+        const LevelGrid grid = grid_by(2000, 2000, 256, [&](int x, int y) {
+            const bool other = random.uniform() < 1e-4;
+            const int board = ((x + y) % 2 == 1) != other ? 252 : 0;
+            return y >= top && y < top + 12 ? board + static_cast<int>(random.below(4)) : board;
+        });
+        const Measures measures = measure(grid, {});
+        EXPECT_GT(measures.high, 12 * 2000 * 2) << top;
+        EXPECT_LT(measures.low, 1.05 * (12 * 2000 * 2 + 5893)) << top;  // two sources side by side (measures.h)
+    }
+}
+
 // Nine million cells, of which a part of the rows is counted.
 TEST(KnownEntropy, OfALargeGridIsHeldByAPartOfItsRows) {
     Chain chain(12, 1, 2.0, 5);

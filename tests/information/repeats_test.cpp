@@ -50,6 +50,9 @@ TEST(Repeats, EnlargedUnevenlyItIsStillReduced) {
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->grid.values == small.values);
     EXPECT_GT(found->said, 60);  // where each row and column begins has to be said
+    const auto hardly = reduced(grid_by(44, 32, 16, [&](int x, int y) { return at(small, x * 40 / 44, y * 30 / 32); }));
+    ASSERT_TRUE(hardly);
+    EXPECT_TRUE(hardly->grid.values == small.values);
 }
 
 TEST(Repeats, WhatHasNoTwinsIsNotReduced) {
