@@ -13,7 +13,8 @@ namespace tactics {
 
 namespace {
 
-constexpr double kUpright = 0.7;  // cosine up to which something that leans is straightened, and beyond which it is laid down
+constexpr double kUpright = 0.7;   // cosine up to which something that leans is straightened, and beyond which it is laid down
+constexpr double kAsLarge = 1e-3;  // of the scale, which the last digits of a file do not decide
 
 // The area for panels: around all of them in place, extended by the length of the largest.
 Box room_of(const Panels& panels, const ViewPlane& view) {
@@ -112,7 +113,7 @@ double Growth::scale_of_kept() const {
 bool Growth::has_room(const State& state, const Box& box) const {
     Box all = state.extent;
     take(all, box);
-    return state.smallest == 0 || scale_in(wish_.room, all) >= state.smallest;
+    return state.smallest == 0 || scale_in(wish_.room, all) >= (1 - kAsLarge) * state.smallest;
 }
 
 FlatLayout Growth::grown(Strategy strategy, const std::vector<double>& favour, double smallest) {
@@ -315,12 +316,10 @@ PlacedPanel Growth::laid(std::uint32_t number) const {
 }
 
 void Growth::take_rest(State& state) const {
-    std::vector<char> laid_parts(parts_.size(), 0);
-    for (const PlacedPanel& placed : state.layout.panels) laid_parts[panels_.panels[placed.panel].part] = 1;
     std::vector<std::uint32_t> best(parts_.size(), ~0u);
     for (std::uint32_t i = 0; i < panels_.panels.size(); ++i) {
         const Panel& panel = panels_.panels[i];
-        if (laid_parts[panel.part] != 0 || panel.rings.empty() || panel.kind == PanelKind::hanging) continue;
+        if (state.laid[panel.part] != 0 || panel.rings.empty() || panel.kind == PanelKind::hanging) continue;
         // The side that looks most towards the reader, or else straight away from him.
         const auto worth = [&](const Panel& one) {
             const double toward = dot(one.normal, view_.toward);

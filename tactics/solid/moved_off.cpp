@@ -2,6 +2,7 @@
 #include "tactics/solid/moved_off.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -10,8 +11,8 @@
 
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/convex.h"
-#include "tactics/geometry/vectors.h"
 #include "tactics/solid/layout.h"
+#include "tactics/solid/parted.h"
 #include "tactics/solid/space_box.h"
 
 namespace tactics {
@@ -20,13 +21,11 @@ namespace {
 
 constexpr double kMoreUnder = 0.5;          // of its area: what is more on or under another than beside it stays there
 constexpr double kWhollyOn = 0.9;           // of its area
+constexpr double kPartlyOn = 0.01;          // of its area: less is beside it
+constexpr double kSameArea = 1e-3;          // of two areas, by which they may differ and be the same
 constexpr std::size_t kFootCorners = 24;    // of a foot: a circle is right to 1 % of its radius
 constexpr std::size_t kMostTogether = 400;  // things on one; more would be smaller than a finger
-constexpr int kMostSteps = 200;
-constexpr double kNearly = 0.15;    // of the gap, by which it may be too small without a need to move anything
-constexpr double kEnough = 0.01;    // of the gap, by which one may be too small
-constexpr double kLeastGap = 0.25;  // of the gap: where there is no room even for that, all stays as it is
-constexpr double kRowOf = 0.1;      // of the lower one's height that two things beside each other have in common
+constexpr double kRowOf = 0.1;              // of the lower one's height that two things beside each other have in common
 
 constexpr std::uint32_t kNoFoot = 0xffffffff;
 
@@ -41,12 +40,6 @@ struct Foot {
     Point by{};                  // how far it moves on that
 };
 
-void shift(Foot& foot, Point by) {
-    for (Point& at : foot.hull) at = {at.x + by.x, at.y + by.y};
-    foot.box = box_of(foot.hull);
-    foot.by = {foot.by.x + by.x, foot.by.y + by.y};
-}
-
 Convex few_corners(Convex hull) {
     if (hull.size() <= kFootCorners) return hull;
     std::vector<Point> extreme;
@@ -59,18 +52,18 @@ Convex few_corners(Convex hull) {
     return hull_of(std::move(extreme));
 }
 
-// Two that might come too close.
-struct FootPair {
-    std::uint32_t one, other;
-    Point way;    // from the one to the other
-    double room;  // mm that they must have at least
-};
-
-// The least room that a thing must have to a side of what it stands on.
-struct FootBorder {
-    Point out;  // of length 1
-    double at = 0, least = 0;
-};
+// Across which it is narrowest.
+double width_of(const Convex& hull) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const Point side = hull[(i + 1) % hull.size()] - hull[i];
+        const double length = std::hypot(side.x, side.y);
+        if (!(length > 0)) continue;
+        const Point out{side.y / length, -side.x / length};
+        least = std::min(least, reach_of(hull, out) + reach_of(hull, {-out.x, -out.y}));
+    }
+    return std::isfinite(least) ? least : 0;
+}
 
 class MovingOff {
 public:
@@ -85,14 +78,17 @@ public:
     std::vector<Point3> moves() {
         std::vector<std::vector<std::uint32_t>> on(feet_.size() + 1);  // the last: on nothing
         for (std::uint32_t i = 0; i < feet_.size(); ++i) on[feet_[i].on == kNoFoot ? feet_.size() : feet_[i].on].push_back(i);
-        for (std::size_t holder = 0; holder < on.size(); ++holder)
-            if (on[holder].size() <= kMostTogether) part_all(on[holder], holder == feet_.size() ? nullptr : &feet_[holder]);
+        // What stands on something moves by what that leaves of the bound.
+        std::vector<std::size_t> holders = {feet_.size()};
+        for (std::size_t next = 0; next < holders.size(); ++next) {
+            const std::vector<std::uint32_t>& all = on[holders[next]];
+            if (all.size() <= kMostTogether) part_all(all, holders[next] == feet_.size() ? nullptr : &feet_[holders[next]]);
+            holders.insert(holders.end(), all.begin(), all.end());
+        }
         std::vector<Point3> by;
         bool moved = false;
         for (std::uint32_t part = 0; part < parts_.size(); ++part) {
-            Point sum{};
-            for (std::uint32_t i = foot_of_[part]; i != kNoFoot; i = feet_[i].on)
-                sum = {sum.x + feet_[i].by.x, sum.y + feet_[i].by.y};
+            const Point sum = moved_in_all(&feet_[foot_of_[part]]);
             moved = moved || std::hypot(sum.x, sum.y) > touching_;
             by.push_back(sum.x * view_.right + sum.y * view_.down);
         }
@@ -136,7 +132,7 @@ private:
                 if (other == one || !meet(foot.box, other->second.box)) continue;
                 const double share = shared(foot, other->second);
                 stands = stands || (share > kWhollyOn && foot.area < other->second.area && rests_on(foot, other->second));
-                is_under = is_under || (share > 0 && (rests_on(other->second, foot) || is_covered(foot, other->second)));
+                is_under = is_under || (share > kPartlyOn && (rests_on(other->second, foot) || is_covered(foot, other->second)));
             }
             if (stands && !is_under)
                 for (const std::uint32_t part : foot.parts) loose[part] = 1;
@@ -167,6 +163,10 @@ private:
         return parting_of(small.hull, large.hull).room < -touching_ ? 1 : 0;
     }
 
+    static bool is_same_area(const Foot& one, const Foot& other) {
+        return std::abs(one.area - other.area) <= kSameArea * std::max(one.area, other.area);
+    }
+
     bool rests_on(const Foot& upper, const Foot& lower) const {
         const double loose = kLoose * std::min(upper.high - upper.low, lower.high - lower.low) + touching_;
         return std::abs(upper.low - lower.high) <= loose;
@@ -177,14 +177,14 @@ private:
             for (std::uint32_t j = i + 1; j < feet_.size(); ++j) {
                 if (!meet(feet_[i].box, feet_[j].box)) continue;
                 const bool i_is_smaller =
-                    feet_[i].area != feet_[j].area ? feet_[i].area < feet_[j].area : feet_[i].high > feet_[j].high;
+                    is_same_area(feet_[i], feet_[j]) ? feet_[i].high > feet_[j].high : feet_[i].area < feet_[j].area;
                 const std::uint32_t small = i_is_smaller ? i : j, large = i_is_smaller ? j : i;
                 const double share = shared(feet_[small], feet_[large]);
                 if (share >= kMoreUnder)
                     offer(small, large);
-                else if (share > 0 && rests_on(feet_[i], feet_[j]))
+                else if (share > kPartlyOn && rests_on(feet_[i], feet_[j]))
                     offer(i, j);
-                else if (share > 0 && rests_on(feet_[j], feet_[i]))
+                else if (share > kPartlyOn && rests_on(feet_[j], feet_[i]))
                     offer(j, i);
             }
         for (Foot& foot : feet_)
@@ -193,7 +193,7 @@ private:
 
     // The smallest holds it.
     void offer(std::uint32_t one, std::uint32_t holder) {
-        if (feet_[one].on != kNoFoot && feet_[feet_[one].on].area <= feet_[holder].area) return;
+        if (feet_[one].on != kNoFoot && feet_[feet_[one].on].area <= (1 + kSameArea) * feet_[holder].area) return;
         for (std::uint32_t i = holder; i != kNoFoot; i = feet_[i].on)
             if (i == one) return;
         feet_[one].on = holder;
@@ -242,101 +242,42 @@ private:
         return common > kRowOf * std::min(one.box.height(), other.box.height());
     }
 
-    // Those that might come too close; things that are hidden or belong together are not parted.
-    std::vector<FootPair> neighbours(const std::vector<std::uint32_t>& all, bool on_ground) const {
-        std::vector<FootPair> pairs;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            for (std::size_t j = i + 1; j < all.size(); ++j) {
-                const Foot &one = feet_[all[i]], &other = feet_[all[j]];
-                if (one.covered || other.covered || !are_in_a_row(one, other)) continue;
-                if (on_ground && meet(tactics::grown(one.box, gap_), other.box) && touch_in_space(one, other)) continue;
-                const Parting parting = parting_of(one.hull, other.hull, along_);
-                // What is nearly apart stays so.
-                const bool nearly = parting.room >= (1 - kNearly) * gap_ && parting.room < gap_;
-                pairs.push_back({all[i], all[j], parting.way, nearly ? parting.room : gap_});
-            }
-        return pairs;
+    Point moved_in_all(const Foot* foot) const {
+        Point sum{};
+        for (; foot != nullptr; foot = foot->on == kNoFoot ? nullptr : &feet_[foot->on])
+            sum = {sum.x + foot->by.x, sum.y + foot->by.y};
+        return sum;
     }
 
-    std::vector<FootBorder> borders_of(const Foot& foot, const Foot* holder) const {
-        std::vector<FootBorder> borders;
-        if (holder == nullptr || foot.covered) return borders;
-        const Convex& ring = holder->hull;
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Point side = ring[(i + 1) % ring.size()] - ring[i];
-            const double length = std::hypot(side.x, side.y);
-            if (!(length > 0)) continue;
-            const Point out{side.y / length, -side.x / length}, in{-out.x, -out.y};
-            if (along_.x != 0 && std::abs(out.x) < 0.5) continue;
-            const double at = reach_of(ring, out), room = at - reach_of(foot.hull, out);
-            const double slack = room + reach_of(ring, in) - reach_of(foot.hull, in);
-            // What is on the border, or over it, goes no farther out.
-            const double least = room <= touching_              ? room
-                                 : room >= (1 - kNearly) * gap_ ? std::min(gap_, room)
-                                                                : std::min(gap_, std::max(slack, 0.0) / 2);
-            borders.push_back({out, at, least});
-        }
-        return borders;
+    // A place within the gap from the true one is the same to a finger, which does not tell less; and what has moved by no more
+    // than half of its width still lies over the middle of where it was, and has passed nothing that was beside it.
+    double most_for(const Foot& foot, double left) const {
+        if (foot.covered) return 0;
+        const double width = along_.x != 0 ? foot.box.width() : width_of(foot.hull);
+        return std::max(0.0, std::min(left, width / 2));
     }
 
-    double part_once(const std::vector<FootPair>& pairs, double share_of_gap) {
-        double worst = 0;
-        for (const FootPair& pair : pairs) {
-            Foot &one = feet_[pair.one], &other = feet_[pair.other];
-            const double gap = std::min(pair.room, share_of_gap * gap_);
-            if (!meet(tactics::grown(one.box, gap), other.box)) continue;
-            const Parting parting = parting_of(one.hull, other.hull, along_);
-            const double lack = gap - parting.room;
-            if (lack <= kEnough * gap_) continue;
-            worst = std::max(worst, lack);
-            // The larger moves less.
-            const double whole = one.area + other.area, share = whole > 0 ? other.area / whole : 0.5;
-            shift(one, {-share * lack * parting.way.x, -share * lack * parting.way.y});
-            shift(other, {(1 - share) * lack * parting.way.x, (1 - share) * lack * parting.way.y});
-        }
-        return worst;
-    }
-
-    double keep_on(std::uint32_t number, const std::vector<FootBorder>& borders, double share) {
-        double worst = 0;
-        for (const FootBorder& border : borders) {
-            const double least = border.least > 0 ? share * border.least : border.least;
-            const double lack = reach_of(feet_[number].hull, border.out) - border.at + least;
-            if (lack <= kEnough * gap_) continue;
-            worst = std::max(worst, lack);
-            const double by = along_.x != 0 ? lack / std::abs(border.out.x) : lack;
-            shift(feet_[number], {-by * border.out.x, along_.x != 0 ? 0 : -by * border.out.y});
-        }
-        return worst;
-    }
-
-    // All of one holder.
+    // All of one holder. Things that are hidden or belong together are not parted.
     void part_all(const std::vector<std::uint32_t>& all, const Foot* holder) {
-        const auto pairs = neighbours(all, is_ground(holder));
-        std::vector<std::vector<FootBorder>> borders;
-        std::vector<Foot> before;
-        for (const std::uint32_t one : all) {
-            borders.push_back(borders_of(feet_[one], holder));
-            before.push_back(feet_[one]);
-        }
-        for (double share = 1; share >= kLeastGap; share /= 2) {
-            double worst = 0;
-            for (int step = 0; step < kMostSteps; ++step) {
-                worst = part_once(pairs, share);
-                for (std::size_t i = 0; i < all.size(); ++i) worst = std::max(worst, keep_on(all[i], borders[i], share));
-                if (worst == 0) break;
+        if (all.empty()) return;
+        const bool on_ground = is_ground(holder);
+        const Point before = moved_in_all(holder);
+        const double left = gap_ - std::hypot(before.x, before.y);
+        std::vector<PartedShape> shapes;
+        std::vector<std::array<std::uint32_t, 2>> pairs;
+        for (std::uint32_t i = 0; i < all.size(); ++i) {
+            const Foot& one = feet_[all[i]];
+            shapes.push_back({one.hull, most_for(one, left)});
+            for (std::uint32_t j = 0; j < i; ++j) {
+                const Foot& other = feet_[all[j]];
+                if (one.covered || other.covered || !meet(tactics::grown(one.box, 3 * gap_), other.box)) continue;
+                if (!are_in_a_row(one, other) || (on_ground && touch_in_space(one, other))) continue;
+                pairs.push_back({j, i});
             }
-            if (worst <= 2 * kEnough * gap_ && sides_kept(pairs)) return;
-            for (std::size_t i = 0; i < all.size(); ++i) feet_[all[i]] = before[i];
         }
-    }
-
-    bool sides_kept(const std::vector<FootPair>& pairs) const {
-        return std::none_of(pairs.begin(), pairs.end(), [&](const FootPair& pair) {
-            const Box &one = feet_[pair.one].box, &other = feet_[pair.other].box;
-            const Point between{other.left + other.right - one.left - one.right, other.top + other.bottom - one.top - one.bottom};
-            return dot(between, pair.way) < -touching_;
-        });
+        const std::vector<Point> by =
+            parted(shapes, pairs, holder == nullptr ? nullptr : &holder->hull, {gap_, touching_, along_.x != 0});
+        for (std::size_t i = 0; i < all.size(); ++i) feet_[all[i]].by = by[i];
     }
 
     const std::vector<ModelPart>& parts_;

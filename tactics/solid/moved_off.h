@@ -11,10 +11,11 @@
 namespace tactics {
 
 /// The displacement of each part, in the plane of the view, that leaves `gap` mm of the model free between things that stand
-/// beside each other, and between them and the border of what they stand on. What stands on something or is under it goes with
-/// it, and stays on it; who is on which side of whom stays the same. On the ground, things that touch in space stay together.
-/// Where there is less room than that, the gaps are as wide as it allows. Seen from the front, things move to the sides only, as
-/// they stand on something there. Empty: nothing moves.
+/// beside each other, and between them and the border of what they stand on. A place is information: in all, nothing moves by
+/// more than `gap`, nor by more than half of its width on what it stands on; things that are near each other keep their order to
+/// the right and downwards. What stands on something or is under it goes with it, and stays on it. On the ground, things that
+/// touch in space stay together. Where there is less room than the gap, gaps are smaller; what cannot be parted so far stays
+/// where it is. Seen from the front, things move to the sides only, as they stand on something there. Empty: nothing moves.
 std::vector<Point3> moved_off(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view,
                               double gap);
 
