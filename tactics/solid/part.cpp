@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "tactics/solid/coarse.h"
+#include "tactics/solid/largest_first.h"
 #include "tactics/solid/named_part.h"
 #include "tactics/solid/ranks.h"
 #include "tactics/solid/space_box.h"
@@ -49,15 +50,17 @@ std::array<Point3, 3> directions_of(const Solid& solid) {
         else if (lots.size() < 256)
             lots.push_back({patch.normal, patch.area});
     }
-    std::stable_sort(lots.begin(), lots.end(), [](const Lot& a, const Lot& b) { return a.area > b.area * (1 + kSameSize); });
-    if (lots.empty() || lots.front().area < 0.1 * total) return {Point3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const Point3 first = lots.front().normal;
+    std::vector<double> areas;
+    for (const Lot& lot : lots) areas.push_back(lot.area);
+    const std::vector<std::size_t> order = largest_first(areas, kSameSize);
+    if (lots.empty() || areas[order.front()] < 0.1 * total) return {Point3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const Point3 first = lots[order.front()].normal;
     Point3 second;
     double best = 0;
-    for (const Lot& lot : lots)
-        if (std::abs(dot(lot.normal, first)) < 0.02 && lot.area > best * (1 + kSameSize)) {
-            second = lot.normal;
-            best = lot.area;
+    for (const std::size_t i : order)
+        if (std::abs(dot(lots[i].normal, first)) < 0.02 && areas[i] > best * (1 + kSameSize)) {
+            second = lots[i].normal;
+            best = areas[i];
         }
     if (best == 0) {  // a prism without a right angle: along the longest side of
                       // its largest patch
@@ -87,9 +90,7 @@ PartBox box_along(std::array<Point3, 3> axes, const Solid& solid) {
                     low[i] = std::min(low[i], dot(point, axes[i]));
                     high[i] = std::max(high[i], dot(point, axes[i]));
                 }
-    std::array<std::size_t, 3> order = {0, 1, 2};
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return high[a] - low[a] > (high[b] - low[b]) * (1 + kSameSize); });
+    const std::vector<std::size_t> order = largest_first({high[0] - low[0], high[1] - low[1], high[2] - low[2]}, kSameSize);
     for (std::size_t i = 0; i < 3; ++i) {
         box.middle = box.middle + ((low[i] + high[i]) / 2) * axes[i];
         box.axis[i] = axes[order[i]];

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tactics/solid/largest_first.h"
+
 namespace tactics {
 
 namespace {
@@ -31,7 +33,6 @@ std::vector<Look> looks_of(const std::vector<ModelPart>& parts) {
             for (const Patch& patch : part.solid.patches) single.push_back({patch.normal, patch.area});
         }
     }
-    const auto larger = [](const Look& a, const Look& b) { return a.area > b.area * (1 + 1e-3); };
     std::stable_sort(single.begin(), single.end(), [](const Look& a, const Look& b) { return a.area > b.area; });
     for (const Look& one : single) {
         const auto same =
@@ -41,8 +42,11 @@ std::vector<Look> looks_of(const std::vector<ModelPart>& parts) {
         else if (looks.size() < kMost)
             looks.push_back(one);
     }
-    std::stable_sort(looks.begin(), looks.end(), larger);
-    return looks;
+    std::vector<double> areas;
+    for (const Look& look : looks) areas.push_back(look.area);
+    std::vector<Look> sorted;
+    for (const std::size_t i : largest_first(areas, 1e-3)) sorted.push_back(looks[i]);
+    return sorted;
 }
 
 // People look from above rather than from below, from the front rather than from behind.
