@@ -187,6 +187,9 @@ private:
                 else if (share > kPartlyOn && rests_on(feet_[j], feet_[i]))
                     offer(j, i);
             }
+        for (Foot& foot : feet_)  // what is under a table is held by the table, not by a tray on it
+            while (foot.on != kNoFoot && feet_[foot.on].on != kNoFoot && foot.high <= feet_[foot.on].low + touching_)
+                foot.on = feet_[foot.on].on;
         for (Foot& foot : feet_)
             if (foot.on != kNoFoot) foot.covered = is_covered(foot, feet_[foot.on]);
     }
@@ -265,16 +268,23 @@ private:
         const double left = gap_ - std::hypot(before.x, before.y);
         std::vector<PartedShape> shapes;
         std::vector<std::array<std::uint32_t, 2>> pairs;
+        std::vector<char> stays(all.size(), 0);
         for (std::uint32_t i = 0; i < all.size(); ++i) {
             const Foot& one = feet_[all[i]];
             shapes.push_back({one.hull, most_for(one, left)});
             for (std::uint32_t j = 0; j < i; ++j) {
                 const Foot& other = feet_[all[j]];
                 if (one.covered || other.covered || !meet(tactics::grown(one.box, 3 * gap_), other.box)) continue;
-                if (!are_in_a_row(one, other) || (on_ground && touch_in_space(one, other))) continue;
+                if (!are_in_a_row(one, other)) continue;
+                if (on_ground && touch_in_space(one, other)) {  // both stay, or a third would push one into the other
+                    stays[i] = stays[j] = 1;
+                    continue;
+                }
                 pairs.push_back({j, i});
             }
         }
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (stays[i] != 0) shapes[i].most = 0;
         const std::vector<Point> by =
             parted(shapes, pairs, holder == nullptr ? nullptr : &holder->hull, {gap_, touching_, along_.x != 0});
         for (std::size_t i = 0; i < all.size(); ++i) feet_[all[i]].by = by[i];

@@ -172,6 +172,28 @@ TEST(MovedOff, FurnitureThatTouchesStaysTogetherAndBooksDoNot) {
     EXPECT_GE(room(made.box(made.of("Book")), made.box(made.of("Dictionary"))), 0.95 * kGap);
 }
 
+TEST(MovedOff, AThirdThingPushesNoneOfTwoThatTouchIntoTheOther) {
+    Model model;
+    add_box(model, "Cupboard", -1, {0, 0, 400}, {600, 500, 800});
+    add_box(model, "Stool", -1, {350, 0, 200}, {100, 100, 400});
+    add_box(model, "Fridge", -1, {710, 0, 800}, {600, 600, 1600});
+    const MovedThings made = moved_things(model);
+    if (made.by.empty()) return;
+    EXPECT_EQ(length_of(made.way("Cupboard")), 0);
+    EXPECT_EQ(length_of(made.way("Stool")), 0);
+}
+
+TEST(MovedOff, WhatIsUnderTheTableDoesNotGoWithATrayOnIt) {
+    Model model = table(1600);
+    add_box(model, "Chair", -1, {0, 380, 220}, {300, 300, 440});
+    add_box(model, "Tray", -1, {0, 250, 770}, {600, 380, 20});
+    add_box(model, "Loaf", -1, {0, -20, 800}, {300, 150, 80});
+    const MovedThings made = moved_things(model);
+    ASSERT_FALSE(made.by.empty());
+    EXPECT_GT(length_of(made.way("Tray")), 0);
+    EXPECT_EQ(length_of(made.way("Chair")), 0);
+}
+
 TEST(MovedOff, WhatIsUnderTheTableStaysThere) {
     Model model = table(1600);
     add_box(model, "Pedestal", -1, {500, 0, 300}, {400, 600, 600});
