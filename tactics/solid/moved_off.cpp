@@ -11,6 +11,7 @@
 
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/convex.h"
+#include "tactics/geometry/vectors.h"
 #include "tactics/solid/layout.h"
 #include "tactics/solid/parted.h"
 #include "tactics/solid/space_box.h"
