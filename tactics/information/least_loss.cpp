@@ -95,8 +95,10 @@ LeastLoss least_loss(MeasuredScene& scene, const MediumChannel& channel) {
     const double all = scene.measures.bits;
     LeastLoss least{{plain.fit.longest, 0, 0}, plain.loss, plain.loss, plain.fit.levels, 0};
     if (plain.loss == 0) return least;
-    const auto loss_of = [&](double code) { return std::max(0.0, all - std::min(plain.capacity, code)) / all; };
-    const double floor = loss_of(plain.capacity);  // nothing loses less
+    const auto lost = [&](double code) { return (all - std::min(plain.capacity, code)) / all; };  // under 0: more than enough
+    // What strips say is only compared with what strips say, and stops nothing.
+    double best = plain.loss;
+    const double floor = std::max(0.0, lost(plain.capacity));
     bool sampled = false;
     for (const double share : kShares) {
         const int longest = std::max(1, static_cast<int>(share * plain.fit.longest));
@@ -107,19 +109,18 @@ LeastLoss least_loss(MeasuredScene& scene, const MediumChannel& channel) {
             if (scene.is_drawn() && smoothing > 0) continue;
             const LevelGrid smooth = smoothed(strips, smoothing);
             for (const double evenness : kEvenness) {
-                if (least.loss <= floor || (scene.is_drawn() && evenness > 0)) continue;
+                if ((!sampled && best <= floor) || (scene.is_drawn() && evenness > 0)) continue;
                 ++least.tried;
                 const Transformation tried{longest, smoothing, evenness};
-                const double loss = loss_of(times * code_length(in_levels(smooth, tried, plain.fit.levels)).best.bits);
-                if (loss >= least.loss) continue;
-                least.loss = loss;
+                const double loss = lost(times * code_length(in_levels(smooth, tried, plain.fit.levels)).best.bits);
+                if (loss >= best) continue;
+                best = loss;
                 least.best = tried;
                 sampled = times > 1;
             }
         }
     }
-    if (!sampled) return least;
-    least.loss = loss_of(code_length(transformed(scene, least.best, plain.fit.levels)).best.bits);
+    least.loss = std::max(0.0, sampled ? lost(code_length(transformed(scene, least.best, plain.fit.levels)).best.bits) : best);
     if (least.loss < plain.loss) return least;
     least.loss = plain.loss;
     least.best = {plain.fit.longest, 0, 0};

@@ -156,7 +156,7 @@ TEST(LeastLoss, IsNeverMoreThanThePlainOneAndCanBeMadeAgain) {
 // Strips choose, but what is told is of the whole.
 TEST(LeastLoss, OfALargeSceneItIsThatOfTheWhole) {
     MeasuredScene scene = scene_of(
-        grid_by(500, 1000, 256, [](int x, int y) { return 10 + (x * y) % 30 / 5 + (x == 5 ? 240 : 0); }), 1, 0, 10, "large");
+        grid_by(1000, 1200, 256, [](int x, int y) { return 10 + (x * y) % 30 / 5 + (x == 5 ? 240 : 0); }), 1, 0, 10, "large");
     const MediumChannel fine{.width = 2000, .height = 2000, .pitch = 1, .levels = 5};
     const LeastLoss least = least_loss(scene, fine);
     ASSERT_LT(least.loss, least.plain);
