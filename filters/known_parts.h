@@ -12,7 +12,7 @@ namespace tactics {
 
 /// In mm, from the picture's left and top.
 struct KnownParts {
-    std::vector<Stroke> strokes;  ///< Role::arrow: a head, from barb to tip to barb; Role::dash: a dashed line, whole
+    std::vector<Stroke> strokes;  ///< Role::arrow: a head, from barb to tip to barb; Role::dash, Role::dots: such a line, whole
     std::vector<Area> areas;      ///< Role::symbol: a point; with a texture: a surface
 
     void add_to(Drawing& drawing) &&;

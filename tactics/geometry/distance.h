@@ -15,6 +15,8 @@ struct Segment {
     Point b;
 };
 
+inline Point middle_of(const Segment& one) { return {(one.a.x + one.b.x) / 2, (one.a.y + one.b.y) / 2}; }
+
 /// The nearest points of two things; one point, twice, where they meet.
 struct Nearest {
     double distance = 0;

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "tactics/information/random_below.h"
+
 namespace tactics {
 
 namespace {
@@ -33,14 +35,6 @@ double row_difference(const Value* row, const Value* before, std::size_t columns
 struct Differences {
     std::vector<double> left, above, surprise;
 };
-
-// A xorshift of G. Marsaglia (2003). Bands at even distances would miss what repeats at that distance.
-std::size_t random_below(std::uint64_t& state, std::size_t most) {
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return static_cast<std::size_t>(state % most);
-}
 
 // What came last behind the same neighbours to the left and above, by their lowest bits, foretells a cell; the logarithm of its
 // error is blind to the size of steps: a great one that comes again and again is no surprise, and a small one by chance is. Of
@@ -101,7 +95,7 @@ struct Draw {
     double unlike = 0;
 };
 
-// Of a few draws the one that is most like the whole.
+// Of a few draws the one that is most like the whole. Bands at even distances would miss what repeats at that distance.
 Draw likest_draw(const Differences& differ, std::size_t bands, std::uint64_t& state) {
     constexpr int kDraws = 8;
     const std::size_t rows = differ.left.size();

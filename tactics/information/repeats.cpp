@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "tactics/information/random_below.h"
+
 namespace tactics {
 
 namespace {
@@ -52,7 +54,8 @@ std::optional<Places> fresh_columns(const Value* values, std::size_t columns, co
     return fresh;
 }
 
-// Bits that say which of so many they are: as they come, or where all but the last are as far apart, how far and from where on.
+// Bits that say which of so many they are: as they come, or, where all distances but the first are one, that one and where they
+// begin.
 double bits_of_places(const Places& places, std::size_t of) {
     const auto all = static_cast<double>(of), some = static_cast<double>(places.size());
     bool even = true;
@@ -69,12 +72,9 @@ std::vector<TellingCell> telling_cells(const LevelGrid& grid) {
     constexpr std::size_t kTelling = 32, kTries = 4096;
     const auto columns = static_cast<std::size_t>(grid.columns);
     std::vector<TellingCell> cells;
-    std::uint64_t state = 0x2545f4914f6cdd1d;  // G. Marsaglia's xorshift (2003)
+    std::uint64_t state = 0x2545f4914f6cdd1d;
     for (std::size_t i = 0; i < kTries && cells.size() < kTelling; ++i) {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        const std::size_t cell = static_cast<std::size_t>(state % grid.count());
+        const std::size_t cell = random_below(state, grid.count());
         if ((cell % columns > 0 && grid.values[cell] != grid.values[cell - 1]) ||
             (cell >= columns && grid.values[cell] != grid.values[cell - columns]))
             cells.push_back({static_cast<int>(cell % columns), static_cast<int>(cell / columns)});

@@ -29,8 +29,6 @@ Point towards(Point from, Point to, double by) {
     return length > 0 ? Point{from.x + (to.x - from.x) / length * by, from.y + (to.y - from.y) / length * by} : from;
 }
 
-Point middle_of(const Segment& line) { return {(line.a.x + line.b.x) / 2, (line.a.y + line.b.y) / 2}; }
-
 // "two lines", "a line and an area", "two parts of a line"
 Phrase pair_words(const Chain& one, const Chain& other, bool same) {
     if (same) return one.ring ? phrase("two parts of an area's edge") : phrase("two parts of a line");

@@ -13,6 +13,7 @@
 #include "tactics/solid/named_part.h"
 #include "tactics/solid/object_regions.h"
 #include "tactics/solid/panels.h"
+#include "tactics/solid/rated.h"
 #include "tactics/solid/reach.h"
 #include "tactics/solid/spread.h"
 #include "tactics/solid/thing.h"
@@ -26,7 +27,6 @@ constexpr double kAboveIsAsGood = 0.1;  // of the rating: people look at things 
 constexpr double kSpreads[] = {1.25, 1.6, 2};
 constexpr double kWorthMoving = 0.05;    // of the rating that the moved layout must be better by
 constexpr double kSameScale = 0.02;      // of the scale, within which it is the same
-constexpr double kAsGoodAsBest = 1e-4;   // of the rating: of those the first is kept
 constexpr double kMoving = 0.05;         // of the rating that it costs to be twice as far apart
 constexpr std::size_t kMostNames = 100;  // six letters in braille with their gaps take 4 cm2, of which A4 has some 100 to spare
 
@@ -76,7 +76,7 @@ Laid lay(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& 
         Laid other{{}, moved(panels, by), thing, off, spread};
         other.layout = lay_flat(parts, other.panels, thing, view, layout);
         other.layout.rating.asked += kMoving * std::log2(spread);
-        if (other.layout.rating.value() > std::max(value + kWorthMoving, best.layout.rating.value() + kAsGoodAsBest))
+        if (other.layout.rating.value() > std::max(value + kWorthMoving, best.layout.rating.value() + kAsGood))
             best = std::move(other);
     }
     return best;
@@ -111,7 +111,7 @@ void lay_felt(Fitted& fitted, const Model& model, const SheetRoom& room, const M
         Laid laid = lay(fitted.felt, thing, one.view, fit, now);
         const double value = laid.layout.rating.value();
         const bool is_first = &one == &planes.front();
-        if (!is_first && value <= most + kAsGoodAsBest) continue;
+        if (!is_first && value <= most + kAsGood) continue;
         most = value + (is_first ? kAboveIsAsGood : 0);
         fitted.chosen = one;
         fitted.laid = std::move(laid);

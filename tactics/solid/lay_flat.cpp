@@ -19,7 +19,6 @@ constexpr Strategy kStrategies[] = {Strategy::longest, Strategy::broadest, Strat
                                     Strategy::deepest};
 
 constexpr double kSizes[] = {0, 1.0, 0.75};  // how small, of the scale of what lies where it is; 0: as it comes
-constexpr double kAsGood = 1e-4;             // of the rating: of layouts as good as each other the first is kept
 constexpr double kHalfSize = 0.05;           // of the rating that it costs if all is half as large
 
 // Of the parts, that which is too small to be felt.

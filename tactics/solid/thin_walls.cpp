@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "tactics/geometry/course.h"
+#include "tactics/geometry/distance.h"
 
 namespace tactics {
 
@@ -13,30 +14,22 @@ namespace {
 
 constexpr double kPiece = 0.25;  // of the least distance: how finely a line is looked at
 
-struct LineEnds {
-    Point from, to;
-};
-
 struct LinePiece {
-    LineEnds ends;
+    Segment ends;
     bool kept = true;
 };
 
-Point mid_of_ends(const LineEnds& one) { return {(one.from.x + one.to.x) / 2, (one.from.y + one.to.y) / 2}; }
-
-double off_sides(const std::vector<LineEnds>& sides, Point at) {
+double off_sides(const std::vector<Segment>& sides, Point at) {
     double least = std::numeric_limits<double>::infinity();
-    for (const LineEnds& side : sides) least = std::min(least, distance_to_segment(at, side.from, side.to));
+    for (const Segment& side : sides) least = std::min(least, distance_to_segment(at, side.a, side.b));
     return least;
 }
 
-Point foot_on(const std::vector<LineEnds>& sides, Point at) {
+Point foot_on(const std::vector<Segment>& sides, Point at) {
     Point best = at;
     double least = std::numeric_limits<double>::infinity();
-    for (const LineEnds& side : sides) {
-        const double dx = side.to.x - side.from.x, dy = side.to.y - side.from.y, size = dx * dx + dy * dy;
-        const double share = size > 0 ? std::clamp(((at.x - side.from.x) * dx + (at.y - side.from.y) * dy) / size, 0.0, 1.0) : 0;
-        const Point on{side.from.x + share * dx, side.from.y + share * dy};
+    for (const Segment& side : sides) {
+        const Point on = nearest_on(side, at);
         if (distance(on, at) >= least) continue;
         least = distance(on, at);
         best = on;
@@ -44,8 +37,8 @@ Point foot_on(const std::vector<LineEnds>& sides, Point at) {
     return best;
 }
 
-std::vector<LineEnds> sides_of_ring(const std::vector<Point>& ring, bool closed = true) {
-    std::vector<LineEnds> sides;
+std::vector<Segment> sides_of_ring(const std::vector<Point>& ring, bool closed = true) {
+    std::vector<Segment> sides;
     for (std::size_t i = 0; i + (closed ? 0 : 1) < ring.size(); ++i) sides.push_back({ring[i], ring[(i + 1) % ring.size()]});
     return sides;
 }
@@ -53,11 +46,11 @@ std::vector<LineEnds> sides_of_ring(const std::vector<Point>& ring, bool closed 
 std::vector<LinePiece> pieces_of(const LaidLine& line, double longest) {
     constexpr int kMostPieces = 64;  // of a side
     std::vector<LinePiece> pieces;
-    for (const LineEnds& side : sides_of_ring(line.points, line.closed)) {
-        const int count = std::clamp(static_cast<int>(std::ceil(distance(side.from, side.to) / longest)), 1, kMostPieces);
+    for (const Segment& side : sides_of_ring(line.points, line.closed)) {
+        const int count = std::clamp(static_cast<int>(std::ceil(distance(side.a, side.b) / longest)), 1, kMostPieces);
         const auto at = [&](int i) {
             const double share = static_cast<double>(i) / count;
-            return Point{side.from.x + share * (side.to.x - side.from.x), side.from.y + share * (side.to.y - side.from.y)};
+            return Point{side.a.x + share * (side.b.x - side.a.x), side.a.y + share * (side.b.y - side.a.y)};
         };
         for (int i = 0; i < count; ++i) pieces.push_back({{at(i), at(i + 1)}});
     }
@@ -65,7 +58,7 @@ std::vector<LinePiece> pieces_of(const LaidLine& line, double longest) {
 }
 
 // What is left of a line, each stretch by itself.
-std::vector<LaidLine> what_is_left(const std::vector<LinePiece>& pieces, bool closed, const std::vector<LineEnds>& outer) {
+std::vector<LaidLine> what_is_left(const std::vector<LinePiece>& pieces, bool closed, const std::vector<Segment>& outer) {
     const std::size_t count = pieces.size();
     std::size_t begin = 0;  // of a closed line, where a stretch begins
     while (closed && begin < count && !(pieces[begin].kept && !pieces[(begin + count - 1) % count].kept)) ++begin;
@@ -79,10 +72,10 @@ std::vector<LaidLine> what_is_left(const std::vector<LinePiece>& pieces, bool cl
         const LinePiece& piece = pieces[(begin + i) % count];
         const bool is_end = !closed && i == 0;
         if (piece.kept && !going) {
-            left.push_back({{piece.ends.from}, false});
-            if (!is_end) join(left.back().points, piece.ends.from, true);
+            left.push_back({{piece.ends.a}, false});
+            if (!is_end) join(left.back().points, piece.ends.a, true);
         }
-        if (piece.kept) left.back().points.push_back(piece.ends.to);
+        if (piece.kept) left.back().points.push_back(piece.ends.b);
         if (!piece.kept && going) join(left.back().points, left.back().points.back(), false);
         going = piece.kept;
     }
@@ -97,7 +90,7 @@ std::size_t drop_stretches(std::vector<LinePiece>& pieces, double apart) {
     for (std::size_t begin = 0, end = 0; begin < pieces.size(); begin = end) {
         double length = 0;
         for (end = begin; end < pieces.size() && pieces[end].kept == pieces[begin].kept; ++end)
-            length += distance(pieces[end].ends.from, pieces[end].ends.to);
+            length += distance(pieces[end].ends.a, pieces[end].ends.b);
         if (pieces[begin].kept) continue;
         if (length > kComesAway * apart)
             ++stretches;
@@ -112,15 +105,14 @@ std::size_t drop_stretches(std::vector<LinePiece>& pieces, double apart) {
 std::size_t leave_out_inner(std::vector<LaidLine>& lines, const std::vector<std::vector<Point>>& outline, double touching,
                             double apart) {
     if (!(apart > 2 * touching)) return 0;
-    std::vector<LineEnds> border, outer;
+    std::vector<Segment> border, outer;
     for (const auto& ring : outline)
-        for (const LineEnds& side : sides_of_ring(ring)) border.push_back(side);
+        for (const Segment& side : sides_of_ring(ring)) border.push_back(side);
     std::vector<std::vector<LinePiece>> pieces;
     for (const LaidLine& line : lines) {
         pieces.push_back(pieces_of(line, kPiece * apart));
-        for (const LineEnds& side : sides_of_ring(line.points, line.closed))
-            if (std::max({off_sides(border, side.from), off_sides(border, side.to), off_sides(border, mid_of_ends(side))}) <=
-                touching)
+        for (const Segment& side : sides_of_ring(line.points, line.closed))
+            if (std::max({off_sides(border, side.a), off_sides(border, side.b), off_sides(border, middle_of(side))}) <= touching)
                 outer.push_back(side);
     }
     if (outer.empty()) return 0;
@@ -128,7 +120,7 @@ std::size_t leave_out_inner(std::vector<LaidLine>& lines, const std::vector<std:
     std::vector<LaidLine> kept;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         for (LinePiece& piece : pieces[i]) {
-            const double off = off_sides(outer, mid_of_ends(piece.ends));
+            const double off = off_sides(outer, middle_of(piece.ends));
             piece.kept = off <= touching || off >= apart;
         }
         const std::size_t stretches = drop_stretches(pieces[i], apart);
