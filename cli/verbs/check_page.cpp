@@ -63,15 +63,15 @@ FoundPage page_of(const std::string& file, const PageWish& wish) {
     const Holds holds = look_at(source);
     if (wish.pdf_page > 0 && holds != Holds::pdf)
         throw Error(Fault::usage, "--page", phrase("{0} is no PDF; leave it out", source.name));
-    if (holds == Holds::pdf && wish.pdf_page > 0) {
-        const int pages = pages_of_any_pdf(source);
+    const bool own = is_own_pdf(source);
+    if (holds == Holds::pdf && !own && wish.pdf_page > 0) {
+        const int pages = pages_of_pdf(source);
         if (wish.pdf_page > pages)
             throw Error(Fault::usage, source.name,
                         phrase("there is no page {0}, but pages 1 to {1}", std::to_string(wish.pdf_page), std::to_string(pages)));
     }
     if (holds != Holds::svg && holds != Holds::pdf) return page_of_picture(std::move(source), wish);
     std::vector<Phrase> notes;
-    const bool own = is_own_pdf(source);
     if (own) source = page_of_input(std::move(source), file, {wish.pdf_page}, notes);
     FoundPage found = holds == Holds::pdf && !own ? read_svg(pdf_as_svg(source, wish.pdf_page), source.name, margin, wish.paper)
                                                   : page_of_svg(source, margin, wish);

@@ -65,16 +65,18 @@ bool is_terrain(const Model& model) {
 
 const FoldOut& ModelDrawing::on(const Sheet& sheet) {
     const Rect room = place_on(sheet, 1).live;
-    if (medium_ != sheet.medium || width_ != room.width || height_ != room.height) {
+    const bool turns = sheet.orientation == Orientation::automatic && !sheet.binding;
+    if (medium_ != sheet.medium || width_ != room.width || height_ != room.height || turns_ != turns) {
         notes_.clear();
         FoldWish fold = wish_.fold;
         fold.language = sheet.language;
-        fold.turns = sheet.orientation == Orientation::automatic && !sheet.binding;
+        fold.turns = turns;
         made_ =
             (wish_.view == ModelView::views ? views_of : fold_out)(*model_, room.width, room.height, *sheet.medium, fold, notes_);
         medium_ = sheet.medium;
         width_ = room.width;
         height_ = room.height;
+        turns_ = turns;
     }
     return made_;
 }

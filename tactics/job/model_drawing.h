@@ -41,6 +41,7 @@ private:
     std::shared_ptr<const Model> model_;
     ModelDrawingWish wish_;
     double width_ = 0, height_ = 0;
+    bool turns_ = false;
     const Medium* medium_ = nullptr;
     FoldOut made_;
     std::vector<Phrase> notes_;

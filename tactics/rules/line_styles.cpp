@@ -28,7 +28,8 @@ Findings check_line_styles(const PageGeometry& geometry, double limit) {
         const Chain& chain = geometry.chains[c];
         if (chain.ring || geometry.role_of(chain) == Role::pattern) continue;
         const double width = std::round(chain.half_width * 2 / kSame) * kSame;
-        ++kinds.emplace(Style{width, geometry.role_of(chain) == Role::dash}, Kind{c, 0}).first->second.lines;
+        const Role role = geometry.role_of(chain);
+        ++kinds.emplace(Style{width, role == Role::dash || role == Role::dots}, Kind{c, 0}).first->second.lines;
     }
     const auto count = static_cast<double>(kinds.size());
     if (count <= limit) return {};
