@@ -87,7 +87,8 @@ std::string forged(const std::string& objects, const std::vector<std::size_t>& o
 TEST(OwnPdf, WhatAForgedTableNamesTwiceOrALengthOversteps) {
     const std::string entries = "1 0 obj\n<< " + std::string(kOwnPageEntries), stream = ">>\nstream\nabcd\nendstream\nendobj\n";
     const std::string whole = entries + "/Length 4 " + stream;
-    const auto once = own_pdf_pages(forged(whole + whole, {9, 9 + whole.size()}));
+    const std::string both = forged(whole + whole, {9, 9 + whole.size()});
+    const auto once = own_pdf_pages(both);
     ASSERT_TRUE(once);
     EXPECT_EQ(*once, (std::vector<std::string_view>{"abcd", "abcd"}));
     // One object for many entries would be searched again and again.
