@@ -126,6 +126,7 @@ private:
         const bool whole = all || (usual && request_.items.size() == 1);
         if (whole)
             for (const Phrase& line : choice_lines(outcome)) progress_.say_line(line);
+        if (usual && !whole) return progress_.say_line(result_with_warnings(outcome));
         if (all || usual) progress_.say_line(result_line(outcome));
         for (const Note& line : further_lines(outcome))
             if (whole || line.asks()) progress_.say_line(line.words);
@@ -140,16 +141,26 @@ private:
             if (up_to_date_ > 0) parts.push_back(phrase("{0} were up to date", std::to_string(up_to_date_)));
             parts.push_back(phrase("{0} s", std::to_string(std::lround(progress_.seconds()))));
             say(row_of(parts));
-            if (!doubts_.empty())
-                say(phrases(doubts_.size(), "{0} page needs a look before being handed out, as told above:",
-                            "{0} pages need a look before being handed out, as told above:"));
-            std::sort(doubts_.begin(), doubts_.end());
-            for (const auto& [index, input] : doubts_) say("  " + input);
+            name_doubts();
         }
         if (failures_.empty()) return;
         say(phrase("{0} of {1} failed:", std::to_string(failures_.size()), std::to_string(done_)));
         std::sort(failures_.begin(), failures_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         for (const auto& [index, message] : failures_) say("  " + message.in(user_language()));
+    }
+
+    // Many names would only repeat what is above.
+    void name_doubts() {
+        constexpr std::size_t kNamed = 10;
+        if (doubts_.empty()) return;
+        if (doubts_.size() > kNamed)
+            return say(
+                phrase("{0} pages need a look before being handed out, as told above; --warnings prints nothing but such lines",
+                       std::to_string(doubts_.size())));
+        say(phrases(doubts_.size(), "{0} page needs a look before being handed out, as told above:",
+                    "{0} pages need a look before being handed out, as told above:"));
+        std::sort(doubts_.begin(), doubts_.end());
+        for (const auto& [index, input] : doubts_) say("  " + input);
     }
 
     // In the order of the inputs, regardless of the order in which they finish. It may block for ever, so mutex_ is unlocked

@@ -28,8 +28,11 @@ std::string Format::encode(const Page& page, const Settings& settings) const {
 void fit_to_machine(Sheet& sheet, const Format& format, const Settings& settings, int zoom) {
     if (format.dots == nullptr) return;
     const DotSetting set = format.dots(settings);
-    sheet.bed = set.bed;
     sheet.cell = set.cell;
+    // A file of 6-dot cells has them where BRF has them: one page, the same cells in both. Whatever prints it decides where they
+    // begin.
+    if (format.embosser == nullptr && set.bed.raster == 0 && set.bed.dots_down < 4) return;
+    sheet.bed = set.bed;
     sheet.heights = set.heights;
     sheet.reach = set.reach;
     sheet.title_cells = sheet.braille_table.empty() ? 0 : set.title_cells;

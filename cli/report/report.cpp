@@ -199,6 +199,13 @@ Phrase result_line(const Outcome& outcome) {
     return phrase("{0}; made anew: {1}", std::move(line), row_of(outcome.made_anew));
 }
 
+Phrase result_with_warnings(const Outcome& outcome) {
+    Phrase line = result_line(outcome);
+    for (Note& note : further_words(outcome))
+        if (note.asks()) line = phrase("{0}; {1}", std::move(line), std::move(note.words));
+    return line;
+}
+
 std::vector<Phrase> choice_lines(const Outcome& outcome) {
     std::vector<Phrase> lines;
     const Phrase start = name_of_input(outcome);

@@ -12,6 +12,8 @@ namespace tactics {
 
 /// "photo.jpg: photo.pdf, photo.svg: 12 lines of 830 mm together; 0.12 s"
 Phrase result_line(const Outcome& outcome);
+/// The same, and behind it what a person must act on.
+Phrase result_with_warnings(const Outcome& outcome);
 /// The choices made from the picture, the reasons, and how to change them: "photo.jpg: recipe photo (continuous tones: 31 % flat,
 /// 47 % soft, ...); change with --recipe", "photo.jpg: kmeans k=3: 3 colours explain 94 % of its variance; change with --set
 /// kmeans.k=NUMBER".

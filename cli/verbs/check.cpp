@@ -26,9 +26,11 @@ namespace {
 constexpr std::size_t kAll = ~std::size_t{0};
 
 constexpr Flag kCheckFlags[] = {
-    {"--medium", "-m", "MEDIUM", "what the page is made on; it decides the limits. Default: swell", false, "media"},
+    {"--medium", "-m", "MEDIUM",
+     "what the page is made on; it decides the limits. Default: that of a page that tactics made, else swell", false, "media"},
     {"--paper", "-p", "PAPER", "paper of pictures, and of a drawing whose file gives no size", false, "papers"},
-    {"--margin", "", "LENGTH", "margin that must stay free; default: the medium's own", false, ""},
+    {"--margin", "", "LENGTH", "margin that must stay free; default: that of a page that tactics made, else the medium's own",
+     false, ""},
     {"--rule", "", "RULE", "check this rule only. May be given several times", true, "rules"},
     {"--set", "-s", "RULE.LIMIT=VALUE",
      "change a limit: gap.least=3mm, crossings.most=2; or for pictures a setting of a filter, as for convert. May be given "
@@ -60,7 +62,7 @@ enum class CheckTold { text, json, sarif, junit };
 struct Wanted {
     std::vector<std::string> files;
     PageWish page;
-    std::vector<Demand> demands;
+    std::vector<std::pair<const Rule*, double>> limits;
     CheckTold told = CheckTold::text;
     std::size_t most = 10;
     std::string mark;
@@ -150,6 +152,8 @@ Wanted plan_check(const Given& given) {
     if (std::count(wanted.files.begin(), wanted.files.end(), "-") > 1)
         throw Error(Fault::usage, "check", phrase("standard input (-) is named twice; it can be read once"));
     const KeptSheet kept = kept_sheet(given);
+    wanted.page.asks_medium = given.has("--medium");
+    wanted.page.asks_margin = given.has("--margin");
     wanted.page.medium = given.has("--medium") || kept.medium == nullptr
                              ? &find_medium(given.value("--medium", "swell"), "--medium")
                              : kept.medium;
@@ -165,13 +169,15 @@ Wanted plan_check(const Given& given) {
     Given rest(kCheckFlags);
     for (const auto name : {"--recipe", "--filter", "--detail", "--no-defaults"})
         for (const auto& value : given.all(name)) rest.add(name, value);
-    const auto limits = take_limits(given, rest);
+    wanted.limits = take_limits(given, rest);
     wanted.page.chain = read_chain(rest, real_disk());
     wanted.page.table = table_wish(given);
     wanted.page.allowed = allowed_formats(given);
     wanted.page.pdf_page = page_value(given);
     if (given.has("--as-drawn")) wanted.page.chain.as_drawn = true;
-    wanted.demands = demands_for(given, *wanted.page.medium, limits);
+    for (const std::string& name : given.all("--rule")) named_rule(name, "--rule");
+    // What does not fit the medium is refused before a page is read, unless each page tells its own.
+    if (wanted.page.asks_medium) demands_for(given, *wanted.page.medium, wanted.limits);
     wanted.told = told_value(given);
     wanted.most = most_value(given);
     wanted.strict = given.has("--strict");
@@ -197,7 +203,8 @@ int run_check(const Given& given) {
         Checked checked{file, {}, wanted.page.medium, {}, ""};
         const Failure failure = failure_of(file == "-" ? "standard input" : file, [&] {
             checked.found = page_of(file, wanted.page);
-            checked.verdicts = check_page(checked.found.page, wanted.demands);
+            checked.medium = &medium_of(checked.found.page, wanted.page);
+            checked.verdicts = check_page(checked.found.page, demands_for(given, *checked.medium, wanted.limits));
             if (wanted.mark_format != nullptr) write_file(wanted.mark, mark_page(checked, wanted.most, *wanted.mark_format));
         });
         checked.error = failure.text.english();

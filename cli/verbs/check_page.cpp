@@ -48,7 +48,7 @@ FoundPage page_of_svg(Source& source, double margin, const PageWish& wish) {
     const std::string bytes = bytes_of(source.file.get());
     FoundPage found = read_svg(bytes, source.name, margin, wish.paper);
     if (auto own = read_own_page(bytes, source.name)) {
-        own->page.live = found.page.live;
+        if (wish.asks_medium || wish.asks_margin) own->page.live = found.page.live;
         found.page = std::move(own->page);
         for (const Phrase& note : own->notes) found.notes.push_back(note);
     }
@@ -56,6 +56,13 @@ FoundPage page_of_svg(Source& source, double margin, const PageWish& wish) {
 }
 
 }  // namespace
+
+const Medium& medium_of(const Page& page, const PageWish& wish) {
+    if (!wish.asks_medium)
+        for (const Medium& medium : media())
+            if (medium.name == page.medium) return medium;
+    return *wish.medium;
+}
 
 FoundPage page_of(const std::string& file, const PageWish& wish) {
     Source source = open_source(file);

@@ -193,10 +193,10 @@ const Command convert_command{
         "fewest if several do: one where all lines are of one kind. The report says which, and what fewer would lose. A height "
         "that you set, such as --set graphiti.axes=3, is kept.\n\n"
         "The report goes to standard error. A page that is empty, not fit to be felt or, as far as recipe photo can judge, not "
-        "fit to be handed out is written and reported; a batch lists these pages at its end. The exit code stays 0, unless "
-        "--strict finds a hard rule broken. One picture gets a full report; each of several gets one line, and what a person "
-        "must act on. In a batch, a picture that fails does not stop the others; failures are reported at once and again at the "
-        "end. Ctrl-C leaves no half-written file.",
+        "fit to be handed out is written and reported; a batch counts these pages at its end and names up to ten. The exit code "
+        "stays 0, unless --strict finds a hard rule broken. One picture gets a full report; each of several gets one line, which "
+        "also says what a person must act on. In a batch, a picture that fails does not stop the others; failures are reported "
+        "at once and again at the end. Ctrl-C leaves no half-written file.",
     .example =
         "tactics convert photo.jpg -o photo.pdf\n"
         "tactics convert photo.jpg -o page.pdf -o page.svg -o page.brf --title \"Hot air balloon\"\n"

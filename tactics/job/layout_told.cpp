@@ -2,6 +2,7 @@
 #include "tactics/job/layout_told.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tactics/braille/braille.h"
 #include "tactics/geometry/dashed_line.h"
@@ -58,6 +59,14 @@ Phrase no_room_for_words(bool print_is_left, const Phrase& more_room) {
                         more_room, spelled("words"))
                : phrase("its words are left out, as the page has no room for them in braille; take {0}, or {1} remove", more_room,
                         spelled("words"));
+}
+
+Phrase note_of_smaller(const Layout& layout, double before, const Phrase& more_room) {
+    const double width = layout.place.drawing.width;
+    if (layout.sheet.drawing_width || layout.sheet.scale || layout.sheet.window || width > before - 0.1) return {};
+    const auto mm = [](double value) { return numeral(std::round(value * 10) / 10); };
+    return phrase("the drawing is {0} mm wide instead of {1} mm, as this sheet has room for no more; take {2}", mm(width),
+                  mm(before), more_room);
 }
 
 Phrase note_of_long_title(const Sheet& sheet) {

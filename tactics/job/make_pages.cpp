@@ -56,17 +56,18 @@ public:
         outcome_.model_json = from_.model_json;
         outcome_.notes.insert(outcome_.notes.end(), from_.words.notes.begin(), from_.words.notes.end());
         plan_layouts();
-        made_.resize(job_.outputs.size());
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) {
-            make_room_for_words(outcome_.layouts[i], arranged_[i]);
+            Layout& layout = outcome_.layouts[i];
+            make_room_for_words(layout, arranged_[i]);
             if (stays_[i]) begin(JobStep::laying_out);
-            const Pages pages = stays_[i] ? pages_of_own(*from_.own, outcome_.layouts[i].sheet.heights)
-                                          : lay_out_one(outcome_.layouts[i].sheet, std::move(arranged_[i]));
-            tell_layout(outcome_.layouts[i], pages);
-            outcome_.layouts[i].mended = mended_.told;
-            outcome_.layouts[i].detail = detail_;
-            if (detail_) tell_once(explained(*detail_, *outcome_.layouts[i].sheet.medium));
-            if (job_.check_rules) outcome_.layouts[i].broken = broken_hard_rules(pages.all, *outcome_.layouts[i].sheet.medium);
+            const Pages pages =
+                stays_[i] ? pages_of_own(*from_.own, layout.sheet.heights) : lay_out_one(layout.sheet, std::move(arranged_[i]));
+            tell_layout(layout, pages);
+            if (from_.own) tell_once(to_act_on(note_of_smaller(layout, from_.own->drawing.width, more_room_)));
+            layout.mended = mended_.told;
+            layout.detail = detail_;
+            if (detail_) tell_once(explained(*detail_, *layout.sheet.medium));
+            if (job_.check_rules) layout.broken = broken_hard_rules(pages.all, *layout.sheet.medium);
             show(i, pages);
             encode(i, pages.all);
         }
@@ -83,7 +84,6 @@ private:
         from_.aspect = [](const Sheet& sheet) { return sheet.paper.width / sheet.paper.height; };
         outcome_.picture.format = "text";
         plan_layouts();
-        made_.resize(job_.outputs.size());
         begin(JobStep::laying_out);
         for (std::size_t i = 0; i < outcome_.layouts.size(); ++i) {
             Layout& layout = outcome_.layouts[i];
@@ -107,16 +107,19 @@ private:
 
     // The outputs that share a sheet, and the place of the drawing on each.
     void plan_layouts() {
+        made_.resize(job_.outputs.size());
         for (const Output& output : job_.outputs) {
-            const Sheet sheet = planned_sheet(*output.format);
+            Sheet sheet = planned_sheet(*output.format);
+            const bool stays = from_.own && stays_as_it_is(sheet, *from_.own, job_, *output.format);
+            if (from_.own && !stays) keep_size(sheet, *from_.own, job_);
             std::size_t at = 0;
             while (at < outcome_.layouts.size() && !same_sheet(outcome_.layouts[at].sheet, sheet)) ++at;
             if (at == outcome_.layouts.size()) {
                 Layout layout;
                 layout.sheet = sheet;
-                stays_.push_back(from_.own && stays_as_it_is(sheet, *from_.own, job_, *output.format));
-                arranged_.push_back(stays_.back() ? Arrangement{pages_of_own(*from_.own, sheet.heights).place, {}, {}, {}, {}, {}}
-                                                  : arrange(sheet, from_.aspect(sheet)));
+                stays_.push_back(stays);
+                arranged_.push_back(stays ? Arrangement{pages_of_own(*from_.own, sheet.heights).place, {}, {}, {}, {}, {}}
+                                          : arrange(sheet, from_.aspect(sheet)));
                 layout.place = arranged_.back().place;
                 check_machine(job_, *output.format, layout.sheet, layout.place);
                 outcome_.layouts.push_back(std::move(layout));
@@ -256,13 +259,9 @@ private:
             return !found || found->left_out == 0;
         });
         if (thinned > 0) outcome_.notes.push_back(to_act_on(thinned_words(thinned, more_room_)));
-        if (found) {
-            arrangement = std::move(found->arrangement);
-            return;
-        }
-        give_up_words();
-        beside_names_ = false;
-        arrangement = arrange(layout.sheet, aspect);
+        beside_names_ = found.has_value();
+        if (!found) give_up_words();
+        arrangement = found ? std::move(found->arrangement) : arrange(layout.sheet, aspect);
     }
 
     Pages lay_out_one(const Sheet& sheet, Arrangement arrangement) {

@@ -11,6 +11,7 @@
 #include "tactics/layout/chosen_heights.h"
 #include "tactics/layout/dot_grid.h"
 #include "tactics/layout/key.h"
+#include "tactics/layout/place.h"
 #include "tactics/layout/room.h"
 #include "tactics/layout/words_anew.h"
 #include "tactics/text/utf8.h"
@@ -41,6 +42,11 @@ bool is_turned_so(Orientation orientation, const Page& own) {
 bool has_margin(double margin, const Rect& live, const Page& own) {
     return is_same(live.left, margin) && is_same(live.top, margin) && is_same(own.width - live.left - live.width, margin) &&
            is_same(own.height - live.top - live.height, margin);
+}
+
+// Which is the same on every medium.
+bool has_only_braille(const Page& own) {
+    return own.drawing.width <= 0 && own.strokes.empty() && own.areas.empty() && own.textured.empty() && !own.picture;
 }
 
 // Another line of words than it has.
@@ -185,9 +191,17 @@ void take_own(Sheet& sheet, const Page& own, const Wishes& wishes, const Format&
         sheet.real_width = own.drawing.width / own.scale->length * own.scale->real;
 }
 
+void keep_size(Sheet& sheet, const Page& own, const Wishes& wishes) {
+    // More paper is asked for because more has room on it, but another medium has its own.
+    const bool asks = sheet.drawing_width || sheet.scale || sheet.tiles.several() || sheet.window ||
+                      (wishes.paper && sheet.medium == medium_named(own.medium));
+    if (!asks && place_on(sheet, own.drawing.width / own.drawing.height).drawing.width >= own.drawing.width)
+        sheet.drawing_width = own.drawing.width;
+}
+
 bool stays_as_it_is(const Sheet& sheet, const Page& own, const Job& job, const Format& format) {
-    const bool same_medium = own.medium.empty() || sheet.medium->name == own.medium;
-    const bool same_bed = sheet.bed ? own.bed && *own.bed == *sheet.bed : format.dots == nullptr;
+    const bool same_medium = own.medium.empty() || sheet.medium->name == own.medium || has_only_braille(own);
+    const bool same_bed = sheet.bed ? own.bed && *own.bed == *sheet.bed : format.dots == nullptr || !own.bed;
     if (same_medium && same_bed && sheet.cell == own.cell && !asks_for_other_words(job, own) && !asks_for_other_place(job, own))
         return true;
     if (own.drawing.width > 0 && own.drawing.height > 0 && medium_named(own.medium) != nullptr) return false;

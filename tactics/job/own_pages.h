@@ -11,6 +11,10 @@ namespace tactics {
 /// only dots and that has lines, and its paper on the same medium.
 void take_own(Sheet& sheet, const Page& own, const Wishes& wishes, const Format& format);
 
+/// Where the page does not stay as it is: the drawing is as wide as on it, if the sheet has room for that and the job asks for no
+/// other size.
+void keep_size(Sheet& sheet, const Page& own, const Wishes& wishes);
+
 /// Whether the page is what is wanted on such a sheet. Throws Error(usage) where another is and the page has no drawing that
 /// could be laid out anew: one of text, or of a key.
 bool stays_as_it_is(const Sheet& sheet, const Page& own, const Job& job, const Format& format);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How much `tactics convert` tells: from nothing but errors to everything, each a part of the next; and --strict.
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -54,14 +55,19 @@ TEST_F(HowMuchIsTold, EachSaysMoreThanTheOneBefore) {
                 holds(told, "figure.svg: the words \"Rain\" are left out: they lie outside of the drawing\n") &&
                 holds(told, "tactics: bad.tif: "))
         << told;
-    for (const std::string& line : lines_of(told)) EXPECT_EQ(lines_of(usual.err).count(line), 1u) << line;
-    // A line for each picture that is done, and the four lines of the end.
-    EXPECT_EQ(lines_in(usual.err), 3u + 3u + 3u) << usual.err;
+    const auto behind_its_name = [](const std::string& line) { return line.substr(line.find(": ") + 2); };
+    for (const std::string& line : lines_of(told)) EXPECT_TRUE(holds(usual.err, behind_its_name(line))) << line;
+    // A line for each picture, and the three lines of the end.
+    EXPECT_EQ(lines_in(usual.err), 4u + 3u) << usual.err;
+    EXPECT_TRUE(holds(usual.err, " s; the words \"Rain\" are left out: they lie outside of the drawing\n")) << usual.err;
     EXPECT_FALSE(holds(usual.err, "change with --recipe")) << usual.err;
     EXPECT_TRUE(holds(usual.err, "3 of 4 pictures done, 3 files written")) << usual.err;
     const auto most = without_times(all.err);
     for (const std::string& line : without_times(usual.err))
-        EXPECT_TRUE(holds(line, " pictures done, ") || most.count(line) == 1) << line << "\n" << all.err;
+        EXPECT_TRUE(holds(line, " pictures done, ") ||
+                    std::any_of(most.begin(), most.end(), [&](const std::string& one) { return line.starts_with(one); }))
+            << line << "\n"
+            << all.err;
     EXPECT_TRUE(holds(all.err, "disc.tif: recipe ") && holds(all.err, "; change with --recipe\n")) << all.err;
 }
 
@@ -85,10 +91,17 @@ TEST_F(HowMuchIsTold, StrictIsAsCheckIs) {
     write_bytes(folder / "near.tif",
                 grey_picture(200, 200, [](int x, int y) { return x > 20 && x < 180 && y % 4 == 2 ? 0 : 255; }));
     int broken = 0;
+    // What the page was made for and its margins are as it tells them.
+    const std::vector<Words> ways{{},
+                                  {"--as-drawn"},
+                                  {"--medium", "embosser"},
+                                  {"--medium", "thermoform", "--as-drawn"},
+                                  {"--embosser", "index-v4"},
+                                  {"--margin", "2mm"}};
     for (const std::string picture : {"disc.tif", "near.tif", "figure.svg", "dot.tif"})
-        for (const bool as_drawn : {false, true}) {
+        for (const Words& way : ways) {
             Words words{picture, "-f", "threshold", "-f", "trace shortest=0", "-o", "page.svg", "--strict", "--title", "A"};
-            if (as_drawn) words.push_back("--as-drawn");
+            words.insert(words.end(), way.begin(), way.end());
             fs::remove(folder / "page.svg");
             const Ending made = convert(words);
             const Ending checked = run_tactics(folder, {"check", "page.svg", "--strict"});

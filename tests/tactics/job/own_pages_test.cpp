@@ -63,12 +63,30 @@ TEST_F(OwnPages, OfAPdfAreTheSame) {
 }
 
 TEST_F(OwnPages, OfAnEmbosserAreConvertedIntoTheSameBraille) {
-    Job dots = german({"a.svg", "a.brf", "a.pef"});
+    Job dots = german({"a.svg", "a.brf", "a.pef", "a.ubrl"});
     dots.sheet.medium = &find_medium("embosser", "test");
     dots.paper = find_paper("11x11.5", "test");
-    ASSERT_EQ(make_pages(dots).error, "");
-    ASSERT_EQ(make_pages(job("a.svg", {"b.brf", "b.pef", "b.svg"})).error, "");
-    for (const std::string ending : {"svg", "brf", "pef"}) EXPECT_EQ(bytes("a." + ending), bytes("b." + ending)) << ending;
+    const Outcome made = make_pages(dots);
+    ASSERT_EQ(made.error, "");
+    EXPECT_EQ(made.layouts.size(), 1u) << "files of 6-dot cells are of one page";
+    ASSERT_EQ(make_pages(job("a.svg", {"b.brf", "b.pef", "b.ubrl", "b.svg"})).error, "");
+    for (const std::string ending : {"svg", "brf", "pef", "ubrl"})
+        EXPECT_EQ(bytes("a." + ending), bytes("b." + ending)) << ending;
+}
+
+TEST_F(OwnPages, OfTextAreTheSameInAnyFileOfCells) {
+    tests::write_bytes(folder / "note.txt",
+                       "A note of some words\n\nand one more, which is longer than a line of braille has room for.\n");
+    Job text = job("note.txt", {"a.svg"});
+    text.as_text = true;
+    ASSERT_EQ(make_pages(text).error, "");
+    ASSERT_EQ(make_pages(job("a.svg", {"b.brf", "b.pef"})).error, "");
+    const std::vector<BrailleLine> lines = page("a.svg").braille;
+    ASSERT_GE(lines.size(), 3u);
+    const std::string pef = bytes("b.pef");
+    std::size_t rows = 0;
+    for (std::size_t at = 0; (at = pef.find("<row>", at)) != std::string::npos; ++at) ++rows;
+    EXPECT_EQ(rows, lines.size());
 }
 
 TEST_F(OwnPages, AnotherMediumHasTheirDrawingAndTheirWords) {
@@ -87,6 +105,42 @@ TEST_F(OwnPages, AnotherMediumHasTheirDrawingAndTheirWords) {
                              [](const PageStroke& stroke) { return stroke.role == Role::line; });
     };
     EXPECT_EQ(drawn(before), drawn(after));
+}
+
+TEST_F(OwnPages, StayAsLargeOnAnotherMedium) {
+    const auto widths = [](const Outcome& outcome) {
+        std::vector<double> all;
+        for (const Layout& layout : outcome.layouts) all.push_back(layout.place.drawing.width);
+        return all;
+    };
+    Job small = german({"a.svg"});
+    small.sheet.drawing_width = 120;
+    ASSERT_EQ(make_pages(small).error, "");
+    const Outcome made = make_pages(job("a.svg", {"b.brf", "b.pef", "b.height.png"}));
+    ASSERT_EQ(made.error, "");
+    ASSERT_GE(made.layouts.size(), 2u);
+    for (const double width : widths(made)) EXPECT_NEAR(width, 120, 0.05);
+    // Where there is no room for that it is as large as there is, and a person hears of it.
+    Job large = german({"c.svg"});
+    large.paper = find_paper("a3", "test");
+    ASSERT_EQ(make_pages(large).error, "");
+    const Outcome smaller = make_pages(job("c.svg", {"d.brf"}));
+    ASSERT_EQ(smaller.error, "");
+    EXPECT_LT(widths(smaller).front(), page("c.svg").drawing.width - 10);
+    EXPECT_GT(widths(smaller).front(), 200);
+    const auto told = [](const Outcome& outcome) {
+        return std::count_if(outcome.notes.begin(), outcome.notes.end(), [](const Note& note) {
+            return note.asks() && note.english().find("room for no more") != std::string::npos;
+        });
+    };
+    EXPECT_EQ(told(smaller), 1);
+    EXPECT_EQ(told(made), 0);
+    // A width, sheets that are laid together, or more paper of the same medium: another size is asked for.
+    Job wide = job("a.svg", {"e.brf"});
+    wide.sheet.drawing_width = 200;
+    const Outcome wider = make_pages(wide);
+    ASSERT_EQ(wider.error, "");
+    EXPECT_NEAR(widths(wider).front(), 200, 0.05);
 }
 
 TEST_F(OwnPages, GiveWayToWhatIsAskedFor) {
