@@ -210,11 +210,17 @@ Area area_of(const Part& part, double mm) {
     return area;
 }
 
-}  // namespace
+// The ground goes on beyond the picture: the strip of it below an axis, which may be narrow, is none between the lines of a
+// hatch.
+Image with_ground(const Image& picture, int wider) {
+    Image wide = make_image(picture.width + 2 * wider, picture.height + 2 * wider, picture.channels, picture.mm_per_pixel, 0);
+    cv::Mat pixels = view_of(wide);
+    cv::copyMakeBorder(view_of(picture), pixels, wider, wider, wider, wider, cv::BORDER_REPLICATE);
+    return wide;
+}
 
-std::vector<Area> take_fills(Image& picture) {
+std::vector<Area> fills_in(Image& picture) {
     const double mm = picture.mm_per_pixel;
-    if (std::min(picture.width, picture.height) * mm < kNarrowest) return {};
     cv::Mat pixels = view_of(picture);
     const Image ink = ink_on_white(picture);
     Found found = flats_of(pixels, mm);
@@ -246,6 +252,24 @@ std::vector<Area> take_fills(Image& picture) {
         area.texture = chosen[kind_of[i] + 1];
         if (area.texture > 0 && !area.rings.empty()) areas.push_back(std::move(area));
     }
+    return areas;
+}
+
+}  // namespace
+
+std::vector<Area> take_fills(Image& picture) {
+    const double mm = picture.mm_per_pixel;
+    if (std::min(picture.width, picture.height) * mm < kNarrowest) return {};
+    const int wider = static_cast<int>(std::ceil(kHatchGap / mm)) + 3;
+    Image wide = with_ground(picture, wider);
+    std::vector<Area> areas = fills_in(wide);
+    for (Area& area : areas)
+        for (auto& ring : area.rings)
+            for (Point& p : ring)
+                p = {std::clamp(p.x - wider * mm, 0.0, picture.width * mm),
+                     std::clamp(p.y - wider * mm, 0.0, picture.height * mm)};
+    cv::Mat pixels = view_of(picture);
+    view_of(wide)(cv::Rect(wider, wider, picture.width, picture.height)).copyTo(pixels);
     return areas;
 }
 
