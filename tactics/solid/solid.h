@@ -39,7 +39,8 @@ Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& s
 
 /// The place, which lies in their plane, is within the rings (even-odd rule).
 bool is_over(const Point3& at, const Point3& normal, const std::vector<std::vector<Point3>>& rings);
-double length_of(const Seam& seam);    ///< mm
-Point3 middle_of(const Patch& patch);  ///< of its corners
+double distance_to_rings(const Point3& at, const std::vector<std::vector<Point3>>& rings);  ///< mm, to the nearest side
+double length_of(const Seam& seam);                                                         ///< mm
+Point3 middle_of(const Patch& patch);                                                       ///< of its corners
 
 }  // namespace tactics

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tactics {
+
+void take(SpaceBox& box, const Point3& at) {
+    box.low = {std::min(box.low.x, at.x), std::min(box.low.y, at.y), std::min(box.low.z, at.z)};
+    box.high = {std::max(box.high.x, at.x), std::max(box.high.y, at.y), std::max(box.high.z, at.z)};
+}
 
 SpaceBox space_of(const ModelPart& part) {
     Point3 half;
@@ -17,13 +21,9 @@ SpaceBox space_of(const ModelPart& part) {
 }
 
 SpaceBox space_of(const Patch& patch) {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
-    SpaceBox box{{kNone, kNone, kNone}, {-kNone, -kNone, -kNone}};
+    SpaceBox box = kNoSpace;
     for (const auto& ring : patch.rings)
-        for (const Point3& at : ring) {
-            box.low = {std::min(box.low.x, at.x), std::min(box.low.y, at.y), std::min(box.low.z, at.z)};
-            box.high = {std::max(box.high.x, at.x), std::max(box.high.y, at.y), std::max(box.high.z, at.z)};
-        }
+        for (const Point3& at : ring) take(box, at);
     return box;
 }
 

@@ -2,6 +2,8 @@
 // Upright boxes in space.
 #pragma once
 
+#include <limits>
+
 #include "tactics/solid/part.h"
 
 namespace tactics {
@@ -12,6 +14,12 @@ inline constexpr double kLoose = 0.02;
 struct SpaceBox {
     Point3 low, high;
 };
+/// Round nothing.
+inline constexpr SpaceBox kNoSpace{
+    {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()},
+    {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+     -std::numeric_limits<double>::infinity()}};
+void take(SpaceBox& box, const Point3& at);  ///< makes it as large as needed
 SpaceBox space_of(const ModelPart& part);
 SpaceBox space_of(const Patch& patch);
 SpaceBox grown(const SpaceBox& box, double margin);

@@ -10,12 +10,11 @@
 
 #include "tactics/geometry/lots.h"
 #include "tactics/geometry/triangulate.h"
+#include "tactics/solid/backs.h"
 
 namespace tactics {
 
 namespace {
-
-using Corner = std::uint32_t;
 
 // Cells of a grid in space, by their numbers put together; two cells may share
 // one, which costs a look more.
@@ -71,7 +70,7 @@ bool is_bent(const std::vector<Point3>& corners, const CornerRing& ring, const P
     for (const Corner corner : ring) middle = middle + corners[corner];
     middle = (1.0 / static_cast<double>(ring.size())) * middle;
     return std::any_of(ring.begin(), ring.end(),
-                       [&](Corner corner) { return std::abs(dot(normal, corners[corner] - middle)) > 10 * tolerance; });
+                       [&](Corner corner) { return std::abs(dot(normal, corners[corner] - middle)) > tolerance; });
 }
 
 struct Side {
@@ -103,30 +102,30 @@ void each_edge(const std::vector<Side>& sides, Take take) {
     }
 }
 
-// Corners of others that lie on a side become its own.
+// Corners of others that lie on a side become its own: those of sides without a neighbour, or with more than one, on any side, as
+// where four faces meet, two may share a side that is divided for the other two.
 void split_sides(WeldedSurface& surface) {
     const std::vector<Side> sides = sides_of(surface.faces);
-    std::vector<Side> open;
+    std::vector<Side> edges;
+    std::vector<Corner> ends;
     double total = 0;
     each_edge(sides, [&](std::span<const Side> edge) {
-        if (edge.size() == 2) return;
-        open.push_back(edge.front());
+        edges.push_back(edge.front());
         total += length_of(surface.corners[edge.front().to] - surface.corners[edge.front().from]);
+        if (edge.size() != 2) ends.insert(ends.end(), {edge.front().from, edge.front().to});
     });
-    if (open.empty() || !(total > 0)) return;
-    const double cell = std::max(total / static_cast<double>(open.size()), 4 * surface.tolerance);
+    if (ends.empty() || !(total > 0)) return;
+    const double cell = std::max(total / static_cast<double>(edges.size()), 4 * surface.tolerance);
     Cells cells(cell);
-    std::vector<Corner> ends;
-    for (const Side& side : open) ends.insert(ends.end(), {side.from, side.to});
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     for (const Corner corner : ends) cells.put(surface.corners[corner], corner);
     std::unordered_map<std::uint64_t, std::vector<std::pair<double, Corner>>> between;
-    for (const Side& side : open) {
+    for (const Side& side : edges) {
         const Corner low = std::min(side.from, side.to), high = std::max(side.from, side.to);
         const Point3 begin = surface.corners[low], along = surface.corners[high] - begin;
         const double length = length_of(along);
-        auto& found = between[key_of(low, high)];
+        std::vector<std::pair<double, Corner>> found;
         for (double at = 0; at <= length; at += cell)
             cells.near(begin + (at / length) * along, [&](Corner corner) {
                 if (corner == low || corner == high) return;
@@ -135,8 +134,10 @@ void split_sides(WeldedSurface& surface) {
                 if (share > 0 && share < 1 && length_of(off - share * along) <= surface.tolerance)
                     found.push_back({share, corner});
             });
+        if (found.empty()) continue;
         std::sort(found.begin(), found.end());
         found.erase(std::unique(found.begin(), found.end()), found.end());
+        between.emplace(key_of(low, high), std::move(found));
     }
     for (CornerRing& ring : surface.faces) {
         CornerRing split;
@@ -155,15 +156,19 @@ void split_sides(WeldedSurface& surface) {
     }
 }
 
-// Faces with the same corners, whichever way round: the first stays.
-std::size_t drop_copies(std::vector<CornerRing>& faces) {
-    std::map<CornerRing, bool> seen;
+// Faces with the same corners, gone round the same way: the first stays.
+std::size_t drop_copies(const std::vector<Point3>& corners, std::vector<CornerRing>& faces) {
+    std::map<CornerRing, std::vector<Point3>> seen;  // and the areas of those
     const std::size_t before = faces.size();
     std::erase_if(faces, [&](const CornerRing& ring) {
         if (ring.empty()) return true;
         CornerRing sorted = ring;
         std::sort(sorted.begin(), sorted.end());
-        return !seen.emplace(std::move(sorted), true).second;
+        std::vector<Point3>& others = seen[std::move(sorted)];
+        const Point3 area = doubled_area(corners, ring);
+        if (std::any_of(others.begin(), others.end(), [&](const Point3& other) { return dot(area, other) > 0; })) return true;
+        others.push_back(area);
+        return false;
     });
     return before - faces.size();
 }
@@ -208,7 +213,8 @@ WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, 
         double longest = 0;
         for (std::size_t i = 0; i < ring.size(); ++i)
             longest = std::max(longest, length_of(surface.corners[ring[i]] - surface.corners[ring[(i + 1) % ring.size()]]));
-        if (!(length_of(doubled) > 2 * tolerance * longest)) {
+        // Its corner is then on its longest side, and becomes one of the neighbour there.
+        if (!(length_of(doubled) > tolerance * longest)) {
             ring.clear();
         } else if (ring.size() > 3 && is_bent(surface.corners, ring, doubled, tolerance)) {
             std::vector<Point3> corners;
@@ -218,9 +224,10 @@ WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, 
         }
         surface.faces.push_back(std::move(ring));
     }
-    dropped += drop_copies(surface.faces);
+    dropped += drop_copies(surface.corners, surface.faces);
     split_sides(surface);
-    dropped += drop_copies(surface.faces);
+    dropped += drop_copies(surface.corners, surface.faces);
+    dropped += drop_backs(surface);
     return surface;
 }
 
