@@ -102,6 +102,12 @@ Code adaptive_code(std::span<const std::uint32_t> counts, std::size_t levels) {
             std::max(0.0, corrected / std::numbers::ln2)};
 }
 
+void add_up(std::vector<std::uint32_t>& counts, std::size_t fewer) {
+    for (std::size_t from = fewer; from < counts.size(); from += fewer)
+        for (std::size_t i = 0; i < fewer; ++i) counts[i] += counts[from + i];
+    counts.resize(fewer);
+}
+
 std::vector<float> costs_of(std::span<const std::uint32_t> counts, std::size_t levels) {
     std::vector<float> costs(counts.size());
     for (std::size_t from = 0; from < counts.size(); from += levels) {

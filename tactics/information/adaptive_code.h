@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -31,7 +32,13 @@ struct Code {
 /// whatever their order, m being `levels`. `learnt` is what their shares tell: the sum of c_i log2(n / c_i).
 Code adaptive_code(std::span<const std::uint32_t> counts, std::size_t levels);
 
+/// Of contexts with one value less, the farthest: each of the `fewer` counters is the sum of those that are as many apart.
+void add_up(std::vector<std::uint32_t>& counts, std::size_t fewer);
+
 /// What each of them adds to `learnt` every time: log2(n / c_i); 0 for one that was not counted.
 std::vector<float> costs_of(std::span<const std::uint32_t> counts, std::size_t levels);
+
+/// Is told such costs of the cells of a row, then of the next: nobody keeps those of a whole grid.
+using TakeCosts = std::function<void(std::span<const float>)>;
 
 }  // namespace tactics

@@ -43,8 +43,7 @@ Code code_of(const ChainCounts& counts, std::size_t levels) {
 // Of a shorter memory the counts are those of a longer one, added up.
 void forget_farthest(ChainCounts& counts) {
     const std::size_t fewer = counts.begins.back().size();
-    for (std::size_t i = fewer; i < counts.main.size(); ++i) counts.main[i % fewer] += counts.main[i];
-    counts.main.resize(fewer);
+    add_up(counts.main, fewer);
     std::transform(counts.main.begin(), counts.main.end(), counts.begins.back().begin(), counts.main.begin(), std::plus<>());
     counts.begins.pop_back();
     --counts.order;
@@ -78,15 +77,18 @@ ChainCode shortest_chain(const ChainCells& cells, std::size_t most) {
     return best;
 }
 
-std::vector<float> costs_of(const ChainCells& cells, const ChainCounts& counts, std::span<const RowRange> parts) {
+void tell_costs(const ChainCells& cells, const ChainCounts& counts, std::span<const RowRange> parts, const TakeCosts& take) {
     const std::vector<float> main = costs_of(counts.main, cells.levels);
     std::vector<std::vector<float>> begins;
     for (const auto& begin : counts.begins) begins.push_back(costs_of(begin, cells.levels));
-    std::vector<float> costs;
+    std::vector<float> row;
     for (const RowRange& part : parts)
-        walk(cells, counts.order, counts.restarts, part,
-             [&](std::size_t before, std::size_t at) { costs.push_back((before < counts.order ? begins[before] : main)[at]); });
-    return costs;
+        walk(cells, counts.order, counts.restarts, part, [&](std::size_t before, std::size_t at) {
+            row.push_back((before < counts.order ? begins[before] : main)[at]);
+            if (row.size() < cells.columns) return;
+            take(row);
+            row.clear();
+        });
 }
 
 }  // namespace tactics

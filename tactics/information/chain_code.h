@@ -38,7 +38,7 @@ struct ChainCode {
 };
 ChainCode shortest_chain(const ChainCells& cells, std::size_t most);
 
-/// Of each cell of these rows that counts, in order: log2 of one by its share behind those before it.
-std::vector<float> costs_of(const ChainCells& cells, const ChainCounts& counts, std::span<const RowRange> parts);
+/// Tells of each cell of these rows that counts, row by row: log2 of one by its share behind those before it.
+void tell_costs(const ChainCells& cells, const ChainCounts& counts, std::span<const RowRange> parts, const TakeCosts& take);
 
 }  // namespace tactics

@@ -23,35 +23,61 @@ constexpr double kDeviations = 3;
 constexpr double kUnforeseen = kDeviations * kDeviations / 2;
 double unforeseen_cell(const CountedRows& rows) { return std::log2(rows.cells()); }
 
-double mean_of(std::span<const double> values) {
-    double sum = 0;
-    for (const double value : values) sum += value;
-    return sum / static_cast<double>(values.size());
-}
+// The bits of cells that come one after the other: how they vary, alone and in parts of so many.
+class CellBits {
+public:
+    explicit CellBits(std::size_t part) : part_(std::max<std::size_t>(1, part)) {}
 
-// The variance of the bits of a cell such that the variance of their sum is as many times that: as if cells were independent, or
-// by sums over parts in a row, which see what goes on from cell to cell; whichever is more. A part is compared with the next (J.
-// von Neumann 1941), so that what changes slowly over the grid counts little.
-double variance_of(const std::vector<float>& costs, std::size_t parts) {
-    const auto count = static_cast<double>(costs.size());
-    double sum = 0, squares = 0;
-    for (const float cost : costs) {
-        sum += static_cast<double>(cost);
-        squares += static_cast<double>(cost) * static_cast<double>(cost);
+    void add(std::span<const float> costs) {
+        while (!costs.empty()) {
+            const auto piece = costs.first(std::min(costs.size(), part_ - filled_));
+            add_piece(piece);
+            costs = costs.subspan(piece.size());
+            if (filled_ < part_) continue;
+            if (parts_++ > 0) steps_ += (open_ - before_) * (open_ - before_);
+            before_ = open_;
+            open_ = 0;
+            filled_ = 0;
+        }
     }
-    const double alone = std::max(0.0, squares / count - sum / count * (sum / count));
-    const std::size_t size = costs.size() / parts;
-    if (size < 2) return alone;
-    std::vector<double> steps;
-    double before = 0;
-    for (std::size_t part = 0; part < parts; ++part) {
-        double bits = 0;
-        for (std::size_t i = part * size; i < (part + 1) * size; ++i) bits += static_cast<double>(costs[i]);
-        if (part > 0) steps.push_back((bits - before) * (bits - before));
-        before = bits;
+
+    // The variance of the bits of a cell such that the variance of their sum is as many times that: as if cells were
+    // independent, or by sums over parts, which see what goes on from cell to cell; whichever is more. A part is compared with
+    // the next (J. von Neumann 1941), so that what changes slowly over the grid counts little.
+    double variance() const {
+        const double mean = sum_ / cells_, alone = std::max(0.0, squares_ / cells_ - mean * mean);
+        if (part_ < 2 || parts_ < 2) return alone;
+        return std::max(alone, steps_ / static_cast<double>(parts_ - 1) / 2 / static_cast<double>(part_));
     }
-    return std::max(alone, mean_of(steps) / 2 / static_cast<double>(size));
-}
+
+private:
+    // A compiler works on four at a time. The sums of so many are exact enough in single precision.
+    void add_piece(std::span<const float> costs) {
+        constexpr std::size_t kSums = 4, kExact = 1024;
+        for (; costs.size() > kExact; costs = costs.subspan(kExact)) add_piece(costs.first(kExact));
+        float sums[kSums] = {}, squares[kSums] = {};
+        std::size_t i = 0;
+        for (; i + kSums <= costs.size(); i += kSums)
+            for (std::size_t k = 0; k < kSums; ++k) {
+                sums[k] += costs[i + k];
+                squares[k] += costs[i + k] * costs[i + k];
+            }
+        for (; i < costs.size(); ++i) {
+            sums[0] += costs[i];
+            squares[0] += costs[i] * costs[i];
+        }
+        const double sum = std::accumulate(std::begin(sums), std::end(sums), 0.0);
+        sum_ += sum;
+        open_ += sum;
+        squares_ += std::accumulate(std::begin(squares), std::end(squares), 0.0);
+        cells_ += static_cast<double>(costs.size());
+        filled_ += costs.size();
+    }
+
+    std::size_t part_, filled_ = 0, parts_ = 0;  // cells of each part and of the last, and whole parts
+    double sum_ = 0, squares_ = 0, cells_ = 0;
+    double open_ = 0, before_ = 0, steps_ = 0;  // of the last part and the one before, and squares of their differences
+};
 
 // The codes of a grid, each tried once, with what the shortest one takes for each cell.
 class Codes {
@@ -67,21 +93,17 @@ public:
     const Code& least() const { return least_; }
     const Code& spatial() const { return spatial_; }
 
-    // Parts of what the spatial code or that of the levels alone reads row by row, or column by column.
-    std::vector<RowRange> parts(bool spatial) const {
-        return spatial && down_
-                   ? parts_of(static_cast<std::size_t>(rows_.grid().columns), static_cast<std::size_t>(rows_.grid().rows))
-                   : rows_.parts();
-    }
-
-    // Bits of each cell of these parts.
-    std::vector<float> costs(bool spatial, const std::vector<RowRange>& parts) const {
-        if (!spatial) return alone_costs(parts);
-        if (chain_) return costs_of(down_ ? columns_as_chain() : rows_as_chain(), *chain_, parts);
-        if (used_ > 0) return counting_.near_costs(costs_of(best_near_, counting_.levels()), used_, parts);
-        std::vector<float> costs = costs_of(errors_, width());
-        for (std::size_t i = 0; i < costs.size(); ++i) costs[i] += static_cast<float>(counting_.classes().rest[i % width()]);
-        return counting_.error_costs(costs, parts);
+    // How the bits of cells vary, by the spatial code or by that of the levels alone.
+    CellBits bits_of(bool spatial) const {
+        const LevelGrid& grid = rows_.whole();
+        const std::vector<RowRange> parts = parts_read(spatial);
+        const auto width = static_cast<std::size_t>(spatial && down_ ? grid.rows : grid.columns);
+        std::size_t cells = 0;
+        for (const RowRange& part : parts) cells += (part.second - part.first) * width;
+        constexpr std::size_t kParts = 64;
+        CellBits bits(cells / (parts.size() > 1 ? parts.size() : kParts));
+        tell_costs(spatial, parts, [&bits](std::span<const float> costs) { bits.add(costs); });
+        return bits;
     }
 
 private:
@@ -90,7 +112,7 @@ private:
     void try_all(bool with_chains) {
         NeighbourCounts counts = counting_.count_all();
         alone_ = adaptive_code(occurring_, occurring_.size());
-        const double looked_at = static_cast<double>(rows_.grid().count()) / rows_.cells();  // the levels of all rows
+        const double looked_at = static_cast<double>(rows_.cells_there()) / rows_.cells();  // the levels of all rows
         alone_ = {alone_.bits / looked_at, alone_.learnt / looked_at, alone_.free, alone_.corrected / looked_at};
         least_ = alone_;
         spatial_ = adaptive_code(counts.errors, width());
@@ -126,20 +148,19 @@ private:
                 best_near_ = near;
             }
             const std::size_t fewer = near.size() / levels;
-            for (std::size_t i = fewer; i < near.size(); ++i) near[i % fewer] += near[i];
-            near.resize(fewer);
+            add_up(near, fewer);
         }
     }
 
     void try_chains() {
-        const LevelGrid& grid = rows_.grid();
+        const LevelGrid& grid = rows_.whole();
         if (counting_.levels() < 2 || counting_.levels() > kChainLevels || grid.slices != 1) return;
         try_chain(rows_as_chain(), false);
         if (rows_.share() == 1 && grid.rows > 1) try_chain(columns_as_chain(), true);
     }
 
     void try_chain(const ChainCells& cells, bool down) {
-        ChainCode chain = shortest_chain(cells, most_counters(rows_.grid().count()));
+        ChainCode chain = shortest_chain(cells, most_counters(rows_.cells_there()));
         for (const Code& code : chain.tried) reckon(code);
         if (chain.code.bits >= spatial_.bits) return;
         spatial_ = chain.code;
@@ -148,19 +169,18 @@ private:
     }
 
     ChainCells rows_as_chain() const {
-        const auto columns = static_cast<std::size_t>(rows_.grid().columns);
+        const auto columns = static_cast<std::size_t>(rows_.whole().columns);
         const auto load = [this, row = std::vector<std::uint16_t>(columns)](std::uint8_t* to, std::size_t y) mutable {
             counting_.load(row.data(), y);
             std::transform(row.begin(), row.end(), to, [](std::uint16_t value) { return static_cast<std::uint8_t>(value); });
         };
-        return {static_cast<std::size_t>(rows_.grid().rows), columns, counting_.levels(), load,
-                [this](std::size_t row) { return rows_.counts(row); }};
+        return {rows_.rows(), columns, counting_.levels(), load, [this](std::size_t row) { return rows_.counts(row); }};
     }
 
     // Of a grid that is counted whole. So many columns are read at a time: neighbours in memory.
     ChainCells columns_as_chain() const {
         constexpr std::size_t kStrip = 64;
-        const auto columns = static_cast<std::size_t>(rows_.grid().columns), rows = static_cast<std::size_t>(rows_.grid().rows);
+        const auto columns = static_cast<std::size_t>(rows_.whole().columns), rows = static_cast<std::size_t>(rows_.whole().rows);
         const auto load = [=, this, strip = std::vector<std::uint8_t>(), first = columns](std::uint8_t* to,
                                                                                           std::size_t x) mutable {
             if (x < first || x >= first + kStrip || strip.empty()) {
@@ -173,16 +193,32 @@ private:
         return {columns, rows, counting_.levels(), load, [](std::size_t) { return true; }};
     }
 
-    std::vector<float> alone_costs(std::span<const RowRange> parts) const {
+    // Parts of what the spatial code or that of the levels alone reads row by row, or column by column.
+    std::vector<RowRange> parts_read(bool spatial) const {
+        return spatial && down_
+                   ? parts_of(static_cast<std::size_t>(rows_.whole().columns), static_cast<std::size_t>(rows_.whole().rows))
+                   : rows_.parts();
+    }
+
+    void tell_costs(bool spatial, const std::vector<RowRange>& parts, const TakeCosts& take) const {
+        if (!spatial) return tell_alone_costs(parts, take);
+        if (chain_) return tactics::tell_costs(down_ ? columns_as_chain() : rows_as_chain(), *chain_, parts, take);
+        if (used_ > 0) return counting_.tell_near_costs(costs_of(best_near_, counting_.levels()), used_, parts, take);
+        std::vector<float> costs = costs_of(errors_, width());
+        for (std::size_t i = 0; i < costs.size(); ++i) costs[i] += static_cast<float>(counting_.classes().rest[i % width()]);
+        counting_.tell_error_costs(costs, parts, take);
+    }
+
+    void tell_alone_costs(std::span<const RowRange> parts, const TakeCosts& take) const {
         const std::vector<float> costs = costs_of(occurring_, occurring_.size());
-        std::vector<float> found;
-        std::vector<std::uint16_t> row(static_cast<std::size_t>(rows_.grid().columns));
+        std::vector<std::uint16_t> row(static_cast<std::size_t>(rows_.whole().columns));
+        std::vector<float> found(row.size());
         for (const RowRange& part : parts)
             for (std::size_t y = part.first; y < part.second; ++y) {
                 counting_.load(row.data(), y);
-                for (const std::uint16_t value : row) found.push_back(costs[value]);
+                std::transform(row.begin(), row.end(), found.begin(), [&](std::uint16_t value) { return costs[value]; });
+                take(found);
             }
-        return found;
     }
 
     const CountedRows& rows_;
@@ -199,14 +235,11 @@ private:
 
 // CodeLength::doubt of what is written by the spatial code or by the levels alone.
 double doubt_of(const Codes& codes, bool spatial, const CountedRows& rows) {
-    constexpr std::size_t kParts = 64;
-    const std::vector<RowRange> parts = codes.parts(spatial);
-    const std::vector<float> costs = codes.costs(spatial, parts);
     // A share that was learnt fits its own grid better than the true one does, by half a nat on average, with a deviation of 0.7
     // (S. S. Wilks, 1938).
-    const double cell = unforeseen_cell(rows),
-                 variance = variance_of(costs, parts.size() > 1 ? parts.size() : kParts) * rows.cells() +
-                            kUnforeseen / 2 * cell * cell + codes.least().free / (2 * std::numbers::ln2 * std::numbers::ln2);
+    const double cell = unforeseen_cell(rows), variance = codes.bits_of(spatial).variance() * rows.cells() +
+                                                          kUnforeseen / 2 * cell * cell +
+                                                          codes.least().free / (2 * std::numbers::ln2 * std::numbers::ln2);
     return (kDeviations * std::sqrt(variance) + kUnforeseen * cell) / rows.share();
 }
 
@@ -238,7 +271,7 @@ CodeLength length_of(const CountedRows& rows, const std::vector<std::uint64_t>& 
         constexpr double kShifts = (2 * kMostShift + 1) * (kMostShift + 1);
         take_if_shorter(length, length_of_parts(borders_of(rows.whole(), *shift), with_doubt), std::log2(kShifts), rows);
     }
-    if (const double raw = raw_bits(rows.cells() / share, rows.grid().levels); raw < length.best.bits)
+    if (const double raw = raw_bits(rows.cells() / share, rows.whole().levels); raw < length.best.bits)
         length.best = {raw, std::min(raw, length.alone.learnt), 0, raw};
     return length;
 }
@@ -248,7 +281,7 @@ CodeLength length_of_parts(std::span<const LevelGrid> parts, bool with_doubt) {
     CodeLength sum;
     for (const LevelGrid& part : parts) {
         const CountedRows rows(part);
-        const CodeLength one = length_of(rows, counts_of(rows.grid()), with_doubt);
+        const CodeLength one = length_of(rows, counts_of(part, rows.looked_at()), with_doubt);
         sum.best += one.best;
         sum.least += one.least;
         sum.doubt += one.doubt;
@@ -261,12 +294,12 @@ CodeLength length_of_parts(std::span<const LevelGrid> parts, bool with_doubt) {
 CodeLength code_length(const LevelGrid& grid) {
     check_grid(grid);
     const CountedRows rows(grid);
-    return length_of(rows, counts_of(rows.grid()), false);
+    return length_of(rows, counts_of(grid, rows.looked_at()), false);
 }
 
 double neighbour_bits(const LevelGrid& grid) {
     const CountedRows rows(grid);
-    const Codes codes(rows, counts_of(rows.grid()), false);
+    const Codes codes(rows, counts_of(grid, rows.looked_at()), false);
     return std::min(raw_bits(grid), std::min(codes.alone().bits, codes.spatial().bits) / rows.share());
 }
 

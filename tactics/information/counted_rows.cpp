@@ -36,40 +36,44 @@ struct Differences {
     std::vector<double> left, above, surprise;
 };
 
-// What came last behind the same neighbours to the left and above, by their lowest bits, foretells a cell; the logarithm of its
-// error is blind to the size of steps: a great one that comes again and again is no surprise, and a small one by chance is. Of
-// each row every fifth cell is enough, from another one on: it is about rows, and costs as much as all else that reads them all.
+// What came last behind the same neighbours to the left and above foretells a cell; the logarithm of its error is blind to the
+// size of steps: a great one that comes again and again is no surprise, and a small one by chance is. Some 64 cells of each row
+// are enough, from another one on each time: it is about rows, and a cell that is looked up costs as much as many that are
+// subtracted. What is remembered is little, so that it stays near; two pairs of neighbours may share a place.
 class Surprises {
 public:
+    explicit Surprises(std::size_t columns) : step_(std::max<std::size_t>(1, columns / kOfRow)) {}
+
     template <typename Value>
     double of_row(const Value* row, const Value* above, std::size_t columns) {
-        double sum = 0;
-        for (std::size_t x = 1 + random_below(state_, kStep); x < columns; x += kStep) {
+        std::uint64_t sum = 0;
+        for (std::size_t x = 1 + random_below(state_, step_); x < columns; x += step_) {
             const auto value = static_cast<std::uint16_t>(row[x]);
-            std::uint16_t& last = last_[(row[x - 1] & 0xffu) << 8 | (above[x] & 0xffu)];
+            std::uint16_t& last = last_[(row[x - 1] * 0x9e3779b1u ^ above[x] * 0x85ebca6bu) >> (32 - kPlaceBits)];
             sum += lengths_[static_cast<std::size_t>(std::min(std::abs(value - last), kFar))];
             last = value;
         }
-        return sum;
+        return static_cast<double>(sum);
     }
 
 private:
-    static constexpr int kFar = 255;
-    static constexpr std::size_t kStep = 5;
-    static std::vector<float> lengths() {
-        std::vector<float> found;
-        for (int i = 0; i <= kFar; ++i) found.push_back(static_cast<float>(std::log2(1 + i)));
+    static constexpr int kFar = 255, kPlaceBits = 12;
+    static constexpr std::size_t kOfRow = 64;
+    static std::vector<std::uint16_t> lengths() {
+        std::vector<std::uint16_t> found;
+        for (int i = 0; i <= kFar; ++i) found.push_back(static_cast<std::uint16_t>(std::lround(256 * std::log2(1 + i))));
         return found;
     }
-    std::vector<std::uint16_t> last_ = std::vector<std::uint16_t>(65'536);
-    std::vector<float> lengths_ = lengths();
+    std::vector<std::uint16_t> last_ = std::vector<std::uint16_t>(1 << kPlaceBits);
+    std::vector<std::uint16_t> lengths_ = lengths();  // 256ths of a bit
+    std::size_t step_;
     std::uint64_t state_ = 0x2545f4914f6cdd1d;
 };
 
 template <typename Value>
 Differences differences(const Value* values, std::size_t rows, std::size_t columns) {
     Differences found;
-    Surprises surprises;
+    Surprises surprises(columns);
     for (std::size_t y = 0; y < rows; ++y) {
         const Value* row = values + y * columns;
         found.left.push_back(row_difference(row + 1, row, columns - 1));
@@ -115,45 +119,37 @@ Draw likest_draw(const Differences& differ, std::size_t bands, std::uint64_t& st
 
 }  // namespace
 
-CountedRows::CountedRows(const LevelGrid& whole) : whole_(whole), shift_(shift_of(whole)) {
+CountedRows::CountedRows(const LevelGrid& whole)
+    : whole_(whole), shift_(shift_of(whole)), looked_at_{{0, whole.count() / static_cast<std::size_t>(whole.columns)}} {
     const auto columns = static_cast<std::size_t>(whole.columns), rows = static_cast<std::size_t>(whole.rows);
     std::size_t bands = std::max(kLeastBands, kCounted / ((kBand - kBefore) * columns));
-    if (whole.slices != 1 || rows < 2 * bands * kBand || shift_) return;
+    if (whole.slices != 1 || rows < 2 * bands * kBand) return;
     const Differences differ = whole.values.visit([&](const auto* values) { return differences(values, rows, columns); });
     std::uint64_t state = 0x9e3779b97f4a7c15;
     for (; rows >= 2 * bands * kBand; bands *= 2) {
         const Draw draw = likest_draw(differ, bands, state);
         if (draw.unlike > kUnlike) continue;
         unlike_ = draw.unlike;
-        take(draw.firsts);
+        looked_at_.clear();
+        for (const std::size_t first : draw.firsts) looked_at_.emplace_back(first, first + kBand);
         return;
     }
 }
 
-void CountedRows::take(const std::vector<std::size_t>& firsts) {
-    const auto columns = static_cast<std::size_t>(whole_.columns);
-    const auto taken = [&](const auto* values) {
-        std::vector<std::remove_cvref_t<decltype(*values)>> cells;
-        cells.reserve(firsts.size() * kBand * columns);
-        for (const std::size_t first : firsts)
-            cells.insert(cells.end(), values + first * columns, values + (first + kBand) * columns);
-        return Cells(std::move(cells));
-    };
-    bands_ = {whole_.columns, static_cast<int>(firsts.size() * kBand), 1, whole_.levels, whole_.values.visit(taken)};
-}
+std::size_t CountedRows::rows() const { return is_part() ? looked_at_.size() * kBand : looked_at_.front().second; }
+
+std::size_t CountedRows::cells_there() const { return rows() * static_cast<std::size_t>(whole_.columns); }
 
 double CountedRows::cells() const { return share() * static_cast<double>(whole_.count()); }
 
 double CountedRows::share() const {
-    return bands_.count() == 0 ? 1 : static_cast<double>(bands_.rows) * (kBand - kBefore) / kBand / whole_.rows;
+    return is_part() ? static_cast<double>(looked_at_.size() * (kBand - kBefore)) / whole_.rows : 1;
 }
 
 std::vector<RowRange> CountedRows::parts() const {
-    const auto columns = static_cast<std::size_t>(grid().columns);
-    const std::size_t rows = grid().count() / columns;
-    if (bands_.count() == 0) return parts_of(rows, columns);
+    if (!is_part()) return parts_of(rows(), static_cast<std::size_t>(whole_.columns));
     std::vector<RowRange> found;
-    for (std::size_t y = kBefore; y < rows; y += kBand) found.emplace_back(y, y + kBand - kBefore);
+    for (std::size_t y = kBefore; y < rows(); y += kBand) found.emplace_back(y, y + kBand - kBefore);
     return found;
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "tactics/information/grid.h"
@@ -12,23 +11,25 @@
 
 namespace tactics {
 
-using RowRange = std::pair<std::size_t, std::size_t>;  ///< from the first up to, not with, the second
-
 /// Of one slice of 2.5 million cells and 640 rows or more, a million cells are counted, or 256 rows if that is more, in bands of
 /// eight rows. The height is divided evenly into as many parts as there are bands, and each part has a band at a random place,
 /// the same in each run. Of all rows, however, three things are looked at: the differences of cells from those to the left, from
 /// those above, and what comes as a surprise behind the same neighbours, however small. Of eight draws that one is taken whose
 /// rows are most like the whole in these. Where one is not as large to a twentieth, twice as many rows are counted, and so on,
-/// and in the end all. All are counted, too, where a pattern repeats (shift_of).
+/// and in the end all.
 class CountedRows {
 public:
     /// `whole` must outlive it.
     explicit CountedRows(const LevelGrid& whole);
 
-    /// The bands one under the other, or the grid as it is.
-    const LevelGrid& grid() const { return bands_.count() > 0 ? bands_ : whole_; }
-    /// Whether this row of `grid` is counted. The first two rows of a band are not: they are only the neighbours of those below.
-    bool counts(std::size_t row) const { return bands_.count() == 0 || row % kBand >= kBefore; }
+    /// Rows that are looked at: the bands one under the other, or all.
+    const std::vector<RowRange>& looked_at() const { return looked_at_; }
+    std::size_t rows() const;         ///< that are looked at
+    std::size_t cells_there() const;  ///< that are in them
+    /// Which row of the whole one of them is.
+    std::size_t at(std::size_t row) const { return is_part() ? looked_at_[row / kBand].first + row % kBand : row; }
+    /// Whether it is counted. The first two rows of a band are not: they are only the neighbours of those below.
+    bool counts(std::size_t row) const { return !is_part() || row % kBand >= kBefore; }
     double cells() const;  ///< that are counted
     double share() const;  ///< of those of the whole grid
     const LevelGrid& whole() const { return whole_; }
@@ -41,11 +42,11 @@ public:
     static constexpr std::size_t kBefore = 2, kBand = kBefore + 8;
 
 private:
-    void take(const std::vector<std::size_t>& firsts);
+    bool is_part() const { return looked_at_.size() > 1; }
 
     const LevelGrid& whole_;
     std::optional<Shift> shift_;
-    LevelGrid bands_;
+    std::vector<RowRange> looked_at_;
     double unlike_ = 0;
 };
 

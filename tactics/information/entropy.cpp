@@ -51,15 +51,23 @@ Entropy entropy_of(std::span<const std::uint64_t> counts) {
 }
 
 std::vector<std::uint64_t> counts_of(const LevelGrid& grid) {
+    const RowRange all(0, grid.count() / static_cast<std::size_t>(grid.columns));
+    return counts_of(grid, {&all, 1});
+}
+
+std::vector<std::uint64_t> counts_of(const LevelGrid& grid, std::span<const RowRange> rows) {
     std::vector<std::uint64_t> counts(static_cast<std::size_t>(grid.levels));
     // Four tables: neighbours are often equal, and one would wait for itself.
     std::vector<std::uint32_t> tables[4];
     for (auto& table : tables) table.resize(counts.size());
     grid.values.visit([&](const auto* values) {
-        std::size_t i = 0;
-        for (; i + 4 <= grid.count(); i += 4)
-            for (std::size_t k = 0; k < 4; ++k) ++tables[k][values[i + k]];
-        for (; i < grid.count(); ++i) ++tables[0][values[i]];
+        for (const auto& [first, last] : rows) {
+            const auto columns = static_cast<std::size_t>(grid.columns);
+            std::size_t i = first * columns;
+            for (; i + 4 <= last * columns; i += 4)
+                for (std::size_t k = 0; k < 4; ++k) ++tables[k][values[i + k]];
+            for (; i < last * columns; ++i) ++tables[0][values[i]];
+        }
     });
     for (const auto& table : tables)
         for (std::size_t value = 0; value < counts.size(); ++value) counts[value] += table[value];

@@ -22,8 +22,9 @@ struct Entropy {
 };
 Entropy entropy_of(std::span<const std::uint64_t> counts);
 
-/// How often each level is in it.
+/// How often each level is in it, or in these of its rows.
 std::vector<std::uint64_t> counts_of(const LevelGrid& grid);
+std::vector<std::uint64_t> counts_of(const LevelGrid& grid, std::span<const RowRange> rows);
 Entropy entropy_of(const LevelGrid& grid);
 
 /// Of two grids of one shape, cell by cell; bits a cell.

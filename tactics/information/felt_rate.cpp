@@ -16,7 +16,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kTile = 128, kMostTiles = 16, kMostTileCells = 250'000;
+constexpr std::size_t kTile = 128, kMostTiles = 16, kMostTileCells = 130'000;
 
 // Complex numbers in rows, their parts apart so that a row is worked on several at a time. What is lost by single precision is
 // under a millionth of the largest, in amplitude, and so nothing beside levels.
@@ -27,13 +27,19 @@ struct Tile {
     Tile(std::size_t width, std::size_t height) : columns(width), rows(height), real(width * height), imaginary(width * height) {}
 };
 
+// In squares that stay near: one of the two is read or written across the rows.
+void transpose(const std::vector<float>& from, std::size_t columns, std::size_t rows, std::vector<float>& to) {
+    constexpr std::size_t kSquare = 16;
+    for (std::size_t top = 0; top < rows; top += kSquare)
+        for (std::size_t left = 0; left < columns; left += kSquare)
+            for (std::size_t x = left; x < std::min(columns, left + kSquare); ++x)
+                for (std::size_t y = top; y < std::min(rows, top + kSquare); ++y) to[x * rows + y] = from[y * columns + x];
+}
+
 Tile transposed(const Tile& tile) {
     Tile out(tile.rows, tile.columns);
-    for (std::size_t y = 0; y < tile.rows; ++y)
-        for (std::size_t x = 0; x < tile.columns; ++x) {
-            out.real[x * tile.rows + y] = tile.real[y * tile.columns + x];
-            out.imaginary[x * tile.rows + y] = tile.imaginary[y * tile.columns + x];
-        }
+    transpose(tile.real, tile.columns, tile.rows, out.real);
+    transpose(tile.imaginary, tile.columns, tile.rows, out.imaginary);
     return out;
 }
 
@@ -113,11 +119,12 @@ public:
         if (!waiting_.empty()) transform(std::move(waiting_), std::vector<float>(power_.size()));
         waiting_.clear();
         std::vector<double> mean(power_.size());
-        for (std::size_t y = 0; y < rows_; ++y)
-            for (std::size_t x = 0; x < columns_; ++x) {
-                const std::size_t opposite = (rows_ - y) % rows_ * columns_ + (columns_ - x) % columns_;
-                mean[y * columns_ + x] = (power_[y * columns_ + x] + power_[opposite]) / (2 * static_cast<double>(tiles_));
-            }
+        const double share = 1 / (2 * static_cast<double>(tiles_) * static_cast<double>(power_.size()));
+        for (std::size_t x = 0; x < columns_; ++x) {
+            const std::size_t other = (columns_ - x) % columns_;
+            for (std::size_t y = 0; y < rows_; ++y)
+                mean[x * rows_ + y] = (power_[x * rows_ + y] + power_[other * rows_ + (rows_ - y) % rows_]) * share;
+        }
         return mean;
     }
 
@@ -135,33 +142,37 @@ private:
         std::vector<float> tile(columns_ * rows_);
         const double middle_x = (static_cast<double>(columns_) - 1) / 2, middle_y = (static_cast<double>(rows_) - 1) / 2;
         double sum = 0, by_x = 0, by_y = 0;
+        std::vector<std::uint32_t> of_columns(columns_);  // of 128 cells at most, 16 bits each
         grid.values.visit([&](const auto* values) {
             for (std::size_t y = 0; y < rows_; ++y) {
                 const auto* from = values + (top + y) * static_cast<std::size_t>(grid.columns) + left;
-                std::uint64_t of_row = 0, by_place = 0;
+                std::uint32_t of_row = 0;
                 for (std::size_t x = 0; x < columns_; ++x) {
                     of_row += from[x];
-                    by_place += from[x] * x;
+                    of_columns[x] += from[x];
                     tile[y * columns_ + x] = static_cast<float>(from[x]);
                 }
                 sum += static_cast<double>(of_row);
-                by_x += static_cast<double>(by_place) - middle_x * static_cast<double>(of_row);
                 by_y += static_cast<double>(of_row) * (static_cast<double>(y) - middle_y);
             }
         });
+        for (std::size_t x = 0; x < columns_; ++x)
+            by_x += static_cast<double>(of_columns[x]) * (static_cast<double>(x) - middle_x);
         // The mean square distance from the middle of n places is (n^2 - 1) / 12.
         const auto cells = static_cast<double>(tile.size());
         const auto slope = [cells](double by, std::size_t n) {
             return n > 1 ? 12 * by / (cells * (static_cast<double>(n) * static_cast<double>(n) - 1)) : 0;
         };
         const double slope_x = slope(by_x, columns_), slope_y = slope(by_y, rows_);
+        std::vector<float> slope_there(columns_);
+        for (std::size_t x = 0; x < columns_; ++x)
+            slope_there[x] = static_cast<float>(slope_x * (static_cast<double>(x) - middle_x));
         for (std::size_t y = 0; y < rows_; ++y) {
-            const auto first =
-                           static_cast<float>(sum / cells + slope_y * (static_cast<double>(y) - middle_y) - slope_x * middle_x),
-                       step = static_cast<float>(slope_x), weight = window_y_[y];
+            const auto mean = static_cast<float>(sum / cells + slope_y * (static_cast<double>(y) - middle_y));
+            const float weight = window_y_[y];
             for (std::size_t x = 0; x < columns_; ++x) {
                 float& value = tile[y * columns_ + x];
-                value = (value - (first + step * static_cast<float>(x))) * window_x_[x] * weight;
+                value = (value - mean - slope_there[x]) * (window_x_[x] * weight);
             }
         }
         return tile;
@@ -174,17 +185,15 @@ private:
         transform_down(tile);
         tile = transposed(tile);
         transform_down(tile);
-        for (std::size_t x = 0; x < columns_; ++x)
-            for (std::size_t y = 0; y < rows_; ++y) {
-                const auto real = static_cast<double>(tile.real[x * rows_ + y]),
-                           imaginary = static_cast<double>(tile.imaginary[x * rows_ + y]);
-                power_[y * columns_ + x] += (real * real + imaginary * imaginary) / static_cast<double>(power_.size());
-            }
+        for (std::size_t i = 0; i < power_.size(); ++i) {
+            const auto real = static_cast<double>(tile.real[i]), imaginary = static_cast<double>(tile.imaginary[i]);
+            power_[i] += real * real + imaginary * imaginary;
+        }
     }
 
     std::size_t columns_, rows_, tiles_ = 0;
     std::vector<float> window_x_, window_y_, waiting_;
-    std::vector<double> power_;
+    std::vector<double> power_;  // column by column
 };
 
 // Tiles evenly over the grid, as many as fit and no more than kMostTiles.
@@ -223,16 +232,16 @@ double water_level(const std::vector<double>& power, double square) {
     }
 }
 
-// Bands of rows evenly over it, together no more than kMostTileCells, which stand for the rest.
+// Bands of rows evenly over it, each in the middle of its part, together no more than kMostTileCells, which stand for the rest.
 LevelGrid sample_of(const LevelGrid& grid) {
-    constexpr std::size_t kBand = 32;
+    constexpr std::size_t kBand = 16;
     const std::size_t rows = grid.count() / static_cast<std::size_t>(grid.columns), bands = rows / kBand,
                       taken = std::max<std::size_t>(1, kMostTileCells / (kBand * static_cast<std::size_t>(grid.columns)));
     if (grid.count() <= kMostTileCells || bands <= taken) return grid;
     std::vector<std::uint16_t> values;
     for (std::size_t i = 0; i < taken; ++i)
         grid.values.visit([&](const auto* all) {
-            const std::size_t from = i * bands / taken * kBand * static_cast<std::size_t>(grid.columns);
+            const std::size_t from = (2 * i + 1) * bands / (2 * taken) * kBand * static_cast<std::size_t>(grid.columns);
             values.insert(values.end(), all + from, all + from + kBand * static_cast<std::size_t>(grid.columns));
         });
     return {grid.columns, static_cast<int>(taken * kBand), 1, grid.levels, std::move(values)};

@@ -11,7 +11,7 @@ namespace tactics {
 /// spectrum by reverse water-filling (T. Berger, "Rate Distortion Theory", 1971, section 4.5), or as neighbour_bits has it
 /// of the grid quantised to that error, whichever is less: a wall is no Gaussian. The spectrum is the mean over at most 16
 /// squares of at most 128 cells, each without its plane and under a Hann window, slices of voxels apart; the code is that of all
-/// of it, or of bands of rows with a quarter of a million cells.
+/// of it, or of bands of rows with 130,000 cells.
 double felt_bits(const LevelGrid& grid, double error);
 
 /// The first of the two, bits a cell.

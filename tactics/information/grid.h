@@ -51,6 +51,9 @@ struct LevelGrid {
     std::size_t count() const { return values.size(); }
 };
 
+/// Rows of all slices, from the first up to, not with, the second.
+using RowRange = std::pair<std::size_t, std::size_t>;
+
 /// Along x, y and z: 0, 1 and 2.
 inline double component(const Point3& force, int index) { return index == 0 ? force.x : index == 1 ? force.y : force.z; }
 

@@ -11,7 +11,7 @@ namespace tactics {
 Measures measure(const LevelGrid& grid, std::optional<double> felt_error) {
     check_grid(grid);
     const CountedRows rows(grid);
-    const std::vector<std::uint64_t> seen = counts_of(rows.grid());
+    const std::vector<std::uint64_t> seen = counts_of(grid, rows.looked_at());
     const CodeLength code = code_length(rows, seen);
     Measures measures;
     measures.raw = raw_bits(grid);

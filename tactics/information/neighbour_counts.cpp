@@ -9,9 +9,6 @@
 #include <cstring>
 #include <numbers>
 #include <thread>
-
-#include "tactics/information/adaptive_code.h"
-
 namespace tactics {
 
 namespace {
@@ -118,13 +115,13 @@ void NeighbourCounts::add(const NeighbourCounts& other) {
 
 NeighbourCounting::NeighbourCounting(const CountedRows& rows, const Ranks& ranks)
     : rows_(rows),
-      grid_(rows.grid()),
+      grid_(rows.whole()),
       ranks_(ranks),
       levels_(static_cast<std::size_t>(ranks.levels)),
       classes_(error_classes(ranks.levels)) {
     const auto all = grid_.slices > 1 ? std::span<const Neighbour>(kSolid) : std::span<const Neighbour>(kFlat);
     std::size_t counters = levels_, used = 0;
-    const std::size_t most = most_counters(grid_.count());
+    const std::size_t most = most_counters(rows.cells_there());
     for (; used < all.size() && counters * levels_ <= most; ++used) counters *= levels_;
     neighbours_ = all.first(used);
     leave_what_does_not_pay();
@@ -132,7 +129,7 @@ NeighbourCounting::NeighbourCounting(const CountedRows& rows, const Ranks& ranks
 
 // What a sample of its rows says that the exact value of a neighbour does not pay beside prediction is not counted of all.
 void NeighbourCounting::leave_what_does_not_pay() {
-    const std::size_t rows = static_cast<std::size_t>(grid_.rows), sampled = kSampled / static_cast<std::size_t>(grid_.columns);
+    const std::size_t rows = rows_.rows(), sampled = kSampled / static_cast<std::size_t>(grid_.columns);
     if (neighbours_.size() != 1 || grid_.slices > 1 || rows < 8 * sampled) return;
     const std::size_t first = (rows - sampled) / 2;
     const NeighbourCounts counts = count({first, first + sampled});
@@ -143,7 +140,7 @@ void NeighbourCounting::load(std::uint16_t* to, std::size_t row) const {
     const auto columns = static_cast<std::size_t>(grid_.columns);
     const bool same = levels_ == ranks_.of.size();
     grid_.values.visit([&](const auto* values) {
-        const auto* from = values + row * columns;
+        const auto* from = values + rows_.at(row) * columns;
         if (same) std::copy_n(from, columns, to);
         if (!same) std::transform(from, from + columns, to, [&](auto value) { return ranks_.of[value]; });
     });
@@ -187,12 +184,18 @@ void NeighbourCounting::walk(RowRange part, const Take& take) const {
     }
 }
 
-template <typename Take>
+// Of each number of neighbours there is a loop of its own, which a compiler unrolls: it is the innermost.
+template <std::size_t kUsed, typename Take>
 void NeighbourCounting::each_near(const std::uint16_t* const (&rows)[4], std::size_t used, const Take& take) const {
+    if constexpr (kUsed > 1)
+        if (used < kUsed) return each_near<kUsed - 1>(rows, used, take);
+    const std::uint16_t* near[kUsed];
+    for (std::size_t i = 0; i < kUsed; ++i) near[i] = rows[neighbours_[i].up] + neighbours_[i].aside;
+    const std::size_t levels = levels_;
     for (int x = 0; x < grid_.columns; ++x) {
         std::size_t at = 0;
-        for (std::size_t i = used; i-- > 0;) at = at * levels_ + rows[neighbours_[i].up][x + neighbours_[i].aside];
-        take(at * levels_ + rows[0][x]);
+        for (std::size_t i = kUsed; i-- > 0;) at = at * levels + near[i][x];
+        take(at * levels + rows[0][x]);
     }
 }
 
@@ -231,7 +234,7 @@ NeighbourCounts NeighbourCounting::count(RowRange part) const {
         if (neighbours_.size() == 1 && grid_.slices == 1)
             for (int x = 0; x < grid_.columns; ++x) ++near[rows[0][x - 1] * levels_ + rows[0][x]];
         else if (!neighbours_.empty())
-            each_near(rows, neighbours_.size(), [near](std::size_t at) { ++near[at]; });
+            each_near<std::size(kFlat)>(rows, neighbours_.size(), [near](std::size_t at) { ++near[at]; });
         find_places(rows, places.data());
         count_places(places.data(), places.size(), counts.errors.data(), odd.data());
     });
@@ -240,8 +243,8 @@ NeighbourCounts NeighbourCounting::count(RowRange part) const {
 }
 
 NeighbourCounts NeighbourCounting::count_all() const {
-    const auto rows = static_cast<std::size_t>(grid_.rows) * static_cast<std::size_t>(grid_.slices);
-    if (grid_.count() < kShared || rows < 2) return count({0, rows});
+    const std::size_t rows = rows_.rows();
+    if (rows_.cells_there() < kShared || rows < 2) return count({0, rows});
     NeighbourCounts upper, lower;
     {
         const std::jthread other([&] { upper = count({0, rows / 2}); });
@@ -251,25 +254,27 @@ NeighbourCounts NeighbourCounting::count_all() const {
     return lower;
 }
 
-std::vector<float> NeighbourCounting::near_costs(std::span<const float> costs, std::size_t used,
-                                                 std::span<const RowRange> parts) const {
-    std::vector<float> found;
+void NeighbourCounting::tell_near_costs(std::span<const float> costs, std::size_t used, std::span<const RowRange> parts,
+                                        const TakeCosts& take) const {
+    std::vector<float> found(static_cast<std::size_t>(grid_.columns));
     for (const RowRange& part : parts)
         walk(part, [&](const std::uint16_t* const(&rows)[4]) {
-            each_near(rows, used, [&](std::size_t at) { found.push_back(costs[at]); });
+            float* to = found.data();
+            each_near<std::size(kFlat)>(rows, used, [&](std::size_t at) { *to++ = costs[at]; });
+            take(found);
         });
-    return found;
 }
 
-std::vector<float> NeighbourCounting::error_costs(std::span<const float> costs, std::span<const RowRange> parts) const {
-    std::vector<float> found;
-    std::vector<std::uint16_t> places(static_cast<std::size_t>(grid_.columns));
+void NeighbourCounting::tell_error_costs(std::span<const float> costs, std::span<const RowRange> parts,
+                                         const TakeCosts& take) const {
+    std::vector<float> found(static_cast<std::size_t>(grid_.columns));
+    std::vector<std::uint16_t> places(found.size());
     for (const RowRange& part : parts)
         walk(part, [&](const std::uint16_t* const(&rows)[4]) {
             find_places(rows, places.data());
-            for (const std::uint16_t place : places) found.push_back(costs[place]);
+            std::transform(places.begin(), places.end(), found.begin(), [&](std::uint16_t place) { return costs[place]; });
+            take(found);
         });
-    return found;
 }
 
 }  // namespace tactics

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "tactics/information/adaptive_code.h"
 #include "tactics/information/counted_rows.h"
 #include "tactics/information/grid.h"
 
@@ -53,10 +54,11 @@ public:
     /// In two threads from a million cells on, with the same result.
     NeighbourCounts count_all() const;
 
-    /// Of each cell of these rows that counts, in order, what its counter costs: of the values behind so many neighbours, or of
-    /// the errors.
-    std::vector<float> near_costs(std::span<const float> costs, std::size_t used, std::span<const RowRange> parts) const;
-    std::vector<float> error_costs(std::span<const float> costs, std::span<const RowRange> parts) const;
+    /// Tells, row by row, what the counter of each cell of these rows that counts costs: of the values behind so many neighbours,
+    /// or of the errors.
+    void tell_near_costs(std::span<const float> costs, std::size_t used, std::span<const RowRange> parts,
+                         const TakeCosts& take) const;
+    void tell_error_costs(std::span<const float> costs, std::span<const RowRange> parts, const TakeCosts& take) const;
 
     /// The row as numbers of its levels. `to` has room for the columns.
     void load(std::uint16_t* to, std::size_t row) const;
@@ -69,7 +71,7 @@ private:
     NeighbourCounts count(RowRange part) const;
     void leave_what_does_not_pay();
     void find_places(const std::uint16_t* const (&rows)[4], std::uint16_t* places) const;
-    template <typename Take>
+    template <std::size_t kUsed, typename Take>
     void each_near(const std::uint16_t* const (&rows)[4], std::size_t used, const Take& take) const;
 
     const CountedRows& rows_;
