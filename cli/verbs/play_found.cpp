@@ -51,7 +51,8 @@ void tell_curve(const std::vector<HandFinding>& findings, const std::vector<Tick
                 const PlotFrame& frame, HandReport& report, JsonObject& json) {
     const HandFinding* curve = find(findings, "curve");
     if (curve == nullptr) return;
-    const HandFinding* end = find(findings, "end of the curve");
+    const HandFinding* closed = find(findings, "closed curve");
+    const HandFinding* end = closed != nullptr ? closed : find(findings, "end of the curve");
     const FeltLines felt = felt_lines(plot, frame, 0.02);
     if (felt.lines.empty()) return;
     const auto by_distance = [&](const auto& a, const auto& b) {
@@ -90,6 +91,11 @@ void tell_curve(const std::vector<HandFinding>& findings, const std::vector<Tick
     json.add("curve_followed", share);
     json.add("curve_rms_mm", rms);
     json.add("curve_p95_mm", most);
+    if (closed != nullptr) {
+        report.lines.push_back(phrase("it took the curve to be closed"));
+        json.add_raw("curve_closed", "true");
+        return;
+    }
     if (end == nullptr) return;
     const double missed =
         std::min(distance({end->place.x, end->place.y}, line.back()), distance({end->place.x, end->place.y}, line.front()));
@@ -157,18 +163,20 @@ void tell_points(const std::vector<HandFinding>& findings, const Plot& plot, con
 struct Course {
     int bend = 0, slope = 0;
 };
-constexpr double kTold = 0.15;  // of the field's heights: less is level
+constexpr double kTold = 0.1;  // of the field's heights: less is level
 
-Course course_of(const std::vector<double>& heights, double whole) {
+// x: share of the section, from 0 to 1; y: height there.
+Course course_of(const std::vector<Point>& heights, double whole) {
     if (heights.size() < 10 || !(whole > 0)) return {};
+    // A hand does not reach the sides of a solid, so the same parts of each section are compared.
     const auto mean = [&](double from, double to) {
-        const auto a = static_cast<std::size_t>(from * static_cast<double>(heights.size())),
-                   b = static_cast<std::size_t>(to * static_cast<double>(heights.size()));
         double sum = 0;
-        for (std::size_t i = a; i < b; ++i) sum += heights[i];
-        return sum / static_cast<double>(b - a);
+        int count = 0;
+        for (const Point& one : heights)
+            if (one.x >= from && one.x <= to) sum += one.y, ++count;
+        return count > 0 ? sum / count : 0;
     };
-    const double begin = mean(0, 0.2), middle = mean(0.4, 0.6), end = mean(0.8, 1);
+    const double begin = mean(0.08, 0.22), middle = mean(0.42, 0.58), end = mean(0.78, 0.92);
     const auto sign = [&](double by) { return std::abs(by) < kTold * whole ? 0 : by > 0 ? 1 : -1; };
     return {sign(middle - (begin + end) / 2), sign(end - begin)};
 }
@@ -186,25 +194,35 @@ Phrase spoken(std::string_view shape) {
     return found == std::end(kShapes) ? Phrase(shape) : phrase(*found);
 }
 
-// The truth, from the numbers themselves: the row and the column in the middle.
-std::string true_shape(const PlotSurface& surface, double whole) {
-    std::vector<double> across, down;
-    for (std::size_t i = 0; i < surface.x.size(); ++i) across.push_back(surface.at(i, surface.y.size() / 2));
-    for (std::size_t k = surface.y.size(); k-- > 0;) down.push_back(surface.at(surface.x.size() / 2, k));
+// The truth, from the numbers themselves: the row and the column in the middle, straight from value to value.
+std::string true_shape(const PlotSurface& surface, const PlotFrame& frame) {
+    const auto column = surface.x.size() / 2, row = surface.y.size() / 2;
+    const auto between = [](std::vector<Point>& section, Point a, Point b) {
+        constexpr int kSteps = 20;
+        if (!std::isfinite(a.y) || !std::isfinite(b.y)) return;
+        for (int k = 0; k < kSteps; ++k)
+            section.push_back({a.x + (b.x - a.x) * (k + 0.5) / kSteps, a.y + (b.y - a.y) * (k + 0.5) / kSteps});
+    };
+    std::vector<Point> across, down;
+    const auto of_row = [&](std::size_t i) { return Point{frame.across(surface.x[i]) / frame.width, surface.at(i, row)}; };
+    const auto of_column = [&](std::size_t k) { return Point{frame.down(surface.y[k]) / frame.height, surface.at(column, k)}; };
+    for (std::size_t i = 1; i < surface.x.size(); ++i) between(across, of_row(i - 1), of_row(i));
+    for (std::size_t k = 1; k < surface.y.size(); ++k) between(down, of_column(k - 1), of_column(k));
+    const double whole = frame.z.high - frame.z.low;
     return shape_of(course_of(across, whole), course_of(down, whole));
 }
 
 void tell_sections(const std::vector<HandFinding>& findings, const Plot& plot, const PlotFrame& frame, HandReport& report,
                    JsonObject& json) {
-    std::vector<double> across, down;
+    std::vector<Point> across, down;
     for (const HandFinding& one : findings)
         if (one.what == "height across")
-            across.push_back(one.place.z);
+            across.push_back({one.place.x / frame.width, one.place.z});
         else if (one.what == "height down")
-            down.push_back(one.place.z);
+            down.push_back({one.place.y / frame.height, one.place.z});
     if (across.size() < 10 || down.size() < 10 || plot.surfaces.empty()) return;
     const std::string felt = shape_of(course_of(across, frame.depth), course_of(down, frame.depth));
-    const std::string real = true_shape(plot.surfaces.front(), frame.z.high - frame.z.low);
+    const std::string real = true_shape(plot.surfaces.front(), frame);
     report.lines.push_back(felt == real ? phrase("to the hand its two sections are those of a {0}, as they are", spoken(felt))
                                         : phrase("to the hand its two sections are those of a {0}; they are those of a {1}",
                                                  spoken(felt), spoken(real)));

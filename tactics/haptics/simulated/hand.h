@@ -22,7 +22,7 @@ struct HandSense {
 
 /// A finding of a hand at a place.
 struct HandFinding {
-    std::string_view what;  ///< "curve", "end of the curve", "tick", "point", "height"
+    std::string_view what;  ///< "curve", "end of the curve", "closed curve", "tick", "point", "height"
     Point3 place;
     double time = 0;  ///< s since it began
 };

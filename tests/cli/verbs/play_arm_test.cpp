@@ -36,13 +36,48 @@ TEST_F(PlayArm, AHandFindsACurveFollowsItToItsEndAndStopsAtATick) {
     ASSERT_EQ(ending.code, 0) << ending.err;
     EXPECT_GT(number(ending.out, "curve_followed"), 0.9) << ending.out;
     EXPECT_LT(number(ending.out, "curve_rms_mm"), 2) << ending.out;
-    EXPECT_LT(number(ending.out, "end_off_mm"), 8) << ending.out;
+    EXPECT_LT(number(ending.out, "end_off_mm"), 2) << ending.out;
     EXPECT_LT(number(ending.out, "tick_off_mm"), 2.6) << ending.out;
     EXPECT_LE(number(ending.out, "most_force_n"), 3.3);
     ASSERT_EQ(play({"--hand", "trace", "--plot", "way.svg", "-q"}).code, 0);
     EXPECT_TRUE(holds(bytes_of(folder / "way.svg"), "way of the finger"));
     // The same again, byte by byte.
     EXPECT_EQ(play({"--hand", "trace", "--json"}).out, ending.out);
+}
+
+// Steep, with corners as sharp as a needle's, winding, closed: along all of it, from where it begins.
+TEST_F(PlayArm, AHandFollowsCurvesOfAnyCourse) {
+    const struct {
+        const char* name;
+        int points;
+        std::pair<double, double> (*at)(int);
+    } curves[] = {
+        {"exponential", 100, [](int i) { return std::pair(i * 0.1, std::exp(i * 0.1)); }},
+        {"step", 4, [](int i) { return std::pair(i == 0   ? 0.0
+                                                 : i == 3 ? 10.0
+                                                          : 5.0,
+                                                 i < 2 ? 0.0 : 1.0); }},
+        {"needles", 9, [](int i) { return std::pair(double(i), double(i % 2)); }},
+        {"spiral", 126, [](int i) { return std::pair((1 + i * 0.1) * std::cos(i * 0.1), (1 + i * 0.1) * std::sin(i * 0.1)); }},
+        {"circle", 101, [](int i) { return std::pair(std::cos(i * 0.062831853), std::sin(i * 0.062831853)); }},
+    };
+    for (const auto& curve : curves)
+        for (const char* arm : {"omni", "phantom"}) {
+            std::string csv = "x,y\n";
+            for (int i = 0; i < curve.points; ++i) {
+                const auto [x, y] = curve.at(i);
+                csv += std::to_string(x) + "," + std::to_string(y) + "\n";
+            }
+            write_bytes(folder / "data.csv", csv);
+            const Ending ending = play({"--hand", "trace", "--fixture", "r1", "--arm", arm, "--seconds", "300", "--json"});
+            EXPECT_GT(number(ending.out, "curve_followed"), 0.99) << curve.name << arm << ending.out;
+            EXPECT_LT(number(ending.out, "curve_rms_mm"), 1.3) << curve.name << arm << ending.out;
+            const bool closed = holds(ending.out, "\"curve_closed\":true");
+            EXPECT_EQ(closed, std::string(curve.name) == "circle") << arm << ending.out;
+            if (!closed) {
+                EXPECT_LT(number(ending.out, "end_off_mm"), 2) << curve.name << arm << ending.out;
+            }
+        }
 }
 
 TEST_F(PlayArm, WritesEveryTickWithTheWholeForce) {
