@@ -11,6 +11,7 @@
 #include "tactics/geometry/lots.h"
 #include "tactics/geometry/triangulate.h"
 #include "tactics/solid/backs.h"
+#include "tactics/solid/ranks.h"
 
 namespace tactics {
 
@@ -70,7 +71,27 @@ bool is_bent(const std::vector<Point3>& corners, const CornerRing& ring, const P
     for (const Corner corner : ring) middle = middle + corners[corner];
     middle = (1.0 / static_cast<double>(ring.size())) * middle;
     return std::any_of(ring.begin(), ring.end(),
-                       [&](Corner corner) { return std::abs(dot(normal, corners[corner] - middle)) > tolerance; });
+                       [&](Corner corner) { return std::abs(dot(normal, corners[corner] - middle)) > 10 * tolerance; });
+}
+
+// Cut into triangles, wherever the file begins and whichever way it goes round.
+void add_cut(WeldedSurface& surface, CornerRing ring) {
+    const double grain = 50 * surface.tolerance;
+    const auto places_of = [&] {
+        std::vector<Point3> places;
+        for (const Corner corner : ring) places.push_back(surface.corners[corner]);
+        return places;
+    };
+    std::vector<Point3> places = places_of();
+    std::rotate(ring.begin(), ring.begin() + (first_corner(places, grain) - places.begin()), ring.end());
+    std::vector<Point3> neighbours = {surface.corners[ring[1]], surface.corners[ring.back()]};
+    const bool back = first_corner(neighbours, grain) != neighbours.begin();
+    if (back) std::reverse(ring.begin() + 1, ring.end());
+    places = places_of();
+    for (auto [a, b, c] : triangulate(places)) {
+        if (back) std::swap(b, c);
+        surface.faces.push_back({ring[a], ring[b], ring[c]});
+    }
 }
 
 struct Side {
@@ -217,9 +238,7 @@ WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, 
         if (!(length_of(doubled) > tolerance * longest)) {
             ring.clear();
         } else if (ring.size() > 3 && is_bent(surface.corners, ring, doubled, tolerance)) {
-            std::vector<Point3> corners;
-            for (const Corner corner : ring) corners.push_back(surface.corners[corner]);
-            for (const auto& cut : triangulate(corners)) surface.faces.push_back({ring[cut[0]], ring[cut[1]], ring[cut[2]]});
+            add_cut(surface, std::move(ring));
             continue;
         }
         surface.faces.push_back(std::move(ring));
