@@ -120,7 +120,7 @@ std::string outline_of(const Letter& letter) {
     std::string text;
     bool open = false;
     for (const OutlineStep& step : letter.outline) {
-        const Corner* c = step.corners;
+        const LetterCorner* c = step.corners;
         switch (step.kind) {
             case OutlineStep::Kind::move:
                 if (open) text += "h\n";

@@ -134,7 +134,7 @@ private:
     int add(OutlineStep::Kind kind, std::initializer_list<FT_Vector> corners) {
         OutlineStep& step = steps_.emplace_back();
         step.kind = kind;
-        Corner* to = step.corners;
+        LetterCorner* to = step.corners;
         for (const FT_Vector& corner : corners) *to++ = {scaled(corner.x), scaled(corner.y)};
         last_ = *(corners.end() - 1);
         return 0;

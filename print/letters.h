@@ -13,7 +13,7 @@
 namespace tactics {
 
 /// A point of an outline in thousandths of the letter size (em), y upwards from the baseline.
-struct Corner {
+struct LetterCorner {
     int x = 0;
     int y = 0;
 };
@@ -22,7 +22,7 @@ struct Corner {
 struct OutlineStep {
     enum class Kind { move, line, curve };
     Kind kind = Kind::move;
-    Corner corners[3];
+    LetterCorner corners[3];
 };
 
 struct Letter {

@@ -47,12 +47,12 @@ std::vector<Edge> edges_of(const PrintLine& line, const std::map<char32_t, Lette
     for (std::string_view rest = line.text; !rest.empty();) {
         const auto found = letters.find(take_letter(rest));
         if (found == letters.end()) continue;
-        const auto corner = [&](const Corner& c) {
+        const auto corner = [&](const LetterCorner& c) {
             return Point{line.baseline.x + (pen + c.x) * scale, line.baseline.y - c.y * scale};
         };
         Point start, last;
         for (const OutlineStep& step : found->second.outline) {
-            const Corner* c = step.corners;
+            const LetterCorner* c = step.corners;
             if (step.kind == OutlineStep::Kind::move) {
                 add_edge(edges, last, start);
                 start = last = corner(c[0]);

@@ -62,7 +62,7 @@ OutlineMeasure measure_letter(const Letter& letter) {
     constexpr int kPieces = 16;  // of a curve
     std::vector<std::vector<Point>> rings;
     Point at;
-    const auto point = [](const Corner& corner) { return Point{corner.x / 1000.0, corner.y / 1000.0}; };
+    const auto point = [](const LetterCorner& corner) { return Point{corner.x / 1000.0, corner.y / 1000.0}; };
     for (const OutlineStep& step : letter.outline) {
         if (step.kind == OutlineStep::Kind::move) rings.emplace_back();
         if (rings.empty()) continue;

@@ -11,7 +11,7 @@ constexpr std::size_t kMostFonts = 24;
 constexpr int kCurvePieces = 8;  // of a curve
 
 FontShape shape_of(const Letter& letter) {
-    const auto point = [](const Corner& corner) { return Point{corner.x / 1000.0, corner.y / 1000.0}; };
+    const auto point = [](const LetterCorner& corner) { return Point{corner.x / 1000.0, corner.y / 1000.0}; };
     FontShape shape{letter.advance / 1000.0, {}};
     Point at;
     for (const OutlineStep& step : letter.outline) {
