@@ -39,16 +39,18 @@ AxisScale scale_for(const Axis& axis, const AxisExtent& extent, const AxisRoom& 
                                needs(scale.words()[i]) + needs(scale.words()[i - 1]);
         if (fits) return scale;
         if (most > kFewestTicks) continue;
-        scale.keep_ends();
-        const double apart = std::abs(scale.at(scale.ticks()[1]) - scale.at(scale.ticks()[0])) - sheet.cell.cell_pitch;
-        const double widths = set_label(scale.words()[0], sheet).width + set_label(scale.words()[1], sheet).width;
-        if (!room.upright && 2 * apart < widths)
-            throw Error(
-                Fault::usage, "",
-                phrase(
-                    "\"{0}\" and \"{1}\" have no room beside each other at an axis; take larger paper, or turn it to landscape",
-                    scale.words()[0], scale.words()[1]));
-        return scale;
+        // Two ticks are left: the first and the last of as few as lie far enough apart.
+        for (int more = kFewestTicks; more <= kMostAxisTicks; ++more) {
+            AxisScale ends(axis, extent, more, room.from, room.to);
+            ends.keep_ends();
+            const double apart = std::abs(ends.at(ends.ticks()[1]) - ends.at(ends.ticks()[0])) - sheet.cell.cell_pitch;
+            const double widths = set_label(ends.words()[0], sheet).width + set_label(ends.words()[1], sheet).width;
+            if (room.upright || 2 * apart >= widths) return ends;
+        }
+        throw Error(
+            Fault::usage, "",
+            phrase("\"{0}\" and \"{1}\" have no room beside each other at an axis; take larger paper, or turn it to landscape",
+                   scale.words().front(), scale.words().back()));
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "tactics/braille/braille.h"
 #include "tactics/geometry/dashed_line.h"
+#include "tactics/layout/text_pages.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -32,6 +33,10 @@ void tell_layout(Layout& layout, const Pages& pages) {
     layout.has_picture = page.picture.has_value();
     layout.empty =
         layout.strokes == 0 && page.areas.empty() && page.textured.empty() && !(page.picture && has_black(*page.picture));
+    if (pages.place.drawing.width <= 0) {  // a page of text, or of a key
+        layout.text_lines = lines_of_braille(pages.all);
+        layout.empty = layout.empty && layout.text_lines == 0;
+    }
     for (const PageName& name : page.names) layout.names.push_back(name.text);
 }
 

@@ -14,7 +14,6 @@
 #include "tests/cli/converting.h"
 #include "tests/cli/pdf_files.h"
 #include "tests/cli/print_user.h"
-#include "tests/sanitized.h"
 
 namespace tactics::printer_app_test {
 namespace {
@@ -41,7 +40,6 @@ protected:
     void SetUp() override {
         Convert::SetUp();
         if (!fs::exists(kProgram)) GTEST_SKIP() << "it is built where PAPPL is installed";
-        if (TACTICS_SANITIZED) GTEST_SKIP() << "PAPPL leaves memory to the end of its process";
         if (!print_user_reaches(kProgram.c_str())) GTEST_SKIP() << "the user of print jobs may not enter the build folder";
         fs::create_directories(folder / "machine");
         if (geteuid() == 0) {  // what root's server keeps would be the system's
@@ -112,7 +110,6 @@ private:
 
 TEST(PrinterAppDrivers, AreAllEmbossersAndTheirModels) {
     if (!fs::exists(kProgram)) GTEST_SKIP() << "it is built where PAPPL is installed";
-    if (TACTICS_SANITIZED) GTEST_SKIP() << "PAPPL leaves memory to the end of its process";
     const Folder folder;
     const std::string listed = "\n" + run_tool(folder, {kProgram, "drivers"}).out;
     for (const Format* format : formats()) {

@@ -57,6 +57,18 @@ TEST_F(ChartCommand, PutsRowsWhereTheyBelong) {
     EXPECT_NEAR(std::abs(linear[2].x - linear[1].x) / std::abs(linear[1].x - linear[0].x), 10, 0.1);
 }
 
+// Where the ticks that are left lie too close for their words, two of closer ticks lie farther apart.
+TEST_F(ChartCommand, HasRoomForDates) {
+    for (const std::string ends : {"2024-01-15,2024-03-15", "2024-01-31,2024-02-01", "2024-02-10,2024-06-20",
+                                   "2023-12-31,2025-01-01", "2024-03-01,2024-03-08", "1999-07-04,2024-07-04"})
+        for (const std::string language : {"en", "de", "fr"}) {
+            const Ending made = chart("day,level\n" + ends.substr(0, 10) + ",1\n" + ends.substr(11) + ",2\n",
+                                      {"--language", language, "-o", "svg:-"});
+            ASSERT_EQ(made.code, 0) << ends << language << made.err;
+            EXPECT_EQ(run_tactics(folder, {"check", "-", "--strict"}, made.out).code, 0) << ends << language;
+        }
+}
+
 TEST_F(ChartCommand, NamesAxesCurvesAndMarks) {
     const std::string page =
         svg("method,tool,time (s),F,note\n,new,1,0.5,\nbest,new,2,0.625,x\n,old,1,0.25,\n,old,2,0.375,\n,other,1.5,0.3,\n",

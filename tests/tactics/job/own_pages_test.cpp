@@ -79,10 +79,14 @@ TEST_F(OwnPages, OfTextAreTheSameInAnyFileOfCells) {
                        "A note of some words\n\nand one more, which is longer than a line of braille has room for.\n");
     Job text = job("note.txt", {"a.svg"});
     text.as_text = true;
-    ASSERT_EQ(make_pages(text).error, "");
-    ASSERT_EQ(make_pages(job("a.svg", {"b.brf", "b.pef"})).error, "");
+    const Outcome first = make_pages(text);
+    ASSERT_EQ(first.error, "");
+    const Outcome made = make_pages(job("a.svg", {"b.brf", "b.pef"}));
+    ASSERT_EQ(made.error, "");
     const std::vector<BrailleLine> lines = page("a.svg").braille;
     ASSERT_GE(lines.size(), 3u);
+    EXPECT_EQ(made.layouts.front().text_lines, first.layouts.front().text_lines);
+    EXPECT_FALSE(made.layouts.front().empty);
     const std::string pef = bytes("b.pef");
     std::size_t rows = 0;
     for (std::size_t at = 0; (at = pef.find("<row>", at)) != std::string::npos; ++at) ++rows;
