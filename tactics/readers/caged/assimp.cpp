@@ -17,6 +17,7 @@
 #include <cstring>
 #include <initializer_list>
 #include <memory>
+#include <new>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -226,6 +227,7 @@ void answer(const std::vector<std::string>& lines) {
     const aiScene* scene = importer.ReadFileFromMemory(mapped, size, aiProcess_Triangulate, format.c_str());
     if (scene == nullptr || scene->mRootNode == nullptr) {
         std::string why = importer.GetErrorString();
+        if (why == std::bad_alloc().what()) throw std::bad_alloc();
         if (!asked.empty()) why += " (it asks for other files, which are not read: " + asked.front() + ")";
         fail(why);
     }
