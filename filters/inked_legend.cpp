@@ -24,7 +24,7 @@ constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kNearest = 0.
 constexpr double kSameColumn = 0.8, kNextRow = 5, kNextColumn = 30;
 constexpr int kInkOfKeys = 215;    // of 255 is the ground
 constexpr int kSame = 45;          // levels in each channel
-constexpr int kSameOfDashes = 70;  // thin dashes are blurred
+constexpr int kSameOfDashes = 70;  // thin dashes are blurred, and thin curves
 constexpr int kPalestDash = 0xb0;
 constexpr double kColour = 40;  // levels between the channels of what is not grey
 
@@ -259,30 +259,60 @@ std::optional<Point> place_on_dashes(const Image& picture, const Image& ink, con
     return farthest_on(own, own, ink, before);
 }
 
-// Black and whole, as axes are, and the only curve that is.
-std::optional<Point> place_on_black(const Image& ink, const std::vector<DashRow>& rows, const cv::Mat& elsewhere,
-                                    const std::vector<LegendEntry>& before) {
+// Ink without a colour of its own: the paler border of a coloured line has as much less of it as it is paler.
+cv::Mat grey_ink(const Image& picture, const Image& ink) {
+    constexpr double kLeastOfColour = 15, kShare = 0.3;  // levels between the channels, and of those off the ground. Settings
+    cv::Mat grey = view_of(ink) < kInkOfKeys;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const PixelColour c = colour_at(picture, x, y);
+            const int apart = *std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end());
+            if (apart > std::max(kLeastOfColour, kShare * (255 - ink.row(y)[x]))) grey.at<std::uint8_t>(y, x) = 0;
+        }
+    return grey;
+}
+
+// How far off the ground the darkest tenth of that ink is.
+int ink_depth(const Image& ink, const cv::Mat& mask) {
+    std::array<int, 256> counts{};
+    int all = 0;
+    for (int y = 0; y < mask.rows; ++y)
+        for (int x = 0; x < mask.cols; ++x)
+            if (mask.at<std::uint8_t>(y, x) != 0) ++all, ++counts[ink.row(y)[x]];
+    int level = 0;
+    for (int darker = counts[0]; level < 255 && darker < (all + 9) / 10;) darker += counts[static_cast<std::size_t>(++level)];
+    return 255 - level;
+}
+
+// Black or grey and whole, as axes are, and the only curve that is. What crosses it in colour does not end it.
+std::optional<Point> place_on_grey(const Image& picture, const Image& ink, const KeySample& sample,
+                                   const std::vector<DashRow>& rows, const cv::Mat& elsewhere,
+                                   const std::vector<LegendEntry>& before) {
     constexpr double kLong = 0.25;  // of the picture
-    cv::Mat own = (view_of(ink) < kInkOfKeys) & elsewhere;
+    constexpr double kCrossed = 9;  // pixels of other ink on each side, as of a line that crosses at a small angle
+    cv::Mat own = grey_ink(picture, ink) & elsewhere;
     for (const DashRow& row : rows)
         for (const Run& run : row.ink) own(cv::Rect(run.begin, run.row, run.end - run.begin, 1)) = 0;
     const int long_across = std::max(3, static_cast<int>(kLong * ink.width)),
               long_down = std::max(3, static_cast<int>(kLong * ink.height));
-    cv::Mat level, upright;
+    cv::Mat level, upright, whole;
     cv::morphologyEx(own, level, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(long_across, 1)));
     cv::morphologyEx(own, upright, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(1, long_down)));
     own &= ~(level | upright);
+    cv::distanceTransform(~own, whole, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    whole = (whole <= kCrossed) & (view_of(ink) < kInkOfKeys);
     cv::Mat labels, stats, middles;
-    const int count = cv::connectedComponentsWithStats(own, labels, stats, middles, 8, CV_32S);
-    int curve = 0;
+    const int count = cv::connectedComponentsWithStats(whole, labels, stats, middles, 8, CV_32S);
+    cv::Mat curve;
     for (int i = 1; i < count; ++i) {
         if (std::hypot(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT)) < long_across) continue;
-        if (curve != 0) return std::nullopt;
-        curve = i;
+        const cv::Mat mask = (labels == i) & own;
+        if (std::abs(ink_depth(ink, mask) - sample.off_ground) > kSameOfDashes) continue;
+        if (!curve.empty()) return std::nullopt;
+        curve = mask;
     }
-    if (curve == 0) return std::nullopt;
-    const cv::Mat mask = labels == curve;
-    return farthest_on(mask, mask, ink, before);
+    if (curve.empty()) return std::nullopt;
+    return farthest_on(curve, curve, ink, before);
 }
 
 }  // namespace
@@ -305,7 +335,7 @@ std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<Legen
         if (one.line && is_grey(one.colour) && !any_dashes) continue;
         const auto at = one.hatch                         ? hatched_place(picture)
                         : one.dashes                      ? place_on_dashes(picture, ink, one, rows, elsewhere, entries)
-                        : one.line && is_grey(one.colour) ? place_on_black(ink, rows, elsewhere, entries)
+                        : one.line && is_grey(one.colour) ? place_on_grey(picture, ink, one, rows, elsewhere, entries)
                                                           : place_of(picture, ink, one, elsewhere, entries);
         if (at) entries.push_back({one.words, one.box, *at});
     }

@@ -158,11 +158,23 @@ bool is_within_row(Point tip, const std::vector<DashRow>& rows) {
     });
 }
 
-void take_dashes(Image& picture, KnownParts& parts) {
+// Found when they are asked for, and again only after the picture changed.
+class KnownRows {
+public:
+    const std::vector<DashRow>& in(const Image& picture) {
+        if (!rows_) rows_ = dash_rows_in(ink_of_dashes(picture), picture, dash_limits(picture.mm_per_pixel));
+        return *rows_;
+    }
+    void forget() { rows_.reset(); }
+
+private:
+    std::optional<std::vector<DashRow>> rows_;
+};
+
+void take_dashes(Image& picture, const std::vector<DashRow>& rows, KnownParts& parts) {
     const Image ink = ink_of_dashes(picture);
     std::vector<Run> ink_of_all;
     const double mm = picture.mm_per_pixel;
-    const std::vector<DashRow> rows = dash_rows_in(ink, picture, dash_limits(mm));
     const bool told_apart = tell_lines_apart(rows);
     for (const DashRow& row : rows) {
         if (row.leads) {
@@ -197,6 +209,7 @@ KnownParts take_known_parts(Image& picture, bool fills) {
     if (fills) parts.areas = take_fills(picture);
     const double mm = picture.mm_per_pixel;
     // On a dark ground of its own a head is only seen by how black it is, on white a pale one by its colour.
+    KnownRows rows;
     for (const bool by_colour : {true, false}) {
         const Image ink = by_colour ? ink_on_white(picture) : black_ink(picture);
         auto heads = arrow_heads_in(ink, kLongestHead / mm);
@@ -207,14 +220,14 @@ KnownParts take_known_parts(Image& picture, bool fills) {
                 return distance(point.middle, head.tip) < head.length() + point.radius;
             });
         });
-        if (!heads.empty()) {
-            const auto rows = dash_rows_in(ink_of_dashes(picture), picture, dash_limits(mm));
-            std::erase_if(heads, [&](const InkedHead& head) { return is_within_row(head.tip, rows); });
-        }
+        if (heads.empty()) continue;
+        std::erase_if(heads, [&](const InkedHead& head) { return is_within_row(head.tip, rows.in(picture)); });
+        if (heads.empty()) continue;
         take_out(picture, heads);
+        rows.forget();
         for (const InkedHead& head : heads) parts.strokes.push_back(head_of(head, mm));
     }
-    take_dashes(picture, parts);
+    take_dashes(picture, rows.in(picture), parts);
     const auto points = points_in(ink_on_white(picture), kLeastPoint / mm, kMostPoint / mm);
     take_out(picture, points);
     const double felt = felt_radius(points, mm);

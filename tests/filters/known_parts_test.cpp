@@ -339,5 +339,34 @@ TEST(InkedLegend, BlackLinesAreToldByTheirDashes) {
         EXPECT_NEAR(entry.at.y, 140 + 50 * static_cast<double>(entry.words) + 12 * std::sin(entry.at.x / 40), 3);
 }
 
+// One that is whole, too, and in colour, does not take the words of the black one, and does not end it where they cross.
+TEST(InkedLegend, ABlackLineIsToldFromOnesInColour) {
+    const auto one = [](double height, double slope) {
+        return [=](double x, double y) { return x > 20 && x < 380 && std::abs(y - height - slope * x) <= 1.5; };
+    };
+    const auto sample = [](double height) {
+        return [=](double x, double y) { return x > 30 && x < 75 && std::abs(y - height) <= 1.5; };
+    };
+    const Image black = inked(400, 340, {one(180, 0.2), sample(20)}), red = inked(400, 340, {one(290, -0.35), sample(40)}),
+                dashed = inked(400, 340, {wave(120, kDashed), [](double x, double y) {
+                                              return x > 30 && x < 72 && std::abs(y - 60) <= 1 && std::fmod(x - 30, 15) < 11;
+                                          }});
+    Image picture = make_image(400, 340, 3, 0, 255);
+    for (int y = 0; y < 340; ++y)
+        for (int x = 0; x < 400; ++x) {
+            const int off_red = 255 - red.row(y)[x], dark = std::min(black.row(y)[x], dashed.row(y)[x]);
+            const std::array<int, 3> colour{255 - off_red * 35 / 255, 255 - off_red * 225 / 255, 255 - off_red * 225 / 255};
+            for (std::size_t c = 0; c < 3; ++c)  // the red one is drawn over the black one
+                picture.row(y)[3 * x + static_cast<int>(c)] =
+                    static_cast<std::uint8_t>(off_red > 0 ? colour[c] : std::min(dark, colour[c]));
+        }
+    const auto entries = legend_in(picture, {{{84, 14, 136, 26}, 12}, {{84, 34, 136, 46}, 12}, {{84, 54, 136, 66}, 12}});
+    ASSERT_EQ(entries.size(), 3u);
+    for (const LegendEntry& entry : entries) {
+        const double on[] = {180 + 0.2 * entry.at.x, 290 - 0.35 * entry.at.x, 120 + 12 * std::sin(entry.at.x / 40)};
+        EXPECT_NEAR(entry.at.y, on[entry.words], 3) << entry.words;
+    }
+}
+
 }  // namespace
 }  // namespace tactics::known_parts_test
