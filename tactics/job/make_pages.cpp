@@ -66,7 +66,7 @@ public:
             outcome_.layouts[i].mended = mended_.told;
             outcome_.layouts[i].detail = detail_;
             if (detail_) tell_once(explained(*detail_, *outcome_.layouts[i].sheet.medium));
-            if (job_.check_rules) outcome_.layouts[i].broken = broken_hard_rules(pages.all, *outcome_.layouts[i].sheet.medium);
+            if (job_.check_rules) outcome_.layouts[i].broken = rules_broken_by(pages.all, *outcome_.layouts[i].sheet.medium);
             show(i, pages);
             encode(i, pages.all);
         }
@@ -94,7 +94,7 @@ private:
             layout.text_lines = lines_of_braille(made.pages);
             tell_once(to_act_on(note_of_unknown(made.unknown)));
             if (shows(i)) layout.shown = made.pages;
-            if (job_.check_rules) layout.broken = broken_hard_rules(made.pages, *layout.sheet.medium);
+            if (job_.check_rules) layout.broken = rules_broken_by(made.pages, *layout.sheet.medium);
             encode(i, made.pages);
         }
         tell_once(to_act_on(cut_.note()));
