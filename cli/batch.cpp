@@ -112,7 +112,7 @@ private:
             fault_ = outcome.fault;
             progress_.say_line(phrase("tactics: {0}", outcome.error));
         } else {
-            breaks_rules_ = breaks_rules_ || breaks_a_rule(outcome);
+            breaks_rules_ = breaks_rules_ || (request_.strict && breaks_a_rule(outcome));
             if (needs_a_look(outcome)) doubts_.push_back({index, outcome.input});
             tell(outcome);
         }

@@ -27,6 +27,7 @@ struct Request : Wishes {
     std::vector<Phrase> notes = {};  ///< on the plan, for the user: the driver of a machine that was named by its model
     int workers = 0;                 ///< 0: the number of cores
     bool update = false;
+    bool strict = false;  ///< a page that breaks a hard rule is a failure
     /// The given and kept choices that can change pages; nothing: no records are kept.
     std::optional<MadeWith> made_with = {};
     Loudness loudness = Loudness::usual;

@@ -25,6 +25,7 @@ namespace {
 // Settings, in mm on the page. A surface must hold what is felt as a texture (6.4 mm) with the gap to its outline on both sides.
 constexpr double kNarrowest = 11;
 constexpr double kHatchGap = 4.8;   // white between the lines of a hatch; more is a ground with lines on it
+constexpr int kWhiteOfHatch = 160;  // grey levels, of the ground between its lines
 constexpr double kHatchPart = 8;    // any place of a hatch has so much of it around
 constexpr int kFlat = 14;           // levels that neighbours in one colour may differ by; JPEG leaves some
 constexpr int kSameColour = 20;     // levels in any channel
@@ -165,7 +166,7 @@ bool is_bounded(const cv::Mat& near_ink, const cv::Mat& mask) {
 std::vector<Part> hatches_of(const cv::Mat& pixels, const Image& ink, const Found& found, double mm) {
     const double reach = kHatchPart / 4 / mm, round = std::max(2.0, 1 / mm);
     const int margin = static_cast<int>(reach + round) + 3;
-    const cv::Mat busy = ~grown(found.open, 2), core = opened(busy, kHatchPart / 2 / mm), black = view_of(ink) < 160,
+    const cv::Mat busy = ~grown(found.open, 2), core = opened(busy, kHatchPart / 2 / mm), black = view_of(ink) < kWhiteOfHatch,
                   near_ink = grown(black, 3);
     std::vector<Part> parts;
     cv::Mat labels, stats, middles;
@@ -226,8 +227,9 @@ std::vector<Area> fills_in(Image& picture) {
     Found found = flats_of(pixels, mm);
     std::vector<Part> parts = hatches_of(pixels, ink, found, mm);
     for (const Part& hatch : parts) {
-        const cv::Mat inner = shrunk(hatch.mask, 2);
-        pixels(hatch.box).setTo(cv::Scalar(hatch.kind.colour[0], hatch.kind.colour[1], hatch.kind.colour[2]), inner);
+        // Up to the line around it, so that this line has one clear side, and not the ends of the hatch.
+        const cv::Mat inner = shrunk(hatch.mask, 2), white = hatch.mask & (view_of(ink)(hatch.box) >= kWhiteOfHatch);
+        pixels(hatch.box).setTo(cv::Scalar(hatch.kind.colour[0], hatch.kind.colour[1], hatch.kind.colour[2]), inner | white);
     }
     const bool any_hatch = !parts.empty();
     parts.insert(parts.end(), std::make_move_iterator(found.flats.begin()), std::make_move_iterator(found.flats.end()));

@@ -289,7 +289,7 @@ std::optional<Point> place_on_grey(const Image& picture, const Image& ink, const
                                    const std::vector<DashRow>& rows, const cv::Mat& elsewhere,
                                    const std::vector<LegendEntry>& before) {
     constexpr double kLong = 0.25;  // of the picture
-    constexpr int kCrossed = 9;     // pixels
+    constexpr double kCrossed = 9;  // pixels of other ink on each side, as of a line that crosses at a small angle
     cv::Mat own = grey_ink(picture, ink) & elsewhere;
     for (const DashRow& row : rows)
         for (const Run& run : row.ink) own(cv::Rect(run.begin, run.row, run.end - run.begin, 1)) = 0;
@@ -299,8 +299,8 @@ std::optional<Point> place_on_grey(const Image& picture, const Image& ink, const
     cv::morphologyEx(own, level, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(long_across, 1)));
     cv::morphologyEx(own, upright, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(1, long_down)));
     own &= ~(level | upright);
-    cv::morphologyEx(own, whole, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(kCrossed, kCrossed)));
-    whole &= view_of(ink) < kInkOfKeys;
+    cv::distanceTransform(~own, whole, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    whole = (whole <= kCrossed) & (view_of(ink) < kInkOfKeys);
     cv::Mat labels, stats, middles;
     const int count = cv::connectedComponentsWithStats(whole, labels, stats, middles, 8, CV_32S);
     cv::Mat curve;

@@ -41,6 +41,7 @@ std::string broken_json(const std::vector<BrokenRule>& rules) {
     for (const BrokenRule& rule : rules) {
         JsonObject json;
         json.add("rule", rule.name);
+        json.add_raw("hard", rule.hard ? "true" : "false");
         json.add("places", static_cast<double>(rule.places));
         parts.push_back(json.text());
     }
@@ -139,13 +140,19 @@ void add_mending(Notes& lines, const Outcome& outcome) {
 
 void add_broken(Notes& lines, const Outcome& outcome) {
     for (std::size_t i = 0; i < outcome.layouts.size(); ++i) {
-        std::vector<Phrase> rules;
+        std::vector<Phrase> hard, soft;
         for (const BrokenRule& rule : outcome.layouts[i].broken)
-            rules.push_back(phrases(rule.places, "{1} at {0} place", "{1} at {0} places", rule.name));
-        if (!rules.empty())
+            (rule.hard ? hard : soft).push_back(phrases(rule.places, "{1} at {0} place", "{1} at {0} places", rule.name));
+        const auto pages = [&] { return row_of(paths_of(outcome, [i](std::size_t layout) { return layout == i; })); };
+        if (!hard.empty())
             lines.push_back(
                 to_act_on(phrase("hard rules are broken on {0}: {1}; tactics check shows where on the page as SVG or PDF",
-                                 row_of(paths_of(outcome, [i](std::size_t layout) { return layout == i; })), row_of(rules))));
+                                 pages(), row_of(hard))));
+        if (!soft.empty())
+            lines.push_back(
+                phrase("{0} is fit to be felt, but misses what a page should have: {1}; tactics check shows where on the "
+                       "page as SVG or PDF",
+                       pages(), row_of(soft)));
     }
 }
 
@@ -231,8 +238,9 @@ bool needs_a_look(const Outcome& outcome) {
 }
 
 bool breaks_a_rule(const Outcome& outcome) {
-    return std::any_of(outcome.layouts.begin(), outcome.layouts.end(),
-                       [](const Layout& layout) { return !layout.broken.empty(); });
+    return std::any_of(outcome.layouts.begin(), outcome.layouts.end(), [](const Layout& layout) {
+        return std::any_of(layout.broken.begin(), layout.broken.end(), [](const BrokenRule& rule) { return rule.hard; });
+    });
 }
 
 std::string result_json(const Outcome& outcome) {

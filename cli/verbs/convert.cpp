@@ -99,7 +99,9 @@ constexpr Flag kConvertFlags[] = {
      "say only what a person must act on, one line each: words left out, pages that are empty or not fit to be felt, hard rules "
      "broken, cells cut off, pictures that failed",
      false, ""},
-    {"--verbose", "-v", "", "say everything about each picture of a batch, too: what was chosen and why, and what was changed",
+    {"--verbose", "-v", "",
+     "say everything about each picture of a batch, too: what was chosen and why, what was "
+     "changed, and which rules a page misses",
      false, ""},
     {"--progress", "", "none|lines|bar",
      "how to report the progress of several pictures: a line every five seconds, or a bar, one line that updates itself. "

@@ -5,11 +5,10 @@
 
 namespace tactics {
 
-std::vector<BrokenRule> broken_hard_rules(const std::vector<Page>& pages, const Medium& medium) {
-    std::vector<Demand> demands = demands_of(medium);
-    std::erase_if(demands, [](const Demand& demand) { return !demand.rule->hard; });
+std::vector<BrokenRule> rules_broken_by(const std::vector<Page>& pages, const Medium& medium) {
+    const std::vector<Demand> demands = demands_of(medium);
     std::vector<BrokenRule> broken;
-    for (const Demand& demand : demands) broken.push_back({demand.rule->name});
+    for (const Demand& demand : demands) broken.push_back({demand.rule->name, demand.rule->hard});
     for (const Page& page : pages) {
         const std::vector<Verdict> verdicts = check_page(page, demands);
         for (std::size_t i = 0; i < verdicts.size(); ++i) broken[i].places += verdicts[i].findings.places.size();

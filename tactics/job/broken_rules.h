@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hard rules that pages break, for strict checking.
+// The rules that pages break, for strict checking and for who asks.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,11 @@ namespace tactics {
 
 struct BrokenRule {
     std::string_view name;
+    bool hard = false;       ///< the page is not fit to be used; otherwise a person should look
     std::size_t places = 0;  ///< on all pages together; at least 1
 };
 
 /// Uses the limits of that medium; in the order of the rules. Time and memory are bounded as in check_page.
-std::vector<BrokenRule> broken_hard_rules(const std::vector<Page>& pages, const Medium& medium);
+std::vector<BrokenRule> rules_broken_by(const std::vector<Page>& pages, const Medium& medium);
 
 }  // namespace tactics

@@ -215,7 +215,7 @@ void add_unsure(Notes& notes, const std::vector<ToldWords>& told) {
     const auto count = std::count_if(told.begin(), told.end(), [](const ToldWords& one) { return !one.set; });
     if (count > 1)
         notes.push_back(
-            to_act_on(phrase("print at {0} places was read with little sureness and is left in the lines; look it over, and give "
+            to_act_on(phrase("print at {0} places was not read for sure and is left in the lines; look it over, and give "
                              "what is words with {1}",
                              std::to_string(count), spelled("label"))));
     for (const ToldWords& one : told)
@@ -307,6 +307,10 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
 }
 
 Phrase unsure_line(const ToldWords& words) {
+    if (words.text.empty())
+        return phrase(
+            "print at {0} %, {1} % was not read and is left in the lines; if it is words, give it with {2} \"{0}%,{1}%=...\"",
+            tenths(words.x), tenths(words.y), spelled("label"));
     return phrase(
         "print at {0} %, {1} % was read as \"{2}\" with little sureness ({3} of 100) and is left in the lines; if it is "
         "words, give it with {4} \"{0}%,{1}%=...\"",

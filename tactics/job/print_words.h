@@ -21,7 +21,7 @@ WordsWish find_words_wish(std::string_view name, std::string_view place);
 
 /// A piece of print in the report: its middle in the picture, in percent from the left and top.
 struct ToldWords {
-    std::string text;
+    std::string text;  ///< empty: it looks like print, and was not read
     double sureness = 0;
     double x = 0, y = 0;
     bool set = false;    ///< it is set in braille; otherwise a person must look at it

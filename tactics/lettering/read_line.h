@@ -25,4 +25,9 @@ PrintedWords print_of(const Image& grey, const LetteringLine& line);
 bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::vector<LetteringLine> climbing,
                         const PrintFonts& fonts);
 
+/// Which of the lines look like print, and are neither sure nor told: single letters and figures that are soft, noisy or of no
+/// known font. Where other print is known such a thing is about as large, else there are few. It stands free, is no dot, dash or
+/// disc, and does not look like two others, as marks of a plot do, unless it stands in line with print.
+std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& lines);
+
 }  // namespace tactics

@@ -101,7 +101,7 @@ TEST_F(PictureWords, UnsureOnesAreALineToActOn) {
                 holds(all.err, "print at 49.8 %, 75 % was read as \"LL\""))
         << all.err;
     const Ending warned = with_reader(pages, {"chart.pgm", "-o", "a.svg", "-r", "line-art", "--warnings"});
-    EXPECT_TRUE(warned.err.starts_with("chart.pgm: print at 2 places was read with little sureness and is left in the lines; "))
+    EXPECT_TRUE(warned.err.starts_with("chart.pgm: print at 2 places was not read for sure and is left in the lines; "))
         << warned.err;
     EXPECT_EQ(lines_in(warned.err), 1u) << warned.err;
 }

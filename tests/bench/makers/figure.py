@@ -7,6 +7,9 @@ import shutil
 import subprocess
 
 
+RENDERED = ("PNG", "JPEG", "scan", "PDF")  # of hand-written SVG by a program that shows less than the file says
+
+
 @dataclasses.dataclass
 class Figure:
     maker: str
@@ -19,11 +22,11 @@ class Figure:
     points: list = dataclasses.field(default_factory=list)  # (x, y) of filled marks
     samples: list = dataclasses.field(default_factory=list)  # of a legend: (look, words, left, top, right, bottom)
     title: str = ""  # what is its title at the top; most drawings and graphs have none
-    pixel_words: list = None  # words, where a picture of it shows others
+    pixel_words: list = None  # words, where a rendering of it shows others
 
 
     def words_as(self, form):
-        return self.pixel_words if form == "PNG" and self.pixel_words is not None else self.words
+        return self.pixel_words if form in RENDERED and self.pixel_words is not None else self.words
 
     def keep_truth(self, folder):
         """All that is known of it, beside its files."""
@@ -57,4 +60,25 @@ def renderings(svg, dpi, forms=("PNG", "PDF")):
         files[form] = f"{stem}.{form.lower()}"
         run("rsvg-convert", "--format", form.lower(), "--zoom", str(dpi / 96), "--background-color", "white", "--output", files[form],
             svg)
+    return files
+
+
+def copies(png, form):
+    """Of a PNG what people send instead: a JPEG, and a scan of its print, grey, soft, noisy and not quite level."""
+    import numpy
+    from PIL import Image, ImageFilter
+
+    stem = os.path.splitext(png)[0]
+    files = {}
+    with Image.open(png) as opened:
+        picture = opened.convert("RGB")
+    if form in (None, "JPEG"):
+        files["JPEG"] = stem + ".jpg"
+        picture.save(files["JPEG"], quality=75)
+    if form in (None, "scan"):
+        files["scan"] = stem + ".scan.png"
+        turned = picture.convert("L").rotate(0.4, Image.Resampling.BICUBIC, fillcolor=255).filter(ImageFilter.GaussianBlur(0.8))
+        noise = numpy.random.default_rng(7).normal(0, 7, (picture.height, picture.width))
+        grey = 25 + numpy.asarray(turned, dtype=float) * (242 - 25) / 255 + noise
+        Image.fromarray(grey.round().clip(0, 255).astype("uint8")).save(files["scan"])
     return files

@@ -11,6 +11,7 @@ import xml.etree.ElementTree
 COLUMNS = ("figures", "curves mm", "drawn", "arrows", "whole", "bars", "closed", "points", "there", "fills", "told apart", "samples",
            "matched", "white")
 NEAR = 2.0
+BESIDE = 9  # from the dots of words; the program needs no line to what is within 6.4 mm of their cells
 DASH_GAP = 6.5  # between marks of one line
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -53,14 +54,14 @@ class Page:
         return next((str(texture) for texture, rings in self.textured if inside(rings, x, y)), "")
 
     def places_named(self, text):
-        """Where lines lead from words, or their letters in a key; else where they stand."""
+        """Where lines lead from words, or their letters in a key; else the box of where they stand: left, top, right, bottom."""
         for name, (left, top, right, bottom) in self.names:
             if name != text:
                 continue
             near = lambda p, l=left, t=top, r=right, b=bottom: l - 6 < p[0] < r + 6 and t - 6 < p[1] < b + 6
             led = [far for role, _, line in self.lines if role == "lead" for end, far in ((line[0], line[-1]), (line[-1], line[0]))
                    if near(end)]
-            yield from led or [((left + right) / 2, (top + bottom) / 2)]
+            yield from [far + far for far in led] or [(left, top, right, bottom)]
 
     def white(self):
         """Share of squares of 10 mm without anything."""
@@ -188,12 +189,14 @@ def style_at(page, places):
     return max(found, key=found.get, default=None)
 
 
-def names_it(at, look, curves, bars):
-    """Words at that place name what looks so: it is in one of its bars, or its curve is near and nearer than any other."""
+def names_it(box, look, curves, bars):
+    """Words in that box name what looks so: they are in one of its bars, or its curve is near and nearer than any other."""
+    x, y = (box[0] + box[2]) / 2, (box[1] + box[3]) / 2
     if look.startswith("fill"):
-        return any(other == look and left <= at[0] <= right and top <= at[1] <= bottom for other, left, top, right, bottom in bars)
-    away = {other: min(math.dist(at, p) for p in points) for other, points in curves.items()}
-    return look in away and away[look] <= 12 and away[look] == min(away.values())
+        return any(other == look and left <= x <= right and top <= y <= bottom for other, left, top, right, bottom in bars)
+    off = lambda p: math.hypot(max(box[0] - p[0], 0, p[0] - box[2]), max(box[1] - p[1], 0, p[1] - box[3]))
+    away = {other: min(map(off, points)) for other, points in curves.items()}
+    return look in away and away[look] <= BESIDE and away[look] == min(away.values())
 
 
 def score(page_path, answer, figure):

@@ -7,7 +7,8 @@ import subprocess
 
 import line_score
 
-COLUMNS = ("figures", "words", "right", "wrong", "told", "silent", "titles", "titles right", "titles wrong", "blank", "failed")
+COLUMNS = ("figures", "words", "right", "wrong", "told", "silent", "titles", "titles right", "titles wrong", "blank", "hard", "soft", "unsaid",
+           "failed")
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻₀₁₂₃₄₅₆₇₈₉", "0123456789-0123456789")
 NEAR = 6  # percent: a line of braille off its place, or the middle of words that were guessed to be longer
 
@@ -42,7 +43,15 @@ def score(program, source, figure, form, page):
         file.write(run.stdout)
     row["seconds"] = answer["seconds"]
     row["blank"] = int(answer["outputs"][0]["empty"])
-    row["lines"] = line_score.score(page, answer, figure)
+    if form != "scan":  # which is not quite level, so that its places are not those of the truth
+        row["lines"] = line_score.score(page, answer, figure)
+    rules = subprocess.run([program, "check", page, "--json"], capture_output=True, text=True, check=False)
+    broken = {rule["rule"]: rule["hard"] for rule in json.loads(rules.stdout)["rules"] if rule["findings"]}
+    row["hard"] = int(any(broken.values()))
+    row["soft"] = int(not all(broken.values()))
+    unsaid = broken.keys() - {rule["rule"] for rule in answer["outputs"][0].get("broken_rules", [])}
+    row["unsaid"] = len(unsaid)
+    row["faults"] += [f"unsaid {rule}" for rule in sorted(unsaid)]
     with open(page, encoding="utf-8") as file:
         title = re.search('data-tactics-title="([^"]*)"', file.read())
     title = plain(html.unescape(title[1])) if title else ""

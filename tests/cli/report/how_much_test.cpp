@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 
+#include "tactics/rules/rule.h"
 #include "tests/cli/converting.h"
 
 namespace tactics::how_much_test {
@@ -122,6 +123,31 @@ TEST_F(HowMuchIsTold, StrictIsAsCheckIs) {
     EXPECT_EQ(convert(failing).code, 2);
     strict.back() = "--json";
     EXPECT_TRUE(holds(convert(strict).out, "\"broken_rules\":[{\"rule\":\"")) << convert(strict).out;
+}
+
+// Each rule that a page breaks, also one that it only should keep, is said; with as many places as check finds on the file.
+TEST_F(HowMuchIsTold, NoRuleIsBrokenWithoutSayingSo) {
+    write_bytes(folder / "cross.svg",
+                "<svg xmlns='http://www.w3.org/2000/svg' width='120mm' height='90mm' viewBox='0 0 120 90'><path fill='none' "
+                "stroke='black' d='M10 10L110 80M10 80L110 10M20 45L24 45'/></svg>");
+    std::size_t broken = 0;
+    for (const char* picture : {"cross.svg", "disc.tif"}) {
+        const Ending made = convert({picture, "--as-drawn", "-v", "-o", "page.svg"});
+        const Ending checked = run_tactics(folder, {"check", "page.svg", "--json"});
+        const std::string told = convert({picture, "--as-drawn", "--json", "-o", "page.svg"}).out;
+        for (const Rule* rule : rules()) {
+            const auto at = checked.out.find("{\"rule\":\"" + std::string(rule->name) + "\"");
+            const auto next = checked.out.find("{\"rule\":\"", at == std::string::npos ? at : at + 1);
+            const bool breaks =
+                at != std::string::npos && checked.out.substr(at, next - at).find("\"message\"") != std::string::npos;
+            EXPECT_EQ(holds(made.err, " " + std::string(rule->name) + " at "), breaks) << picture << rule->name << made.err;
+            EXPECT_EQ(holds(told, "{\"rule\":\"" + std::string(rule->name) + "\",\"hard\":" + (rule->hard ? "true" : "false")),
+                      breaks)
+                << picture << rule->name << told;
+            broken += breaks ? 1 : 0;
+        }
+    }
+    EXPECT_GE(broken, 1u);
 }
 
 }  // namespace

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Print that no reader made out is told, and marks of a plot are not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "tactics/lettering/read_line.h"
+
+namespace tactics::unread_test {
+namespace {
+
+class UnreadPrint : public ::testing::Test {
+protected:
+    // Rows of a letter or mark; each sign is 2 pixels wide and high.
+    void draw(int left, int top, const std::vector<std::string_view>& rows) {
+        for (std::size_t y = 0; y < 2 * rows.size(); ++y)
+            for (std::size_t x = 0; x < 2 * rows[y / 2].size(); ++x)
+                if (rows[y / 2][x / 2] == '#') picture.row(top + static_cast<int>(y))[left + static_cast<int>(x)] = 0;
+    }
+    void disc(double x, double y, double inner, double outer) {
+        for (int v = 0; v < picture.height; ++v)
+            for (int u = 0; u < picture.width; ++u)
+                if (const double r = std::hypot(u + 0.5 - x, v + 0.5 - y); r >= inner && r <= outer) picture.row(v)[u] = 0;
+    }
+    // Lines of several letters are read, or none.
+    std::vector<PixelBox> told(bool some_are_read) {
+        std::vector<ReadLine> lines;
+        for (LetteringLine& line : find_lettering(picture)) {
+            ReadLine one{std::move(line), {}};
+            one.words.sure = some_are_read && is_words(one.line);
+            lines.push_back(std::move(one));
+        }
+        const std::vector<bool> unread = unread_print(picture, lines);
+        std::vector<PixelBox> boxes;
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            if (unread[i]) boxes.push_back(lines[i].line.box);
+        return boxes;
+    }
+    static bool has(const std::vector<PixelBox>& boxes, int x, int y) {
+        return std::any_of(boxes.begin(), boxes.end(),
+                           [&](const PixelBox& box) { return x >= box.left && x < box.right && y >= box.top && y < box.bottom; });
+    }
+
+    const std::vector<std::string_view> two{"#####", "    #", "    #", "#####", "#    ", "#    ", "#####"},
+        four{"#   #", "#   #", "#   #", "#####", "    #", "    #", "    #"}, dash{"#####", "#####"};
+    Image picture = make_image(300, 200, 1, 0, 255);
+};
+
+TEST_F(UnreadPrint, ASingleFigureIsToldAndMarksAreNot) {
+    draw(20, 150, two), draw(34, 150, four);               // "24", which was read
+    draw(100, 150, two);                                   // at the same axis
+    draw(250, 60, four);                                   // alone
+    for (const int x : {60, 130, 200}) disc(x, 40, 5, 7);  // circles of a plot
+    disc(230, 110, 0, 7);
+    draw(160, 100, dash);
+    const auto boxes = told(true);
+    EXPECT_EQ(boxes.size(), 2u);
+    EXPECT_TRUE(has(boxes, 101, 151));
+    EXPECT_TRUE(has(boxes, 251, 61));
+}
+
+TEST_F(UnreadPrint, WhereNoPrintIsKnownFewThingsAreTold) {
+    draw(100, 150, two), draw(250, 60, four), disc(60, 40, 0, 7);
+    EXPECT_EQ(told(false).size(), 2u);
+    for (int i = 0; i < 9; ++i) draw(20 + 30 * i, 20, i % 2 == 0 ? two : four);
+    EXPECT_TRUE(told(false).empty());
+}
+
+TEST_F(UnreadPrint, WhatIsNotAsLargeAsPrintOrTouchesIsNone) {
+    draw(20, 150, two), draw(34, 150, four);
+    std::vector<std::string_view> large;
+    for (const std::string_view row : two) large.insert(large.end(), 3, row);
+    draw(100, 50, large);
+    draw(200, 150, four);
+    for (int y = 20; y < 190; ++y) picture.row(y)[211] = 0;  // an axis right beside it
+    EXPECT_TRUE(told(true).empty());
+}
+
+}  // namespace
+}  // namespace tactics::unread_test
