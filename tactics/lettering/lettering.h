@@ -45,7 +45,8 @@ Lettering read_lettering(const Image& picture, std::string_view language, double
 /// letters or more that is wrong reaches it twice alike. Shorter ones need more.
 inline constexpr double kSureEnough = 60;
 
-/// Paints the background over the ink of those words, if they were read. `picture` shows the same as the examined one, at any size.
+/// Paints the background over the ink of those words, if they were read. `picture` shows the same as the examined one, at any
+/// size.
 void take_out(Image& picture, const Lettering& lettering, bool only_sure);
 
 }  // namespace tactics
