@@ -123,7 +123,11 @@ int run_measure(const Given& given) {
     MeasuredScene& scene = report.found.scene;
     for (const MediumChannel& channel : channels) {
         MeasuredMedium medium{channel, carried_by(scene, channel), {}};
-        if (given.has("--best")) medium.least = least_loss(scene, channel);
+        if (given.has("--best")) {
+            const auto known = std::find_if(report.media.begin(), report.media.end(),
+                                            [&](const MeasuredMedium& other) { return other.channel.holds_the_same(channel); });
+            medium.least = known != report.media.end() ? known->least : least_loss(scene, channel);
+        }
         report.media.push_back(std::move(medium));
     }
     if (given.has("--levels-of-detail")) report.levels = levels_of_detail(scene);

@@ -21,6 +21,12 @@ struct MediumChannel {
     double most_force = 0;             ///< 0: nothing pushes back
     double least_apart = 0;            ///< from the middle of a line to that of another, to be felt as two; 0: not known
     double shortest = 0;               ///< of a line that is felt as one; 0: not known
+
+    /// Whether the same fits on both: a scene loses as much.
+    bool holds_the_same(const MediumChannel& other) const {
+        return width == other.width && height == other.height && pitch == other.pitch && levels == other.levels &&
+               step == other.step && travel == other.travel;
+    }
 };
 
 /// How a scene is on a medium.

@@ -19,6 +19,15 @@ constexpr double kEvenness[] = {0, 0.25, 0.5, 0.75, 1};
 constexpr int kSmoothings[] = {0, 1};
 constexpr double kShares[] = {1, 0.84, 0.71};  // of the most cells: a quarter and half an octave less
 
+constexpr std::size_t kFinalists = 3;  // of which the whole is coded, too, where strips were
+
+// What was tried, and the loss by the whole or by strips.
+struct Tried {
+    Transformation made;
+    double loss = 0;
+    bool by_strips = false;
+};
+
 // The mean over a square of cells, of those that there are.
 LevelGrid smoothed(const LevelGrid& grid, int reach) {
     if (reach == 0) return grid;
@@ -96,10 +105,9 @@ LeastLoss least_loss(MeasuredScene& scene, const MediumChannel& channel) {
     LeastLoss least{{plain.fit.longest, 0, 0}, plain.loss, plain.loss, plain.fit.levels, 0};
     if (plain.loss == 0) return least;
     const auto lost = [&](double code) { return (all - std::min(plain.capacity, code)) / all; };  // under 0: more than enough
-    // What strips say is only compared with what strips say, and stops nothing.
-    double best = plain.loss;
+    std::vector<Tried> tried;
     const double floor = std::max(0.0, lost(plain.capacity));
-    bool sampled = false;
+    bool ends = plain.loss <= floor;  // what strips say ends nothing
     for (const double share : kShares) {
         const int longest = std::max(1, static_cast<int>(share * plain.fit.longest));
         const LevelGrid& there = scene.pyramid.at(longest);
@@ -109,21 +117,24 @@ LeastLoss least_loss(MeasuredScene& scene, const MediumChannel& channel) {
             if (scene.is_drawn() && smoothing > 0) continue;
             const LevelGrid smooth = smoothed(strips, smoothing);
             for (const double evenness : kEvenness) {
-                if ((!sampled && best <= floor) || (scene.is_drawn() && evenness > 0)) continue;
-                ++least.tried;
-                const Transformation tried{longest, smoothing, evenness};
-                const double loss = lost(times * code_length(in_levels(smooth, tried, plain.fit.levels)).best.bits);
-                if (loss >= best) continue;
-                best = loss;
-                least.best = tried;
-                sampled = times > 1;
+                if (ends || (scene.is_drawn() && evenness > 0)) continue;
+                const Transformation made{longest, smoothing, evenness};
+                const double loss = lost(times * code_length(in_levels(smooth, made, plain.fit.levels)).best.bits);
+                tried.push_back({made, loss, times > 1});
+                ends = times == 1 && loss <= floor;
             }
         }
     }
-    least.loss = std::max(0.0, sampled ? lost(code_length(transformed(scene, least.best, plain.fit.levels)).best.bits) : best);
-    if (least.loss < plain.loss) return least;
-    least.loss = plain.loss;
-    least.best = {plain.fit.longest, 0, 0};
+    least.tried = tried.size();
+    std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) { return a.loss < b.loss; });
+    if (tried.size() > kFinalists) tried.resize(kFinalists);
+    for (const Tried& one : tried) {
+        const double loss =
+            std::max(0.0, one.by_strips ? lost(code_length(transformed(scene, one.made, plain.fit.levels)).best.bits) : one.loss);
+        if (loss >= least.loss) continue;
+        least.loss = loss;
+        least.best = one.made;
+    }
     return least;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <numbers>
 #include <numeric>
+#include <type_traits>
 
 #include "tactics/information/random_below.h"
 
@@ -35,6 +36,16 @@ Places fresh_rows(const Value* values, std::size_t columns, std::size_t rows) {
     for (std::size_t y = 1; y < rows; ++y)
         if (!std::equal(values + y * columns, values + (y + 1) * columns, values + (y - 1) * columns)) fresh.push_back(y);
     return fresh;
+}
+
+// Whether all rows that equal the one before are of one value: any code writes such rows for next to nothing.
+template <typename Value>
+bool only_plain_rows_repeat(const Value* values, std::size_t columns, std::size_t rows) {
+    for (std::size_t y = 1; y < rows; ++y) {
+        const Value* row = values + y * columns;
+        if (std::equal(row, row + columns, row - columns) && !std::equal(row + 1, row + columns, row)) return false;
+    }
+    return true;
 }
 
 // Columns that differ from the one before in one of these rows; nothing if there are more than `most`.
@@ -133,13 +144,21 @@ std::optional<Reduced> reduced(const LevelGrid& grid) {
     if (grid.slices != 1) return {};
     return grid.values.visit([&](const auto* values) -> std::optional<Reduced> {
         const Places down = fresh_rows(values, columns, rows);
+        if (down.size() < rows && only_plain_rows_repeat(values, columns, rows) &&
+            !fresh_columns(values, columns, down, columns - 1))
+            return {};
         const std::size_t most = 97 * grid.count() / (100 * down.size());
         const std::optional<Places> across = fresh_columns(values, columns, down, most);
         if (!across) return {};
-        std::vector<std::uint16_t> left;
+        std::vector<std::remove_cvref_t<decltype(*values)>> left;
         left.reserve(across->size() * down.size());
-        for (const std::size_t y : down)
-            for (const std::size_t x : *across) left.push_back(values[y * columns + x]);
+        for (const std::size_t y : down) {
+            const auto* row = values + y * columns;
+            if (across->size() == columns)
+                left.insert(left.end(), row, row + columns);
+            else
+                for (const std::size_t x : *across) left.push_back(row[x]);
+        }
         return Reduced{{static_cast<int>(across->size()), static_cast<int>(down.size()), 1, grid.levels, std::move(left)},
                        bits_of_places(*across, columns) + bits_of_places(down, rows)};
     });

@@ -17,7 +17,7 @@ struct Reduced {
     LevelGrid grid;
     double said = 0;  ///< bits: which rows and columns are left out
 };
-/// Nothing if more than 97 % of the cells remain, and of voxels.
+/// Nothing if more than 97 % of the cells remain, if only rows of one value would be left out, and of voxels.
 std::optional<Reduced> reduced(const LevelGrid& grid);
 
 /// Each cell equals that so many rows above it and so many columns to its left (or, under 0, to its right), if there is one.
