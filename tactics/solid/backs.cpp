@@ -21,6 +21,7 @@ struct LayerFace {
     std::vector<std::vector<Point3>> rings;  // one
     Point3 doubled, normal, middle;
     std::vector<std::uint32_t> over = {};  // those that it lies over
+    bool covered = true;                   // by others, at each of its places
     int layer = -1;
 };
 
@@ -54,23 +55,28 @@ void find_over(std::vector<LayerFace>& faces, double tolerance) {
         for (const Point3& corner : one.rings.front()) places.push_back(one.middle + kTowardCorner * (corner - one.middle));
         for (const Point3& at : places) {
             if (!is_over(at, one.normal, one.rings) || distance_to_rings(at, one.rings) <= tolerance) continue;
+            bool has_other = false;
             grid.any_near(grown(SpaceBox{at, at}, off), [&](std::uint32_t j) {
                 const LayerFace& other = faces[j];
-                if (i != j && std::abs(dot(one.normal, other.normal)) > 0.999 &&
-                    std::abs(dot(other.normal, at - other.middle)) <= off && is_over(at, other.normal, other.rings) &&
-                    distance_to_rings(at, other.rings) > tolerance &&
-                    std::find(one.over.begin(), one.over.end(), j) == one.over.end()) {
+                if (i == j || std::abs(dot(one.normal, other.normal)) <= 0.999 ||
+                    std::abs(dot(other.normal, at - other.middle)) > off)
+                    return false;
+                const bool on_edge = distance_to_rings(at, other.rings) <= tolerance;
+                const bool inside = !on_edge && is_over(at, other.normal, other.rings);
+                has_other = has_other || on_edge || inside;
+                if (inside && std::find(one.over.begin(), one.over.end(), j) == one.over.end()) {
                     one.over.push_back(j);
                     faces[j].over.push_back(i);
                 }
                 return false;
             });
+            one.covered = one.covered && has_other;
         }
     }
 }
 
 // All that lie over each other from `first` on, each in a layer of its own or the other one; none, if they are more than two
-// layers or do not cover the same.
+// layers or do not cover the same: as large a place, and each face only what the other layer covers, too.
 std::vector<std::uint32_t> two_layers_from(std::uint32_t first, std::vector<LayerFace>& faces) {
     std::vector<std::uint32_t> all = {first};
     faces[first].layer = 0;
@@ -79,6 +85,7 @@ std::vector<std::uint32_t> two_layers_from(std::uint32_t first, std::vector<Laye
     for (std::size_t i = 0; i < all.size(); ++i) {
         const LayerFace& one = faces[all[i]];
         areas[static_cast<std::size_t>(one.layer)] += length_of(one.doubled);
+        are_two = are_two && one.covered;
         for (const std::uint32_t other : one.over) {
             if (faces[other].layer == one.layer) are_two = false;
             if (faces[other].layer >= 0) continue;

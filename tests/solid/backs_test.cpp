@@ -66,6 +66,17 @@ TEST(Backs, WhatCoversLessIsNoBack) {
     EXPECT_EQ(surface.faces.size(), 2u);
 }
 
+// A step on the one below it covers as much of that as that of it, and both are to be seen beside the other.
+TEST(Backs, WhatIsShiftedIsNoBack) {
+    WeldedSurface surface;
+    surface.corners = {{0, 0, 0},   {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {5, 0, 0},   {15, 0, 0},
+                       {15, 10, 0}, {5, 10, 0}, {0, 0, 9},   {10, 0, 9}, {10, 10, 9}, {0, 10, 9}};
+    surface.faces = {{0, 1, 2, 3}, {7, 6, 5, 4}, {8, 9, 10, 11}, {11, 10, 9, 8}};  // the last two: a sheet from both sides
+    surface.tolerance = 1e-4;
+    EXPECT_EQ(drop_backs(surface), 1u);
+    EXPECT_EQ(surface.faces.size(), 3u);
+}
+
 TEST(Backs, OfASheetTheSideStaysThatLooksUp) {
     for (const bool first_up : {true, false}) {
         WeldedSurface surface;
