@@ -150,8 +150,7 @@ void add_broken(Notes& lines, const Outcome& outcome) {
                                  pages(), row_of(hard))));
         if (!soft.empty())
             lines.push_back(
-                phrase("{0} is fit to be felt, but misses what a page should have: {1}; tactics check shows where on the "
-                       "page as SVG or PDF",
+                phrase("rules that are not hard are broken on {0}: {1}; tactics check shows where on the page as SVG or PDF",
                        pages(), row_of(soft)));
     }
 }
