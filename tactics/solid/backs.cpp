@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tactics/solid/solid.h"
+#include "tactics/solid/rings.h"
 #include "tactics/solid/space_grid.h"
 
 namespace tactics {

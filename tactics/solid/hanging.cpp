@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tactics/solid/outline.h"
+#include "tactics/solid/rings.h"
 #include "tactics/solid/space_box.h"
 
 namespace tactics {

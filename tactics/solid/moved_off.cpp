@@ -14,6 +14,7 @@
 #include "tactics/geometry/vectors.h"
 #include "tactics/solid/layout.h"
 #include "tactics/solid/parted.h"
+#include "tactics/solid/rings.h"
 #include "tactics/solid/space_box.h"
 
 namespace tactics {

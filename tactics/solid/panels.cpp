@@ -8,6 +8,7 @@
 
 #include "tactics/solid/hanging.h"
 #include "tactics/solid/outline.h"
+#include "tactics/solid/rings.h"
 #include "tactics/solid/round_panels.h"
 #include "tactics/solid/space_grid.h"
 

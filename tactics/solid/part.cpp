@@ -11,6 +11,7 @@
 #include "tactics/solid/largest_first.h"
 #include "tactics/solid/named_part.h"
 #include "tactics/solid/ranks.h"
+#include "tactics/solid/rings.h"
 #include "tactics/solid/space_box.h"
 
 namespace tactics {
@@ -309,6 +310,15 @@ double distance(const Point3& at, const ModelPart& part) {
         least = std::min(least, distance_to_rings(at, patch.rings));
     }
     return inside ? 0 : least;
+}
+
+SpaceBox space_of(const ModelPart& part) {
+    Point3 half;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point3& axis = part.box.axis[i];
+        half = half + part.box.half[i] * Point3{std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)};
+    }
+    return {part.box.middle - half, part.box.middle + half};
 }
 
 }  // namespace tactics

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tactics/solid/layout.h"
+#include "tactics/solid/rings.h"
 #include "tactics/solid/space_grid.h"
 
 namespace tactics {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -227,13 +226,6 @@ void put_in_order(Solid& solid, double tolerance) {
     solid.seams = whole_seams(std::move(solid.seams), tolerance);
 }
 
-double distance_to_side(const Point3& at, const Point3& from, const Point3& to) {
-    const Point3 along = to - from;
-    const double length = dot(along, along);
-    const double share = length > 0 ? std::clamp(dot(at - from, along) / length, 0.0, 1.0) : 0;
-    return length_of(at - from - share * along);
-}
-
 }  // namespace
 
 Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& faces) {
@@ -280,34 +272,19 @@ Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& f
     return solid;
 }
 
-bool is_over(const Point3& at, const Point3& normal, const std::vector<std::vector<Point3>>& rings) {
-    // Seen along the axis that it faces most.
-    const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
-    const auto flat = [&](const Point3& p) {
-        return z >= x && z >= y ? Point{p.x, p.y} : y >= x ? Point{p.x, p.z} : Point{p.y, p.z};
-    };
-    const Point place = flat(at);
-    bool over = false;
-    for (const auto& ring : rings)
-        for (std::size_t i = 0; i < ring.size(); ++i)
-            if (ray_meets(place, flat(ring[i]), flat(ring[(i + 1) % ring.size()]))) over = !over;
-    return over;
-}
-
-double distance_to_rings(const Point3& at, const std::vector<std::vector<Point3>>& rings) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& ring : rings)
-        for (std::size_t i = 0; i < ring.size(); ++i)
-            least = std::min(least, distance_to_side(at, ring[i], ring[(i + 1) % ring.size()]));
-    return least;
-}
-
 double length_of(const Seam& seam) { return length_of(seam.to - seam.from); }
 
 Point3 middle_of(const Patch& patch) {
     Point3 sum;
     for (const Point3& point : patch.rings.front()) sum = sum + point;
     return (1.0 / static_cast<double>(patch.rings.front().size())) * sum;
+}
+
+SpaceBox space_of(const Patch& patch) {
+    SpaceBox box = kNoSpace;
+    for (const auto& ring : patch.rings)
+        for (const Point3& at : ring) take(box, at);
+    return box;
 }
 
 }  // namespace tactics

@@ -11,22 +11,6 @@ void take(SpaceBox& box, const Point3& at) {
     box.high = {std::max(box.high.x, at.x), std::max(box.high.y, at.y), std::max(box.high.z, at.z)};
 }
 
-SpaceBox space_of(const ModelPart& part) {
-    Point3 half;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Point3& axis = part.box.axis[i];
-        half = half + part.box.half[i] * Point3{std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)};
-    }
-    return {part.box.middle - half, part.box.middle + half};
-}
-
-SpaceBox space_of(const Patch& patch) {
-    SpaceBox box = kNoSpace;
-    for (const auto& ring : patch.rings)
-        for (const Point3& at : ring) take(box, at);
-    return box;
-}
-
 SpaceBox grown(const SpaceBox& box, double margin) {
     const Point3 more{margin, margin, margin};
     return {box.low - more, box.high + more};

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "tactics/solid/part.h"
+#include "tactics/point3.h"
 
 namespace tactics {
 
@@ -20,8 +20,6 @@ inline constexpr SpaceBox kNoSpace{
     {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
      -std::numeric_limits<double>::infinity()}};
 void take(SpaceBox& box, const Point3& at);  ///< makes it as large as needed
-SpaceBox space_of(const ModelPart& part);
-SpaceBox space_of(const Patch& patch);
 SpaceBox grown(const SpaceBox& box, double margin);
 /// mm along the axis where they are farthest apart; 0: they meet.
 double apart(const SpaceBox& a, const SpaceBox& b);
