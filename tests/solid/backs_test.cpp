@@ -10,8 +10,7 @@
 #include "tactics/solid/part.h"
 #include "tests/solid/models.h"
 
-namespace tactics::tests {
-namespace backs_test {
+namespace tactics::tests::backs_test {
 namespace {
 
 std::vector<ModelPart> parts_in(const Model& model) {
@@ -142,5 +141,4 @@ TEST(Backs, APartOfAFaceThatLeansALittleIsNoPartOfItsNeighbour) {
 }
 
 }  // namespace
-}  // namespace backs_test
-}  // namespace tactics::tests
+}  // namespace tactics::tests::backs_test
