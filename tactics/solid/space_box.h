@@ -9,7 +9,7 @@
 namespace tactics {
 
 /// Share of an extent by which parts of a model may be apart where they are meant to meet.
-inline constexpr double kLoose = 0.02;
+inline constexpr double kLooseShare = 0.02;
 
 struct SpaceBox {
     Point3 low, high;
