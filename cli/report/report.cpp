@@ -43,6 +43,7 @@ std::string broken_json(const std::vector<BrokenRule>& rules) {
         json.add("rule", rule.name);
         json.add_raw("hard", rule.hard ? "true" : "false");
         json.add("places", static_cast<double>(rule.places));
+        json.add_raw("complete", rule.complete ? "true" : "false");
         parts.push_back(json.text());
     }
     return json_array(parts);
@@ -140,9 +141,12 @@ void add_mending(Notes& lines, const Outcome& outcome) {
 
 void add_broken(Notes& lines, const Outcome& outcome) {
     for (std::size_t i = 0; i < outcome.layouts.size(); ++i) {
-        std::vector<Phrase> hard, soft;
-        for (const BrokenRule& rule : outcome.layouts[i].broken)
-            (rule.hard ? hard : soft).push_back(phrases(rule.places, "{1} at {0} place", "{1} at {0} places", rule.name));
+        std::vector<Phrase> hard, soft, unseen;
+        for (const BrokenRule& rule : outcome.layouts[i].broken) {
+            if (rule.places > 0)
+                (rule.hard ? hard : soft).push_back(phrases(rule.places, "{1} at {0} place", "{1} at {0} places", rule.name));
+            if (!rule.complete) unseen.emplace_back(rule.name);
+        }
         const auto pages = [&] { return row_of(paths_of(outcome, [i](std::size_t layout) { return layout == i; })); };
         if (!hard.empty())
             lines.push_back(
@@ -152,6 +156,9 @@ void add_broken(Notes& lines, const Outcome& outcome) {
             lines.push_back(
                 phrase("rules that are not hard are broken on {0}: {1}; tactics check shows where on the page as SVG or PDF",
                        pages(), row_of(soft)));
+        if (!unseen.empty())
+            lines.push_back(to_act_on(
+                phrase("there is so much on {0} that looking was ended; there may be more ({1})", pages(), row_of(unseen))));
     }
 }
 
@@ -238,7 +245,8 @@ bool needs_a_look(const Outcome& outcome) {
 
 bool breaks_a_rule(const Outcome& outcome) {
     return std::any_of(outcome.layouts.begin(), outcome.layouts.end(), [](const Layout& layout) {
-        return std::any_of(layout.broken.begin(), layout.broken.end(), [](const BrokenRule& rule) { return rule.hard; });
+        return std::any_of(layout.broken.begin(), layout.broken.end(),
+                           [](const BrokenRule& rule) { return rule.hard && rule.places > 0; });
     });
 }
 

@@ -20,6 +20,7 @@ constexpr int kPad = 2;  // cells beside a row
 
 // Nearest first.
 constexpr Neighbour kFlat[] = {{0, -1}, {1, 0}, {1, -1}, {1, 1}, {0, -2}, {2, 0}, {1, 2}, {1, -2}, {2, -1}, {2, 1}};
+constexpr Neighbour kAbove[] = {{1, 0}};
 constexpr Neighbour kSolid[] = {{3, 0}, {0, -1}, {1, 0}, {1, -1}, {1, 1}, {3, 1}, {3, -1}, {0, -2}, {2, 0}, {1, 2}};
 
 ErrorClasses error_classes(int levels) {
@@ -124,16 +125,26 @@ NeighbourCounting::NeighbourCounting(const CountedRows& rows, const Ranks& ranks
     const std::size_t most = most_counters(rows.cells_there());
     for (; used < all.size() && counters * levels_ <= most; ++used) counters *= levels_;
     neighbours_ = all.first(used);
-    leave_what_does_not_pay();
+    choose_the_one();
 }
 
-// What a sample of its rows says that the exact value of a neighbour does not pay beside prediction is not counted of all.
-void NeighbourCounting::leave_what_does_not_pay() {
-    const std::size_t rows = rows_.rows(), sampled = kSampled / static_cast<std::size_t>(grid_.columns);
-    if (neighbours_.size() != 1 || grid_.slices > 1 || rows < 8 * sampled) return;
+// Where one neighbour has room, a sample of the rows tells whether it is that to the left or that above, and whether its exact
+// value pays beside prediction; else it is not counted of all.
+void NeighbourCounting::choose_the_one() {
+    if (neighbours_.size() != 1 || grid_.slices > 1) return;
+    const std::size_t rows = rows_.rows(),
+                      sampled = std::min(rows, std::max<std::size_t>(1, kSampled / static_cast<std::size_t>(grid_.columns)));
     const std::size_t first = (rows - sampled) / 2;
-    const NeighbourCounts counts = count({first, first + sampled});
-    if (adaptive_code(counts.near, levels_).learnt > adaptive_code(counts.errors, classes_.rest.size()).learnt) neighbours_ = {};
+    const auto cost_of = [&](const NeighbourCounts& counts) { return adaptive_code(counts.near, levels_).learnt; };
+    const NeighbourCounts left = count({first, first + sampled});
+    double least = cost_of(left);
+    neighbours_ = kAbove;
+    const double above = cost_of(count({first, first + sampled}));
+    if (above < least)
+        least = above;
+    else
+        neighbours_ = std::span(kFlat).first(1);
+    if (rows >= 8 * sampled && least > adaptive_code(left.errors, classes_.rest.size()).learnt) neighbours_ = {};
 }
 
 void NeighbourCounting::load(std::uint16_t* to, std::size_t row) const {
@@ -231,9 +242,10 @@ NeighbourCounts NeighbourCounting::count(RowRange part) const {
     std::vector<std::uint16_t> places(static_cast<std::size_t>(grid_.columns));
     std::uint32_t* const near = counts.near.data();
     walk(part, [&](const std::uint16_t* const(&rows)[4]) {
-        if (neighbours_.size() == 1 && grid_.slices == 1)
-            for (int x = 0; x < grid_.columns; ++x) ++near[rows[0][x - 1] * levels_ + rows[0][x]];
-        else if (!neighbours_.empty())
+        if (neighbours_.size() == 1 && grid_.slices == 1) {
+            const std::uint16_t* const beside = rows[neighbours_[0].up] + neighbours_[0].aside;
+            for (int x = 0; x < grid_.columns; ++x) ++near[beside[x] * levels_ + rows[0][x]];
+        } else if (!neighbours_.empty())
             each_near<std::size(kFlat)>(rows, neighbours_.size(), [near](std::size_t at) { ++near[at]; });
         find_places(rows, places.data());
         count_places(places.data(), places.size(), counts.errors.data(), odd.data());

@@ -69,7 +69,7 @@ private:
     template <typename Take>
     void walk(RowRange part, const Take& take) const;
     NeighbourCounts count(RowRange part) const;
-    void leave_what_does_not_pay();
+    void choose_the_one();
     void find_places(const std::uint16_t* const (&rows)[4], std::uint16_t* places) const;
     template <std::size_t kUsed, typename Take>
     void each_near(const std::uint16_t* const (&rows)[4], std::size_t used, const Take& take) const;

@@ -11,9 +11,12 @@ std::vector<BrokenRule> rules_broken_by(const std::vector<Page>& pages, const Me
     for (const Demand& demand : demands) broken.push_back({demand.rule->name, demand.rule->hard});
     for (const Page& page : pages) {
         const std::vector<Verdict> verdicts = check_page(page, demands);
-        for (std::size_t i = 0; i < verdicts.size(); ++i) broken[i].places += verdicts[i].findings.places.size();
+        for (std::size_t i = 0; i < verdicts.size(); ++i) {
+            broken[i].places += verdicts[i].findings.places.size();
+            broken[i].complete = broken[i].complete && verdicts[i].findings.complete;
+        }
     }
-    std::erase_if(broken, [](const BrokenRule& rule) { return rule.places == 0; });
+    std::erase_if(broken, [](const BrokenRule& rule) { return rule.places == 0 && rule.complete; });
     return broken;
 }
 

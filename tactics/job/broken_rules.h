@@ -14,7 +14,8 @@ namespace tactics {
 struct BrokenRule {
     std::string_view name;
     bool hard = false;       ///< the page is not fit to be used; otherwise a person should look
-    std::size_t places = 0;  ///< on all pages together; at least 1
+    std::size_t places = 0;  ///< on all pages together
+    bool complete = true;    ///< false: there is so much that looking was ended, and there may be more places
 };
 
 /// Uses the limits of that medium; in the order of the rules. Time and memory are bounded as in check_page.

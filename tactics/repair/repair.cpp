@@ -18,10 +18,6 @@ constexpr int kMostRounds = 40;
 // it is mended.
 constexpr double kMostLine = 1.1;
 
-// Lines bend where there is room. In a thicket with more pairs that may be too close than these, bending keeps no more of the
-// line than cutting alone (1.00 of it, 0.9 to 0.98 with fewer pairs), and looking for it took a third of all repair.
-constexpr std::size_t kThicket = 30'000;
-
 // Lines and outlines.
 double length_of_all(const Drawing& drawing) {
     double length = total_stroke_length(drawing);
@@ -171,7 +167,6 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         return parted;
     };
     if (before.places > 0) {
-        const bool thicket = repairing.seen().near.size() > kThicket;
         repairing.use([&](Seen& seen) { return join_ends(mended, medium, seen); });
         if (!mended.areas.empty()) {
             if (drop_rims(mended, repairing.seen())) {
@@ -181,10 +176,8 @@ Repaired repair(Drawing drawing, const Medium& medium) {
             repairing.use([&](Seen&) { return lighten(mended, medium); });
             part_areas();
         }
-        if (!thicket) {
-            repairing.cut_hopeless();
-            repairing.bend();
-        }
+        repairing.cut_hopeless();
+        repairing.bend();
     }
     repairing.break_crossings();
     repairing.cut();

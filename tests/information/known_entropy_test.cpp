@@ -213,6 +213,27 @@ TEST(KnownEntropy, OfWhatRepeatsIsThatOfOnce) {
     EXPECT_LT(tiled.high, 68 * 42 * 4);
 }
 
+// Chains of many levels that run along rows or down columns: there is room for one neighbour only, the right one.
+TEST(KnownEntropy, OfStepsOfManyLevelsIsHeldWhicheverWayTheyRun) {
+    RandomNumbers random(11);
+    std::vector<int> last(400);
+    for (int& value : last) value = static_cast<int>(random.next() % 256);
+    std::vector<std::uint16_t> down;
+    for (int y = 0; y < 400; ++y)
+        for (int& value : last)
+            down.push_back(static_cast<std::uint16_t>(value = (value + 255 + static_cast<int>(random.next() % 3)) % 256));
+    const double bits = 400 * 8 + 399 * 400 * std::log2(3);
+    for (const bool along : {false, true}) {
+        const Measures measures =
+            measure(grid_by(400, 400, 256,
+                            [&](int x, int y) { return down[static_cast<std::size_t>(along ? x * 400 + y : y * 400 + x)]; }),
+                    {});
+        EXPECT_LE(measures.low, bits) << along;
+        EXPECT_GE(measures.high, bits) << along;
+        EXPECT_LT(measures.high, 1.12 * bits) << along;
+    }
+}
+
 // Wide ones are counted by part of their rows, too.
 TEST(KnownEntropy, OfAWideGridIsHeldByAPartOfItsRows) {
     const Measures measures = measure(noise(6000, 1000, 16, 3), {});

@@ -96,8 +96,20 @@ LineWalk::State LineWalk::stop() noexcept {
         if (placed_ > kStraight) came_by_ = unit(finger_ - places_[(placed_ - kStraight) % places_.size()]);
         tries_ = 0;
         trying_ = true;
+        if (is_to_and_fro()) return State::ended;
     }
     return try_next() ? State::walks : State::ended;
+}
+
+// It has come to corners again, and found nothing else.
+bool LineWalk::is_to_and_fro() noexcept {
+    constexpr std::size_t kAgain = 3;
+    const auto known = corners_.begin() + static_cast<std::ptrdiff_t>(std::min(cornered_, corners_.size()));
+    const bool again =
+        std::any_of(corners_.begin(), known, [this](const Point3& at) { return length_of(at - corner_) < kCornerNear; });
+    if (!again) corners_[cornered_++ % corners_.size()] = corner_;
+    again_ = again ? again_ + 1 : 0;
+    return again_ == kAgain;
 }
 
 bool LineWalk::try_next() noexcept {

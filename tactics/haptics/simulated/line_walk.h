@@ -14,7 +14,8 @@ namespace tactics {
 /// forces only as a person does (hand.h). Nothing allocates.
 ///
 /// Where the finger does not get on, the line ends or has a corner: the hand tries other directions, the slightest turn first. A
-/// try that leads back over the places that it came by is none, and if none is left, that was the end.
+/// try that leads back over the places that it came by is none, and if none is left, that was the end. So is where it goes to and
+/// fro between corners that it knows.
 class LineWalk {
 public:
     enum class State { walks, ended, closed };  ///< closed: it came back to where it began, the same way
@@ -34,6 +35,7 @@ private:
     bool try_next() noexcept;
     bool was_here() const noexcept;
     bool is_back() noexcept;
+    bool is_to_and_fro() noexcept;
 
     Point3 finger_, before_, way_, velocity_, start_, start_way_, corner_, came_by_;
     double speed_ = 0, stalled_ = 0, free_ = 0, returns_ = 0;
@@ -41,6 +43,8 @@ private:
     std::size_t tries_ = 0;
     std::array<Point3, 64> places_{};  // that it came by, a millimetre apart; a ring
     std::size_t placed_ = 0, placed_at_corner_ = 0;
+    std::array<Point3, 16> corners_{};  // the last ones; a ring
+    std::size_t cornered_ = 0, again_ = 0;
 };
 
 }  // namespace tactics
