@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
-#include <tuple>
 
 #include "tactics/geometry/vectors.h"
-#include "tactics/solid/ranks.h"
 
 namespace tactics {
 
@@ -64,26 +61,18 @@ public:
     }
 
 private:
-    // The closest first. Of two the longer is kept, and one that is drawn whole rather than one that is dashed; of two that are
-    // as long the first.
+    // The closest first. Of two the longer is kept, and one that is drawn whole rather than one that is dashed.
     std::vector<Pair> pairs() const {
         std::vector<Pair> found;
         for (std::size_t i = 0; i < sides_.size(); ++i)
             for (std::size_t j = i + 1; j < sides_.size(); ++j) {
-                const bool first = weight(i) >= weight(j) - touching_;
+                const bool first = weight(i) >= weight(j);
                 const std::size_t kept = first ? i : j, moved = first ? j : i;
                 const auto off = beside(sides_[kept], sides_[moved], apart_);
                 if (off && *off > 2 * touching_ && *off < apart_) found.push_back({*off, kept, moved});
             }
-        std::vector<Point3> gaps;
-        for (const Pair& pair : found) gaps.push_back({pair.apart, 0, 0});
-        const auto rank = ranks_of(gaps, touching_);
-        std::vector<std::size_t> order(found.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank[a] < rank[b]; });
-        std::vector<Pair> sorted;
-        for (const std::size_t i : order) sorted.push_back(found[i]);
-        return sorted;
+        std::stable_sort(found.begin(), found.end(), [](const Pair& a, const Pair& b) { return a.apart < b.apart; });
+        return found;
     }
 
     double weight(std::size_t side) const {
@@ -151,31 +140,12 @@ private:
     std::vector<std::vector<Point>> tied_;  // of each end, the normals of the lines that it must stay on
 };
 
-// By where they are, so that the last digits of a file do not decide which is the first.
-std::vector<DrawnSide> in_order(const std::vector<DrawnSide>& sides, double touching) {
-    std::vector<Point3> middles, extents;
-    for (const DrawnSide& side : sides) {
-        middles.push_back({(side.from.x + side.to.x) / 2, (side.from.y + side.to.y) / 2, 0});
-        extents.push_back({std::abs(side.from.x - side.to.x), std::abs(side.from.y - side.to.y), 0});
-    }
-    const auto where = ranks_of(middles, touching), large = ranks_of(extents, touching);
-    std::vector<std::size_t> order(sides.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return std::tie(where[a], large[a]) < std::tie(where[b], large[b]); });
-    std::vector<DrawnSide> sorted;
-    for (const std::size_t i : order) sorted.push_back(sides[i]);
-    return sorted;
-}
-
 }  // namespace
 
 std::size_t unite_close(std::vector<DrawnSide>& sides, double touching, double apart) {
     if (sides.size() > kMostCloseSides || !(apart > 2 * touching)) return 0;
-    std::vector<DrawnSide> then = in_order(sides, touching);
-    const std::size_t moved = Uniting(then, touching, apart).unite();
+    const std::size_t moved = Uniting(sides, touching, apart).unite();
     if (moved == 0) return 0;
-    sides = std::move(then);
     std::erase_if(sides, [&](const DrawnSide& side) { return !(distance(side.from, side.to) > touching); });
     sides = merged(sides, touching);
     return moved;

@@ -153,7 +153,7 @@ void tell_moved(std::vector<FoldedObject>& objects, const Fitted& fitted) {
             if (one.object == fitted.felt[part].object) one.moved = std::max(one.moved, length_of(fitted.laid.off[part]));
     const double least = touching_in(fitted.felt);
     for (FoldedObject& one : objects)
-        if (one.moved <= least || one.fate != FoldedObject::Fate::drawn) one.moved = 0;
+        if (one.moved <= least) one.moved = 0;
 }
 
 void tell_united(std::size_t count, std::vector<Phrase>& notes) {
