@@ -25,7 +25,6 @@ namespace {
 // Settings, in mm on the page. A surface must hold what is felt as a texture (6.4 mm) with the gap to its outline on both sides.
 constexpr double kNarrowest = 11;
 constexpr double kHatchGap = 4.8;   // white between the lines of a hatch; more is a ground with lines on it
-constexpr int kWhiteOfHatch = 160;  // grey levels, of the ground between its lines
 constexpr double kHatchPart = 8;    // any place of a hatch has so much of it around
 constexpr int kFlat = 14;           // levels that neighbours in one colour may differ by; JPEG leaves some
 constexpr int kSameColour = 20;     // levels in any channel
@@ -166,7 +165,7 @@ bool is_bounded(const cv::Mat& near_ink, const cv::Mat& mask) {
 std::vector<Part> hatches_of(const cv::Mat& pixels, const Image& ink, const Found& found, double mm) {
     const double reach = kHatchPart / 4 / mm, round = std::max(2.0, 1 / mm);
     const int margin = static_cast<int>(reach + round) + 3;
-    const cv::Mat busy = ~grown(found.open, 2), core = opened(busy, kHatchPart / 2 / mm), black = view_of(ink) < kWhiteOfHatch,
+    const cv::Mat busy = ~grown(found.open, 2), core = opened(busy, kHatchPart / 2 / mm), black = view_of(ink) < 160,
                   near_ink = grown(black, 3);
     std::vector<Part> parts;
     cv::Mat labels, stats, middles;
@@ -211,25 +210,18 @@ Area area_of(const Part& part, double mm) {
     return area;
 }
 
-// The ground goes on beyond the picture: the strip of it below an axis, which may be narrow, is none between the lines of a
-// hatch.
-Image with_ground(const Image& picture, int wider) {
-    Image wide = make_image(picture.width + 2 * wider, picture.height + 2 * wider, picture.channels, picture.mm_per_pixel, 0);
-    cv::Mat pixels = view_of(wide);
-    cv::copyMakeBorder(view_of(picture), pixels, wider, wider, wider, wider, cv::BORDER_REPLICATE);
-    return wide;
-}
+}  // namespace
 
-std::vector<Area> fills_in(Image& picture) {
+std::vector<Area> take_fills(Image& picture) {
     const double mm = picture.mm_per_pixel;
+    if (std::min(picture.width, picture.height) * mm < kNarrowest) return {};
     cv::Mat pixels = view_of(picture);
     const Image ink = ink_on_white(picture);
     Found found = flats_of(pixels, mm);
     std::vector<Part> parts = hatches_of(pixels, ink, found, mm);
     for (const Part& hatch : parts) {
-        // Up to the line around it, so that this line has one clear side, and not the ends of the hatch.
-        const cv::Mat inner = shrunk(hatch.mask, 2), white = hatch.mask & (view_of(ink)(hatch.box) >= kWhiteOfHatch);
-        pixels(hatch.box).setTo(cv::Scalar(hatch.kind.colour[0], hatch.kind.colour[1], hatch.kind.colour[2]), inner | white);
+        const cv::Mat inner = shrunk(hatch.mask, 2);
+        pixels(hatch.box).setTo(cv::Scalar(hatch.kind.colour[0], hatch.kind.colour[1], hatch.kind.colour[2]), inner);
     }
     const bool any_hatch = !parts.empty();
     parts.insert(parts.end(), std::make_move_iterator(found.flats.begin()), std::make_move_iterator(found.flats.end()));
@@ -254,24 +246,6 @@ std::vector<Area> fills_in(Image& picture) {
         area.texture = chosen[kind_of[i] + 1];
         if (area.texture > 0 && !area.rings.empty()) areas.push_back(std::move(area));
     }
-    return areas;
-}
-
-}  // namespace
-
-std::vector<Area> take_fills(Image& picture) {
-    const double mm = picture.mm_per_pixel;
-    if (std::min(picture.width, picture.height) * mm < kNarrowest) return {};
-    const int wider = static_cast<int>(std::ceil(kHatchGap / mm)) + 3;
-    Image wide = with_ground(picture, wider);
-    std::vector<Area> areas = fills_in(wide);
-    for (Area& area : areas)
-        for (auto& ring : area.rings)
-            for (Point& p : ring)
-                p = {std::clamp(p.x - wider * mm, 0.0, picture.width * mm),
-                     std::clamp(p.y - wider * mm, 0.0, picture.height * mm)};
-    cv::Mat pixels = view_of(picture);
-    view_of(wide)(cv::Rect(wider, wider, picture.width, picture.height)).copyTo(pixels);
     return areas;
 }
 

@@ -2,8 +2,6 @@
 // Contours of drawn pictures: thin lines by their middle.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "tests/filters/pictures.h"
@@ -56,42 +54,6 @@ TEST(ThinLines, CornersOfSurfacesStay) {
     const EdgeMap with = contours(image, "contours blur=0.4mm along=0.6mm surround=0 lines=0.8mm"),
                   without = contours(image, "contours blur=0.4mm along=0.6mm surround=0");
     EXPECT_EQ(with.strength, without.strength);
-}
-
-// A blue bar with a dark border of two pixels that stands on an axis, which is nearly the last thing of the picture.
-Image bar(double mm) {
-    Image image = make_image(160, 100, 3, mm, 255);
-    const auto paint = [&](int left, int top, int right, int bottom, std::array<std::uint8_t, 3> colour) {
-        for (int y = top; y < bottom; ++y)
-            for (int x = left; x < right; ++x) std::copy(colour.begin(), colour.end(), image.row(y) + 3 * x);
-    };
-    paint(10, 92, 150, 94, {40, 40, 40});
-    paint(40, 30, 100, 94, {38, 38, 38});
-    paint(42, 32, 98, 92, {68, 114, 196});
-    paint(40, 94, 100, 95, {189, 189, 189});
-    return image;
-}
-
-TEST(ThinLines, ABarIsClosedHoweverLargeItsPixelsAre) {
-    for (const double mm : {0.12, 0.17, 0.25, 0.33, 0.37, 0.41, 0.5, 0.6}) {
-        const EdgeMap map = contours(bar(mm), "contours blur=0.4mm along=0.6mm surround=0 lines=0.8mm");
-        const double scale = map.width / 160.0;
-        const auto is_drawn = [&](double x, double y) {
-            const int reach = static_cast<int>(std::ceil(std::max(3 * scale, 1 / map.mm_per_pixel)));
-            for (int v = static_cast<int>(y * scale) - reach; v <= static_cast<int>(y * scale) + reach; ++v)
-                for (int u = static_cast<int>(x * scale) - reach; u <= static_cast<int>(x * scale) + reach; ++u)
-                    if (u >= 0 && v >= 0 && u < map.width && v < map.height &&
-                        map.strength[static_cast<std::size_t>(v * map.width + u)] > 0)
-                        return true;
-            return false;
-        };
-        for (double x = 46; x < 95; x += 2) {
-            EXPECT_TRUE(is_drawn(x, 31)) << mm << " top at " << x;
-            EXPECT_TRUE(is_drawn(x, 93.5)) << mm << " foot at " << x;
-        }
-        for (double y = 36; y < 88; y += 2)
-            for (const double x : {41.0, 99.0}) EXPECT_TRUE(is_drawn(x, y)) << mm << " side at " << y;
-    }
 }
 
 }  // namespace
