@@ -51,6 +51,7 @@ Page chart_page(const Plot& plot, const ChartFile& chart) {
         sheet.title_origin = "its title";
     }
     try {
+        sheet = sheet_of_chart(plot, sheet);
         return lay_out(draw_chart(plot, sheet), sheet);
     } catch (const Error& error) {
         throw Error(error.fault(), chart.place, error.what());

@@ -22,9 +22,11 @@ struct AxisRoom {
     double from = 0, to = 0;
     bool upright = false;
     double words = 0;  ///< between words beside each other
+    double width = 0;  ///< of the drawing: words of an axis that is not upright stand between 0 and this
 };
 
-/// With as many ticks as their words have room for. Throws Error(usage) if there is no room for two.
+/// With as many ticks as their words have room for; where two have none, with the ends of the extent, whose words move apart
+/// (`moved`), but stay below their ticks. Throws Error(usage) if there is no room for these.
 AxisScale scale_for(const Axis& axis, const AxisExtent& extent, const AxisRoom& room, const Sheet& sheet);
 
 }  // namespace tactics

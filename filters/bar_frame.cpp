@@ -82,7 +82,7 @@ public:
         field.height = room_.bottom - name_height - words - (name_height > 0 ? 2 : 1) * kChartLines - below - field.top;
         if (field.height < kLeastLength) return std::nullopt;
         const double bottom = field.top + field.height;
-        const AxisRoom values{extent_.low < 0 ? bottom - edge() : bottom, field.top + edge(), true, 0};
+        const AxisRoom values{extent_.low < 0 ? bottom - edge() : bottom, field.top + edge(), true, 0, room_.width};
         return BarFrame{false,  field, first, *places, scale_for(plot_.y, extent_, values, sheet), *names, name_x,
                         name_y, 0,     below, words};
     }
@@ -108,7 +108,7 @@ public:
         const double begins = places->begin_of(0, 0);
         const double first = room_.cells.next_cell({0, field.top + begins}).y - begins;
         const AxisRoom values{extent_.low < 0 ? field.left + edge() : field.left, field.left + field.width - edge(), false,
-                              room_.clear.words};
+                              room_.clear.words, room_.width};
         return BarFrame{true,
                         field,
                         first,
@@ -199,7 +199,7 @@ void draw_bar_frame(const BarFrame& frame, const BarRoom& room, Drawing& drawing
         const std::string& words = frame.values.words()[i];
         if (frame.level) {
             line({{at, bottom - inner}, {at, bottom + kChartTick}}, Role::tick);
-            drawing.labels.push_back({{at, bottom + frame.below}, 0.5, 0, words});
+            drawing.labels.push_back({{at, bottom + frame.below}, frame.values.before()[i], 0, words});
         } else {
             line({{field.left - kChartTick, at}, {field.left + inner, at}}, Role::tick);
             drawing.labels.push_back({{field.left - kChartTick - room.clear.across, at}, 1, 0.5, words});

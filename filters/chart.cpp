@@ -86,9 +86,14 @@ public:
                                  std::to_string(kLineStyles), std::to_string(kLineStyles))));
     }
 
+    ChartFrame frame_over(const ChartKey& key) const {
+        return frame_for(plot_, sheet_, clear_, drawing_.width, drawing_.height - key.height());
+    }
+    ChartKey key_below() const { return {key_entries(), sheet_, cells_, clear_, drawing_.width}; }
+
     Drawing draw(ChartTold& told) {
-        const ChartKey key(key_entries(), sheet_, cells_, clear_, drawing_.width);
-        const ChartFrame frame = frame_for(plot_, sheet_, clear_, drawing_.width, drawing_.height - key.height());
+        const ChartKey key = key_below();
+        const ChartFrame frame = frame_over(key);
         told.x = frame.across.place();
         told.y = frame.up.place();
         field_ = frame.field;
@@ -311,14 +316,7 @@ private:
     Rect field_;
 };
 
-}  // namespace
-
-Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, Notes* notes, ChartTold* told_of_it) {
-    Notes unheard;
-    Notes& told = notes != nullptr ? *notes : unheard;
-    ChartTold unasked;
-    ChartTold& places = told_of_it != nullptr ? *told_of_it : unasked;
-    if (plot.bars) return draw_bars(plot, sheet, wish, told, places);
+Plot flat_plot(const Plot& plot, const Sheet& sheet, const ChartWish& wish, Notes& told) {
     Plot flat = plot;
     if (!plot.surfaces.empty() && wish.view == SurfaceView::sections)
         flat = sections_of(plot, plot.surfaces.front(), wish.sections);
@@ -326,6 +324,42 @@ Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, 
         told.push_back(phrase("there are {0} surfaces, of which the first is drawn", std::to_string(plot.surfaces.size())));
     if (flatten_marks(flat, sheet.language))
         told.push_back(phrase("points of several kinds are seen from above, and how high they are is not shown"));
+    return flat;
+}
+
+enum class AxisFit { none, ends, ticks };
+
+// Whether the words at round values have room, or only those of the ends, or not even these.
+AxisFit fit_on(const Plot& flat, const Sheet& sheet, const ChartWish& wish) {
+    Notes unheard;
+    try {
+        const Chart chart(flat, sheet, wish, place_on(sheet, 1), unheard);
+        return chart.frame_over(chart.key_below()).across.moved() ? AxisFit::ends : AxisFit::ticks;
+    } catch (const Error&) {
+        return AxisFit::none;
+    }
+}
+
+}  // namespace
+
+Sheet sheet_of_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish) {
+    if (plot.bars || sheet.orientation != Orientation::automatic) return sheet;
+    Notes unheard;
+    const Plot flat = flat_plot(plot, sheet, wish, unheard);
+    const AxisFit fit = fit_on(flat, sheet, wish);
+    if (fit == AxisFit::ticks) return sheet;
+    Sheet turned = sheet;
+    turned.orientation = Orientation::landscape;
+    return fit_on(flat, turned, wish) > fit ? turned : sheet;
+}
+
+Drawing draw_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, Notes* notes, ChartTold* told_of_it) {
+    Notes unheard;
+    Notes& told = notes != nullptr ? *notes : unheard;
+    ChartTold unasked;
+    ChartTold& places = told_of_it != nullptr ? *told_of_it : unasked;
+    if (plot.bars) return draw_bars(plot, sheet, wish, told, places);
+    const Plot flat = flat_plot(plot, sheet, wish, told);
     return Chart(flat, sheet, wish, place_on(sheet, 1), told).draw(places);
 }
 

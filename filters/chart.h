@@ -38,6 +38,10 @@ struct ChartTold {
     std::vector<std::string> letters;  ///< of each category; empty: their names stand there
 };
 
+/// The sheet on which a chart is drawn: that one, or, where it has a free orientation, landscape if only that has room for the
+/// words at round values, or for the chart at all.
+Sheet sheet_of_chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish = {});
+
 /// The chart, as large as the sheet's room below its title (upright, unless the sheet says otherwise), so that lay_out
 /// keeps its millimetres. Axes are thin lines, curves normal ones or thicker, and grid lines less than axes, so that a finger
 /// tells data from frame. Nothing lies over a label.

@@ -25,12 +25,21 @@ std::string number_text(const Axis& axis, double value) {
     return text;
 }
 
-AxisScale::AxisScale(const Axis& axis, const AxisExtent& extent, int most_ticks, double from, double to)
-    : logarithmic_(axis.logarithmic && !axis.dates), ticks_(axis_ticks(axis, extent, most_ticks)), from_(from), to_(to) {}
+AxisTicks axis_ends(const Axis& axis, const AxisExtent& extent) {
+    if (axis.dates) {
+        DateTicks dates = date_ends(extent.low, extent.high);
+        return {std::move(dates.ticks), std::move(dates.words), std::move(dates.since)};
+    }
+    AxisTicks ends = axis_ticks(axis, extent, kFewestTicks);
+    ends.ticks.at = {ends.ticks.at.front(), ends.ticks.at.back()};
+    ends.words = {ends.words.front(), ends.words.back()};
+    return ends;
+}
 
 void AxisScale::keep_ends() {
     ticks_.ticks.at = {ticks_.ticks.at.front(), ticks_.ticks.at.back()};
     ticks_.words = {ticks_.words.front(), ticks_.words.back()};
+    before_.resize(2);
 }
 
 std::string told_value(const Axis& axis, double value) {

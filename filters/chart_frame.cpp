@@ -77,8 +77,8 @@ ChartFrame frame_for(const Plot& plot, const Sheet& sheet, const Clearance& clea
     double reach = clear.mark;
     for (const PlotMark& mark : plot.marks) reach = std::max(reach, reach_of(mark.symbol, clear.mark));
     const double inset = kChartTick + reach + kChartClear + sheet.medium->thin_line, edge = reach + sheet.medium->thick_line;
-    const AxisRoom across{field.left + inset, field.left + field.width - edge, false, clear.words};
-    AxisRoom up{field.top + field.height - inset, field.top + std::max(edge, over), true, 0};
+    const AxisRoom across{field.left + inset, field.left + field.width - edge, false, clear.words, width};
+    AxisRoom up{field.top + field.height - inset, field.top + std::max(edge, over), true, 0, width};
     if (plot.y.downwards) std::swap(up.from, up.to);
     return {field, top,           scale_for(plot.x, x, across, sheet), scale_for(plot.y, y, up, sheet), name_x, name_y,
             below, words_x.height};
@@ -104,7 +104,7 @@ void draw_axes(const ChartFrame& frame, const Clearance& clear, Drawing& drawing
     for (std::size_t i = 0; i < frame.across.ticks().size(); ++i) {
         const double at = frame.across.at(frame.across.ticks()[i]);
         line({{at, bottom - kChartTick}, {at, bottom + kChartTick}}, Role::tick);
-        drawing.labels.push_back({{at, bottom + frame.below}, 0.5, 0, frame.across.words()[i]});
+        drawing.labels.push_back({{at, bottom + frame.below}, frame.across.before()[i], 0, frame.across.words()[i]});
     }
     for (std::size_t i = 0; i < frame.up.ticks().size(); ++i) {
         const double at = frame.up.at(frame.up.ticks()[i]);

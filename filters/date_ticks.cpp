@@ -75,6 +75,12 @@ DateTicks with_words(double low, double high, std::vector<double> at, Text text)
     return dates;
 }
 
+DateTicks whole_days(double low, double high) {
+    low = std::floor(low / kDay) * kDay;
+    high = std::max(low + kDay, std::ceil(high / kDay) * kDay);
+    return with_words(low, high, {low, high}, day_text);
+}
+
 bool fit(const std::vector<double>& ticks, int most) {
     return ticks.size() >= 2 && ticks.size() <= static_cast<std::size_t>(most);
 }
@@ -116,10 +122,15 @@ DateTicks date_ticks(double low, double high, int most) {
         for (const long long digit : {1, 2, 5})
             if (auto ticks = months(low, high, 12 * digit * power, most); fit(ticks, most))
                 return with_words(low, high, std::move(ticks), year_text);
-    // Of no step two lie within: the days at both ends.
-    low = std::floor(low / kDay) * kDay;
-    high = std::max(low + kDay, std::ceil(high / kDay) * kDay);
-    return with_words(low, high, {low, high}, day_text);
+    return whole_days(low, high);  // of no step two lie within
+}
+
+DateTicks date_ends(double low, double high) {
+    if (low >= kFirstDate && high <= kLastDate && high - low > kMostTimes) return whole_days(low, high);
+    DateTicks ends = date_ticks(low, high, 3);
+    ends.ticks.at = {ends.ticks.at.front(), ends.ticks.at.back()};
+    ends.words = {ends.words.front(), ends.words.back()};
+    return ends;
 }
 
 }  // namespace tactics

@@ -21,6 +21,10 @@ struct DateTicks {
 /// of hours, minutes and seconds.
 DateTicks date_ticks(double low, double high, int most);
 
+/// The days at both ends of such a span, for an axis whose steps have no room for their words; of a span with times of day the
+/// outer ones of few ticks.
+DateTicks date_ends(double low, double high);
+
 /// One value as such a date, to the second; without the time of day where that is 00:00.
 std::string date_text(double seconds);
 

@@ -205,12 +205,14 @@ Drawable drawable_of_table(Source& source, const Job& job, const Sheet& sheet, N
     drawable.title = plot->title;
     drawable.title_origin = "its title";
     drawable.made_for_sheet = true;
-    drawable.aspect = chart_aspect;
-    draw_chart(*plot, sheet, job.chart, &notes);  // of the first sheet: others show the same, or more
+    drawable.aspect = [plot, wish = job.chart](const Sheet& on) { return chart_aspect(sheet_of_chart(*plot, on, wish)); };
+    draw_chart(*plot, sheet_of_chart(*plot, sheet, job.chart), job.chart,
+               &notes);  // of the first sheet: others show the same, or more
     drawable.draw = [plot, wish = job.chart](const Sheet& on, const Rect&, const Rect&, const PrintWords&, DrawingWay& way) {
         ChartTold it;
-        Drawing drawing = draw_chart(*plot, on, wish, nullptr, &it);
-        if (wish.told) way.chart_json = chart_json(*plot, it, on);
+        const Sheet turned = sheet_of_chart(*plot, on, wish);
+        Drawing drawing = draw_chart(*plot, turned, wish, nullptr, &it);
+        if (wish.told) way.chart_json = chart_json(*plot, it, turned);
         return drawing;
     };
     if (!plot->surfaces.empty() && job.chart.view == SurfaceView::heights)

@@ -2,7 +2,11 @@
 // `tactics chart` as the user meets it: a table of figures becomes a page.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <map>
+#include <random>
 
 #include "tests/cli/tool.h"
 #include "tests/patterns.h"
@@ -67,6 +71,33 @@ TEST_F(ChartCommand, HasRoomForDates) {
             ASSERT_EQ(made.code, 0) << ends << language << made.err;
             EXPECT_EQ(run_tactics(folder, {"check", "-", "--strict"}, made.out).code, 0) << ends << language;
         }
+}
+
+// No span of days is refused on A4, however it is turned, and its words keep apart and out of the margin.
+TEST_F(ChartCommand, DrawsAnySpanOfDays) {
+    using std::chrono::sys_days;
+    std::mt19937 random(23);
+    const auto text = [](sys_days at) {
+        const std::chrono::year_month_day date(at);
+        char words[16];
+        std::snprintf(words, sizeof words, "%04d-%02u-%02u", int{date.year()}, unsigned{date.month()}, unsigned{date.day()});
+        return std::string(words);
+    };
+    int turned = 0;
+    for (int round = 0; round < 24; ++round) {
+        const sys_days first = sys_days(std::chrono::year(2015) / 1 / 1) + std::chrono::days(random() % 4000);
+        // From 10 days to a year: the spans of which few round values have room.
+        const sys_days last = first + std::chrono::days(std::lround(10 * std::pow(1.17, round)));
+        const std::string csv = "day,level\n" + text(first) + ",1\n" + text(last) + ",2\n";
+        for (const std::string way : {"auto", "portrait", "landscape"}) {
+            const Ending made = chart(csv, {"--orientation", way, "-o", "svg:-"});
+            ASSERT_EQ(made.code, 0) << csv << way << made.err;
+            EXPECT_EQ(run_tactics(folder, {"check", "-", "--strict"}, made.out).code, 0) << csv << way;
+            turned += way == "auto" && holds(made.out, "width=\"297mm\"") ? 1 : 0;
+        }
+    }
+    EXPECT_GT(turned, 0) << "where upright paper has no room for round values";
+    EXPECT_LT(turned, 24);
 }
 
 TEST_F(ChartCommand, NamesAxesCurvesAndMarks) {
