@@ -132,13 +132,14 @@ ChosenSetting settle_contours(const Artwork& artwork, Settings& settings) {
 }
 
 // Lines of two pixels in a surface, spread over a whole page, are neither lines nor clear edges to what measures in mm: they
-// need pixels that are finer than the blur. A picture of fewer than that is one for a medium that shows no more.
+// need pixels that are finer than the blur. Where they nearly are, finer ones would part the two sides of a line, as of those
+// around a hatch. A picture of fewer than that is one for a medium that shows no more.
 Image fine_for_lines(const Image& picture, double blur_mm) {
-    constexpr double kFinest = 0.5, kCoarsest = 2;  // of the blur, a pixel
+    constexpr double kFinest = 0.5, kFine = 0.75, kCoarsest = 2;  // of the blur, a pixel
     constexpr double kMostSide = 4000;
     const double share = picture.mm_per_pixel / blur_mm, scale = share / kFinest;
     const double wide = std::round(picture.width * scale), high = std::round(picture.height * scale);
-    if (scale <= 1 || share > kCoarsest || std::max(wide, high) > kMostSide) return picture;
+    if (share <= kFine || share > kCoarsest || std::max(wide, high) > kMostSide) return picture;
     return enlarged(picture, static_cast<int>(wide), static_cast<int>(high));
 }
 

@@ -94,5 +94,15 @@ TEST(ThinLines, ABarIsClosedHoweverLargeItsPixelsAre) {
     }
 }
 
+// Finer pixels would part the two sides of the lines around a hatch, and parts of them were left out.
+TEST(ThinLines, NearlyFinePixelsAreNotMadeFiner) {
+    const auto width = [](double mm) {
+        return contours(bar(mm), "contours blur=0.4mm along=0.6mm surround=0 lines=0.8mm").width;
+    };
+    EXPECT_EQ(width(0.17), 160);
+    EXPECT_EQ(width(0.28), 160);
+    EXPECT_GT(width(0.37), 160);
+}
+
 }  // namespace
 }  // namespace tactics::thin_lines_test
