@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <numeric>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "filters/darken.h"
 #include "filters/dash_rows.h"
@@ -284,7 +286,8 @@ int ink_depth(const Image& ink, const cv::Mat& mask) {
     return 255 - level;
 }
 
-// Black or grey and whole, as axes are, and the only curve that is. What crosses it in colour does not end it.
+// Black or grey and whole, as axes are, and the only curve that is. What crosses it in colour does not end it, and what covers it
+// for a while leaves pieces of it one beside the other.
 std::optional<Point> place_on_grey(const Image& picture, const Image& ink, const KeySample& sample,
                                    const std::vector<DashRow>& rows, const cv::Mat& elsewhere,
                                    const std::vector<LegendEntry>& before) {
@@ -303,15 +306,20 @@ std::optional<Point> place_on_grey(const Image& picture, const Image& ink, const
     whole = (whole <= kCrossed) & (view_of(ink) < kInkOfKeys);
     cv::Mat labels, stats, middles;
     const int count = cv::connectedComponentsWithStats(whole, labels, stats, middles, 8, CV_32S);
-    cv::Mat curve;
+    constexpr int kOverlap = 2 * static_cast<int>(kCrossed);  // pixels
+    cv::Mat curve = cv::Mat::zeros(own.size(), CV_8U);
+    std::vector<std::pair<int, int>> spans;  // across, of its pieces
     for (int i = 1; i < count; ++i) {
         if (std::hypot(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT)) < long_across) continue;
         const cv::Mat mask = (labels == i) & own;
         if (std::abs(ink_depth(ink, mask) - sample.off_ground) > kSameOfDashes) continue;
-        if (!curve.empty()) return std::nullopt;
-        curve = mask;
+        const int left = stats.at<int>(i, cv::CC_STAT_LEFT), right = left + stats.at<int>(i, cv::CC_STAT_WIDTH);
+        for (const auto& [begin, end] : spans)
+            if (std::min(right, end) - std::max(left, begin) > kOverlap) return std::nullopt;
+        spans.emplace_back(left, right);
+        curve |= mask;
     }
-    if (curve.empty()) return std::nullopt;
+    if (spans.empty()) return std::nullopt;
     return farthest_on(curve, curve, ink, before);
 }
 

@@ -368,5 +368,36 @@ TEST(InkedLegend, ABlackLineIsToldFromOnesInColour) {
     }
 }
 
+// A curve in colour that covers the black one for a while leaves two pieces of it, one beside the other; two curves, one above
+// the other, are no pieces.
+TEST(InkedLegend, ABlackLineThatIsCoveredForAWhileIsOne) {
+    const auto entries_with = [](bool second) {
+        const auto is_black = [second](double x, double y) {
+            return x > 20 && x < 380 && (std::abs(y - 180) <= 1.5 || (second && std::abs(y - 230 - 0.2 * x) <= 1.5));
+        };
+        const auto sloped = [](double x) { return 0.1 * x; };
+        const Image black = inked(400, 340,
+                                  {[&](double x, double y) { return is_black(x, y - sloped(x)); },
+                                   [](double x, double y) { return x > 30 && x < 75 && std::abs(y - 20) <= 1.5; }}),
+                    red = inked(400, 340,
+                                {[&](double x, double y) { return x > 150 && x < 250 && std::abs(y - 180 - sloped(x)) <= 3; }}),
+                    dashed = inked(400, 340, {wave(120, kDashed), [](double x, double y) {
+                                                  return x > 30 && x < 72 && std::abs(y - 60) <= 1 && std::fmod(x - 30, 15) < 11;
+                                              }});
+        Image picture = make_image(400, 340, 3, 0, 255);
+        for (int y = 0; y < 340; ++y)
+            for (int x = 0; x < 400; ++x)
+                for (int c = 0; c < 3; ++c)
+                    picture.row(y)[3 * x + c] =
+                        red.row(y)[x] < 128 ? (c == 0 ? 220 : 30) : std::min(black.row(y)[x], dashed.row(y)[x]);
+        return legend_in(picture, {{{84, 14, 136, 26}, 12}, {{84, 54, 136, 66}, 12}});
+    };
+    const auto one = entries_with(false);
+    ASSERT_EQ(one.size(), 2u);
+    EXPECT_EQ(one.front().words, 0u);
+    EXPECT_NEAR(one.front().at.y, 180 + 0.1 * one.front().at.x, 3);
+    EXPECT_EQ(entries_with(true).size(), 1u);
+}
+
 }  // namespace
 }  // namespace tactics::known_parts_test
