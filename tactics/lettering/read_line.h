@@ -27,7 +27,8 @@ bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::ve
 
 /// Which of the lines look like print, and are neither sure nor told: single letters and figures that are soft, noisy or of no
 /// known font. Where other print is known such a thing is about as large, else there are few. It stands free, is no dot, dash or
-/// disc, and does not look like two others, as marks of a plot do, unless it stands in line with print.
+/// disc, and does not look like two others, as marks of a plot do, or like a bent dash, unless it stands in line with print. Nor is
+/// it one of three or more things of about one size, as wide as high, of which no more than half stand in line with print.
 std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& lines);
 
 }  // namespace tactics

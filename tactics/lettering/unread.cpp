@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "tactics/drawing.h"
+#include "tactics/geometry/skeleton.h"
 #include "tactics/lettering/read_line.h"
 
 namespace tactics {
@@ -83,6 +87,37 @@ bool same_mark(const MarkShape& a, const MarkShape& b) {
            std::abs(a.band - b.band) <= 0.05 && distance(a.middle, b.middle) <= 0.03;
 }
 
+// A dash of a curve where it bends, from end to end hardly longer than it is large. Letters turn more often, or branch.
+bool is_bent_band(const InkPiece& piece) {
+    constexpr double kBent = 1.35;
+    InkMap map(piece.box.width() + 2, piece.box.height() + 2);
+    for (const InkRun& run : piece.runs)
+        for (int x = run.left; x < run.right; ++x) map.row(run.y - piece.box.top + 1)[x - piece.box.left + 1] = 1;
+    const Skeleton middle = thin(std::move(map));
+    double left = 1e9, top = 1e9, right = 0, bottom = 0;
+    for (const std::uint32_t pixel : middle.pixels) {
+        const double x = middle.x_of(pixel), y = middle.y_of(pixel);
+        left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
+    }
+    return static_cast<double>(middle.pixels.size()) <= kBent * std::hypot(right - left + 1, bottom - top + 1);
+}
+
+// A plot has several marks of about one size, about as wide as high, and not most of them in line with print, as figures of an
+// axis are.
+bool is_one_of_marks(const std::vector<MarkShape>& shapes, std::size_t which, const std::vector<ReadLine>& lines) {
+    constexpr double kSquare = 0.75, kOneSize = 0.75;
+    if (shapes[which].across < kSquare * shapes[which].side) return false;
+    int count = 0, in_line = 0;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const MarkShape &a = shapes[i], &b = shapes[which];
+        if (is_said(lines[i]) || a.across < kSquare * a.side || std::min(a.side, b.side) < kOneSize * std::max(a.side, b.side))
+            continue;
+        ++count;
+        in_line += in_line_with_print(lines[i].line.box, lines) ? 1 : 0;
+    }
+    return count > 2 && 2 * in_line <= count;
+}
+
 }  // namespace
 
 std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& lines) {
@@ -101,7 +136,8 @@ std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& l
         if (!(any_known ? as_large_as_print(shapes[i], lines) : !line.light) || !has_room_around(grey, line)) continue;
         const auto alike =
             std::count_if(shapes.begin(), shapes.end(), [&](const MarkShape& other) { return same_mark(shapes[i], other); });
-        if (alike > 2 && !in_line_with_print(line.box, lines)) continue;
+        if ((alike > 2 || is_bent_band(line.letters.front())) && !in_line_with_print(line.box, lines)) continue;
+        if (is_one_of_marks(shapes, i, lines)) continue;
         unread[i] = true;
         ++count;
     }

@@ -68,6 +68,19 @@ TEST_F(UnreadPrint, WhereNoPrintIsKnownFewThingsAreTold) {
     EXPECT_TRUE(told(false).empty());
 }
 
+TEST_F(UnreadPrint, ABentDashAndMarksOfAboutOneSizeAreNone) {
+    draw(20, 150, two), draw(34, 150, four);
+    draw(130, 60, {"  ##  ", " #  # ", "#    #"});  // a dash at the top of a curve
+    draw(250, 20, {"###   ", "  ##  ", "   ## ", "    # ", "    ##"});
+    draw(60, 20, {"#     #", " #   # ", "  # #  ", "   #   ", "  # #  ", " #   # ", "#     #"});
+    draw(100, 30, {"   #   ", "   #   ", "   #   ", "#######", "   #   ", "   #   ", "   #   "});
+    draw(200, 90, {"#######", "#     #", "#     #", "#     #", "#     #", "#     #", "#######"});
+    draw(250, 100, four);  // alone
+    const auto boxes = told(true);
+    EXPECT_EQ(boxes.size(), 1u);
+    EXPECT_TRUE(has(boxes, 251, 101));
+}
+
 TEST_F(UnreadPrint, WhatIsNotAsLargeAsPrintOrTouchesIsNone) {
     draw(20, 150, two), draw(34, 150, four);
     std::vector<std::string_view> large;
