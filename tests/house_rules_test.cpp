@@ -48,7 +48,7 @@ TEST(HouseRules, FoldersIncludeOnlyWhatTheyMay) {
         {"tactics/solid/", {"tactics/text/", "tactics/", "tactics/geometry/"}},
         {"tactics/rules/", {"tactics/text/", "tactics/", "tactics/geometry/", "tactics/layout/"}},
         {"tactics/repair/", {"tactics/text/", "tactics/", "tactics/geometry/", "tactics/rules/"}},
-        {"tactics/lettering/", {"tactics/text/", "tactics/", "tactics/transport/"}},
+        {"tactics/lettering/", {"tactics/text/", "tactics/", "tactics/geometry/", "tactics/transport/"}},
         {"tactics/measure/", {"tactics/text/", "tactics/", "tactics/geometry/", "tactics/readers/"}},
         {"tactics/haptics/",
          {"tactics/text/", "tactics/", "tactics/transport/", "tactics/readers/", "tactics/coding/", "tactics/relief/",
