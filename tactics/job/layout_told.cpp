@@ -68,7 +68,9 @@ Phrase no_room_for_words(bool print_is_left, const Phrase& more_room) {
 
 Phrase note_of_smaller(const Layout& layout, double before, const Phrase& more_room) {
     const double width = layout.place.drawing.width;
-    if (layout.sheet.drawing_width || layout.sheet.scale || layout.sheet.window || width > before - 0.1) return {};
+    // Where dots are fixed the room is one of whole cells, and less than one of them is no loss.
+    const double loss = has_fixed_dots(*layout.sheet.medium) ? layout.sheet.cell.cell_pitch : 0.1;
+    if (layout.sheet.drawing_width || layout.sheet.scale || layout.sheet.window || width > before - loss) return {};
     const auto mm = [](double value) { return numeral(std::round(value * 10) / 10); };
     return phrase("the drawing is {0} mm wide instead of {1} mm, as this sheet has room for no more; take {2}", mm(width),
                   mm(before), more_room);

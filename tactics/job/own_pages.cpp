@@ -44,6 +44,12 @@ bool has_margin(double margin, const Rect& live, const Page& own) {
            is_same(own.height - live.top - live.height, margin);
 }
 
+// A picture has the dots of any machine; a file of 6-dot cells has those of such cells, wherever they begin, and loses others.
+bool has_dots_of(const DotBed& bed, const Format& format, const Settings& settings) {
+    if (has_six_dots(format, settings)) return bed.raster == 0 && bed.dots_down < 4;
+    return format.dots == nullptr;
+}
+
 // Which is the same on every medium.
 bool has_only_braille(const Page& own) {
     return own.drawing.width <= 0 && own.strokes.empty() && own.areas.empty() && own.textured.empty() && !own.picture;
@@ -169,7 +175,8 @@ void take_own(Sheet& sheet, const Page& own, const Wishes& wishes, const Format&
     if (!wishes.asked.language) sheet.language = own.language;
     if (!wishes.asked.language && !wishes.asked.braille) sheet.braille_table = own.braille_table;
     // A machine that was named has its own cells, medium and paper.
-    const bool free = format.dots == nullptr && wishes.machine == nullptr;
+    const bool six = format.embosser == nullptr && has_six_dots(format, wishes.settings_of(format));
+    const bool free = wishes.machine == nullptr && (format.dots == nullptr || six);
     if (!wishes.asked.cell && free) sheet.cell = own.cell;
     if (sheet.description.empty()) sheet.description = own.description;
     const Medium* medium = medium_named(own.medium);
@@ -201,7 +208,8 @@ void keep_size(Sheet& sheet, const Page& own, const Wishes& wishes) {
 
 bool stays_as_it_is(const Sheet& sheet, const Page& own, const Job& job, const Format& format) {
     const bool same_medium = own.medium.empty() || sheet.medium->name == own.medium || has_only_braille(own);
-    const bool same_bed = sheet.bed ? own.bed && *own.bed == *sheet.bed : format.dots == nullptr || !own.bed;
+    const bool same_bed =
+        sheet.bed ? own.bed && *own.bed == *sheet.bed : !own.bed || has_dots_of(*own.bed, format, job.settings_of(format));
     if (same_medium && same_bed && sheet.cell == own.cell && !asks_for_other_words(job, own) && !asks_for_other_place(job, own))
         return true;
     if (own.drawing.width > 0 && own.drawing.height > 0 && medium_named(own.medium) != nullptr) return false;

@@ -74,6 +74,20 @@ TEST_F(OwnPages, OfAnEmbosserAreConvertedIntoTheSameBraille) {
         EXPECT_EQ(bytes("a." + ending), bytes("b." + ending)) << ending;
 }
 
+// Dots of equal distances are no dots of 6-dot cells, so all files of these have one page of their own.
+TEST_F(OwnPages, OfAMachineAreTheSameInAnyFileOfCells) {
+    Job machine = german({"a.svg"});
+    machine.machine = find_format("index-v4");
+    ASSERT_NE(machine.machine, nullptr);
+    ASSERT_EQ(make_pages(machine).error, "");
+    ASSERT_GT(page("a.svg").bed->raster, 0);
+    const Outcome made = make_pages(job("a.svg", {"b.brf", "b.pef", "b.ubrl"}));
+    ASSERT_EQ(made.error, "");
+    EXPECT_EQ(made.layouts.size(), 1u);
+    for (const std::string ending : {"pef", "ubrl"})
+        EXPECT_EQ(bytes("b." + ending).find("\xE2\xA1"), std::string::npos) << ending << " has cells with dot 7 or 8";
+}
+
 TEST_F(OwnPages, OfTextAreTheSameInAnyFileOfCells) {
     tests::write_bytes(folder / "note.txt",
                        "A note of some words\n\nand one more, which is longer than a line of braille has room for.\n");
