@@ -101,15 +101,18 @@ LineWalk::State LineWalk::stop() noexcept {
     return try_next() ? State::walks : State::ended;
 }
 
-// It has come to corners again, and found nothing else.
+// It has come to corners again and again, and found nothing else: the last one that was new is the end.
 bool LineWalk::is_to_and_fro() noexcept {
-    constexpr std::size_t kAgain = 3;
-    const auto known = corners_.begin() + static_cast<std::ptrdiff_t>(std::min(cornered_, corners_.size()));
-    const bool again =
-        std::any_of(corners_.begin(), known, [this](const Point3& at) { return length_of(at - corner_) < kCornerNear; });
-    if (!again) corners_[cornered_++ % corners_.size()] = corner_;
-    again_ = again ? again_ + 1 : 0;
-    return again_ == kAgain;
+    constexpr std::size_t kAgain = 3, kTooOften = 12;
+    const auto is_here = [this](const Point3& at) { return length_of(at - corner_) < kCornerNear; };
+    if (std::none_of(corners_.begin(), corners_.begin() + static_cast<std::ptrdiff_t>(std::min(cornered_, corners_.size())),
+                     is_here)) {
+        corners_[cornered_++ % corners_.size()] = corner_;
+        again_ = 0;
+        return false;
+    }
+    ++again_;
+    return again_ >= kTooOften || (again_ >= kAgain && is_here(corners_[(cornered_ - 1) % corners_.size()]));
 }
 
 bool LineWalk::try_next() noexcept {
