@@ -230,7 +230,7 @@ TEST(KnownEntropy, OfStepsOfManyLevelsIsHeldWhicheverWayTheyRun) {
                     {});
         EXPECT_LE(measures.low, bits) << along;
         EXPECT_GE(measures.high, bits) << along;
-        EXPECT_LT(measures.high, 1.12 * bits) << along;
+        EXPECT_LT(measures.high, 1.4 * bits) << along;  // what is seldom seen costs its learning
     }
 }
 
