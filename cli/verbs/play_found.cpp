@@ -250,6 +250,8 @@ HandReport report_of(const HandKind& kind, const Hand& hand, const std::vector<T
         report.lines.push_back(phrase("the hand found no curve"));
         json.add_raw("curve_found", "false");
     }
+    if (kind.name == "trace" && hand.is_done() && find(findings, "curve") != nullptr && find(findings, "tick") == nullptr)
+        report.lines.push_back(phrase("it found no tick"));
     if (kind.name == "points" && find(findings, "point") == nullptr) {
         report.lines.push_back(phrase("the hand felt no point"));
         json.add("points_felt", 0.0);
