@@ -175,7 +175,8 @@ int play_on_arm(const Given& given) {
     const PlayedScene played = play_scene(layers.scene(), *device, nullptr, std::move(played_wish));
     layers.finish();
     if (!plan.charts.empty()) write_chart_pages(arm_views(scene, played.records, plan.view), plan.charts);
-    HandReport found = report_of(hand->findings(), played.records, scene.plot, frame);
+    HandReport found;
+    if (plan.kind->has_hand) found = report_of(*plan.hand, *hand, played.records, scene.plot, frame);
     layers.tell_ways(played, found);
     // The same input has the same figures, unless they are those of a clock.
     if (played.figures.real) {

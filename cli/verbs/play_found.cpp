@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
+#include "cli/verbs/felt_shape.h"
 #include "tactics/haptics/scenes/near_lines.h"
 #include "tactics/text/json.h"
 #include "tactics/units.h"
@@ -158,88 +160,105 @@ void tell_points(const std::vector<HandFinding>& findings, const Plot& plot, con
     json.add("highest_right", static_cast<double>(right));
 }
 
-// The shape of a section from its beginning to its end: +1 up to the middle and down again, -1 the opposite, 0 neither; and its
-// slope.
-struct Course {
-    int bend = 0, slope = 0;
+// Between its rising values, as facets are; not a number outside and where one is missing.
+double height_at(const PlotSurface& surface, double x, double y) {
+    const auto cell_of = [](const std::vector<double>& values, double at) {
+        std::size_t i = 1;
+        while (i < values.size() && (values[i] - at) * (values[i - 1] - at) > 0) ++i;
+        return i;
+    };
+    const std::size_t i = cell_of(surface.x, x), k = cell_of(surface.y, y);
+    if (i >= surface.x.size() || k >= surface.y.size()) return NAN;
+    const double u = (x - surface.x[i - 1]) / (surface.x[i] - surface.x[i - 1]),
+                 v = (y - surface.y[k - 1]) / (surface.y[k] - surface.y[k - 1]);
+    const auto mix = [](double a, double b, double share) { return share <= 0 ? a : share >= 1 ? b : a + share * (b - a); };
+    return mix(mix(surface.at(i - 1, k - 1), surface.at(i, k - 1), u), mix(surface.at(i - 1, k), surface.at(i, k), u), v);
+}
+
+// The truth, from the numbers themselves.
+std::pair<Section, Section> true_sections(const PlotSurface& surface, const PlotFrame& frame) {
+    constexpr int kPlaces = 500;
+    Section across, down;
+    for (int n = 0; n < kPlaces; ++n) {
+        const double share = (n + 0.5) / kPlaces;
+        const auto take = [&](Section& section, double u, double v) {
+            const Point3 at = frame.values({u * frame.width, v * frame.height, 0});
+            const double height = height_at(surface, at.x, at.y);
+            if (std::isfinite(height))
+                section.heights.push_back({share, frame.depth * frame.z.share_of(height)});
+            else
+                section.bare.push_back(share);
+        };
+        take(across, share, 0.5);
+        take(down, 0.5, share);
+    }
+    return {across, down};
+}
+
+struct Courses {
+    std::string_view across, down;
+    std::string_view shape() const { return shape_of(across, down); }
+    Phrase spoken() const {
+        return shape().empty() ? phrase("those of {0} across and {1} down", spoken_shape(across), spoken_shape(down))
+                               : phrase("those of {0}", spoken_shape(shape()));
+    }
 };
-constexpr double kTold = 0.1;  // of the field's heights: less is level
-
-// x: share of the section, from 0 to 1; y: height there.
-Course course_of(const std::vector<Point>& heights, double whole) {
-    if (heights.size() < 10 || !(whole > 0)) return {};
-    // A hand does not reach the sides of a solid, so the same parts of each section are compared.
-    const auto mean = [&](double from, double to) {
-        double sum = 0;
-        int count = 0;
-        for (const Point& one : heights)
-            if (one.x >= from && one.x <= to) sum += one.y, ++count;
-        return count > 0 ? sum / count : 0;
-    };
-    const double begin = mean(0.08, 0.22), middle = mean(0.42, 0.58), end = mean(0.78, 0.92);
-    const auto sign = [&](double by) { return std::abs(by) < kTold * whole ? 0 : by > 0 ? 1 : -1; };
-    return {sign(middle - (begin + end) / 2), sign(end - begin)};
-}
-
-std::string shape_of(const Course& across, const Course& down) {
-    if (across.bend != 0 && down.bend != 0) return across.bend != down.bend ? "saddle" : across.bend > 0 ? "hill" : "bowl";
-    const int bend = across.bend != 0 ? across.bend : down.bend;
-    if (bend != 0) return bend > 0 ? "ridge" : "valley";
-    return across.slope != 0 || down.slope != 0 ? "slope" : "flat";
-}
-
-constexpr SourceWords kShapes[] = {"saddle", "hill", "bowl", "ridge", "valley", "slope", "flat"};
-Phrase spoken(std::string_view shape) {
-    const auto found = std::find_if(std::begin(kShapes), std::end(kShapes), [&](SourceWords one) { return one.text == shape; });
-    return found == std::end(kShapes) ? Phrase(shape) : phrase(*found);
-}
-
-// The truth, from the numbers themselves: the row and the column in the middle, straight from value to value.
-std::string true_shape(const PlotSurface& surface, const PlotFrame& frame) {
-    const auto column = surface.x.size() / 2, row = surface.y.size() / 2;
-    const auto between = [](std::vector<Point>& section, Point a, Point b) {
-        constexpr int kSteps = 20;
-        if (!std::isfinite(a.y) || !std::isfinite(b.y)) return;
-        for (int k = 0; k < kSteps; ++k)
-            section.push_back({a.x + (b.x - a.x) * (k + 0.5) / kSteps, a.y + (b.y - a.y) * (k + 0.5) / kSteps});
-    };
-    std::vector<Point> across, down;
-    const auto of_row = [&](std::size_t i) { return Point{frame.across(surface.x[i]) / frame.width, surface.at(i, row)}; };
-    const auto of_column = [&](std::size_t k) { return Point{frame.down(surface.y[k]) / frame.height, surface.at(column, k)}; };
-    for (std::size_t i = 1; i < surface.x.size(); ++i) between(across, of_row(i - 1), of_row(i));
-    for (std::size_t k = 1; k < surface.y.size(); ++k) between(down, of_column(k - 1), of_column(k));
-    const double whole = frame.z.high - frame.z.low;
-    return shape_of(course_of(across, whole), course_of(down, whole));
-}
 
 void tell_sections(const std::vector<HandFinding>& findings, const Plot& plot, const PlotFrame& frame, HandReport& report,
                    JsonObject& json) {
-    std::vector<Point> across, down;
-    for (const HandFinding& one : findings)
-        if (one.what == "height across")
-            across.push_back({one.place.x / frame.width, one.place.z});
-        else if (one.what == "height down")
-            down.push_back({one.place.y / frame.height, one.place.z});
-    if (across.size() < 10 || down.size() < 10 || plot.surfaces.empty()) return;
-    const std::string felt = shape_of(course_of(across, frame.depth), course_of(down, frame.depth));
-    const std::string real = true_shape(plot.surfaces.front(), frame);
-    report.lines.push_back(felt == real ? phrase("to the hand its two sections are those of a {0}, as they are", spoken(felt))
-                                        : phrase("to the hand its two sections are those of a {0}; they are those of a {1}",
-                                                 spoken(felt), spoken(real)));
-    json.add("shape_felt", felt);
-    json.add("shape", real);
+    if (plot.surfaces.empty()) return;
+    Section across, down;
+    for (const HandFinding& one : findings) {
+        const double x = one.place.x / frame.width, y = one.place.y / frame.height;
+        if (one.what == "height across") across.heights.push_back({x, one.place.z});
+        if (one.what == "height down") down.heights.push_back({y, one.place.z});
+        if (one.what == "no ground across") across.bare.push_back(x);
+        if (one.what == "no ground down") down.bare.push_back(y);
+        if (one.what != "stuck") continue;
+        const Point3 at = frame.values(one.place);
+        report.lines.push_back(phrase("the hand did not get through the surface at {0} {1}", numeral(at.x), numeral(at.y)));
+        json.add_raw("not_through_at", "[" + to_text(at.x) + "," + to_text(at.y) + "]");
+    }
+    const auto [real_across, real_down] = true_sections(plot.surfaces.front(), frame);
+    const Courses felt{course_of(across, frame.depth), course_of(down, frame.depth)},
+        real{course_of(real_across, frame.depth), course_of(real_down, frame.depth)};
+    if (!real.shape().empty()) json.add("shape", std::string(real.shape()));
+    if (felt.across.empty() || felt.down.empty()) {
+        report.lines.push_back(phrase("the hand did not feel the whole of its two sections"));
+        return;
+    }
+    report.lines.push_back(felt.spoken() == real.spoken()
+                               ? phrase("to the hand its two sections are {0}, as they are", felt.spoken())
+                               : phrase("to the hand its two sections are {0}; they are {1}", felt.spoken(), real.spoken()));
+    json.add("section_across", std::string(felt.across));
+    json.add("section_down", std::string(felt.down));
+    if (!felt.shape().empty()) json.add("shape_felt", std::string(felt.shape()));
 }
 
 }  // namespace
 
-HandReport report_of(const std::vector<HandFinding>& findings, const std::vector<TickRecord>& records, const Plot& plot,
+HandReport report_of(const HandKind& kind, const Hand& hand, const std::vector<TickRecord>& records, const Plot& plot,
                      const PlotFrame& frame) {
     HandReport report;
     JsonObject json;
+    const std::vector<HandFinding>& findings = hand.findings();
     tell_curve(findings, records, plot, frame, report, json);
     tell_tick(findings, plot, frame, report, json);
     tell_points(findings, plot, frame, report, json);
-    tell_sections(findings, plot, frame, report, json);
+    if (kind.name == "sections") tell_sections(findings, plot, frame, report, json);
+    if (kind.name == "trace" && find(findings, "curve") == nullptr) {
+        report.lines.push_back(phrase("the hand found no curve"));
+        json.add_raw("curve_found", "false");
+    }
+    if (kind.name == "trace" && hand.is_done() && find(findings, "curve") != nullptr && find(findings, "tick") == nullptr)
+        report.lines.push_back(phrase("it found no tick"));
+    if (kind.name == "points" && find(findings, "point") == nullptr) {
+        report.lines.push_back(phrase("the hand felt no point"));
+        json.add("points_felt", 0.0);
+    }
+    if (kind.ends && !hand.is_done())
+        report.lines.push_back(phrase("the hand was still under way when the seconds ended; give it more (--seconds)"));
+    if (kind.ends) json.add_raw("hand_ended", hand.is_done() ? "true" : "false");
     const std::string object = json.text();
     report.json = object.substr(1, object.size() - 2);
     return report;

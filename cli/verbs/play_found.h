@@ -19,8 +19,9 @@ struct HandReport {
 };
 
 /// For a followed curve: the distance of the finger from it, and the share that was traced. For points: those that exist, and the
-/// three highest. For a tick: its value. For two sections of a surface: its shape in a word.
-HandReport report_of(const std::vector<HandFinding>& findings, const std::vector<TickRecord>& records, const Plot& plot,
+/// three highest. For a tick: its value. For two sections of a surface: its shape in a word. And what it did not find, or not
+/// end.
+HandReport report_of(const HandKind& kind, const Hand& hand, const std::vector<TickRecord>& records, const Plot& plot,
                      const PlotFrame& frame);
 
 }  // namespace tactics

@@ -216,5 +216,31 @@ TEST(MeshFacets, LeavesOutWhatHasNoAreaOrIsThereTwiceAndCountsIt) {
     EXPECT_THROW(facets_of(mesh), std::logic_error);
 }
 
+// Two roofs whose tops are almost in line: pressing exactly along the tops, whatever rounding makes of it.
+TEST(ShadowPoint, AFingerAlongEdgesAlmostInLineStaysOutside) {
+    RandomNumbers random(7);
+    for (int trial = 0; trial < 2000; ++trial) {
+        const double bend = std::pow(10, -7 + 5 * random.uniform()), slope = random.uniform();
+        Mesh mesh;
+        for (const double y : {23.1, 27.0, 30.9})
+            for (const double x : {23.1417, 28.92915, 34.71255})
+                mesh.vertices.push_back({x, y, 15 + (slope + (x > 29 ? bend : 0)) * (x - 28.92915) - std::abs(y - 27) * 0.3});
+        for (const std::uint32_t a : {0, 1, 3, 4}) {
+            mesh.triangles.push_back({a, a + 1, a + 4});
+            mesh.triangles.push_back({a, a + 4, a + 3});
+        }
+        const MeshTree tree(facets_of(mesh));
+        ShadowPoint shadow(tree, 0);
+        shadow.follow({28.5, 27, 40});
+        const double deep = 0.5 + random.uniform(), step = 0.01 + 0.05 * random.uniform();
+        for (double x = 28; x < 30.5; x += step) {
+            const Point3 finger{x, 27, 15 + slope * (x - 28.92915) - deep};
+            const Point3 place = shadow.follow(finger);
+            ASSERT_GT(length_of(place - finger), deep / 2)
+                << trial << ", " << bend << ": " << words(finger) << ", " << words(place);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace tactics::shadow_point_test

@@ -9,9 +9,12 @@ namespace tactics {
 
 namespace {
 
-// A way along a round edge that leads in by no more than kIn mm before it leads out again only grazes: a small ball's middle is
-// not known better. By a face, one that leads nearer by less than kLevel of its length.
+// A way along a round edge that leads in by no more than kIn mm only grazes: a small ball's middle is not known better. By a
+// face, one that leads nearer by less than kLevel of its length.
 constexpr double kIn = 1e-11, kLevel = 1e-11;
+// mm beyond the end of an edge that are still on it: along two edges that are almost in line, rounding puts the place where a
+// ball leaves one and meets the other before the corner between them, which it only grazes.
+constexpr double kPastEnd = 1e-7;
 
 struct Foot {
     Point3 place;
@@ -44,14 +47,14 @@ Foot foot_of(const FacetCorners& f, const Point3& ball) noexcept {
 }
 
 // When a point that is `off` a line and goes `across` it comes within `radius`: both already without what goes along the line.
-double meets_round(const Point3& off, const Point3& across, double length, double radius) noexcept {
+// Never where it is led in by no more than kIn on the whole way, as by rounding where it goes along the line.
+double meets_round(const Point3& off, const Point3& across, double radius) noexcept {
     const double towards = dot(off, across), squared = dot(across, across);
-    const double least = 2 * kIn / radius * length * length;  // of the square of how fast it comes nearer
-    if (towards >= 0 || squared <= least) return kMeetsNever;
+    if (towards >= 0) return kMeetsNever;
     const double nearest = -towards / squared;  // in time
-    const Point3 miss = off + nearest * across;
+    const Point3 miss = off + nearest * across, last = off + std::min(nearest, 1.0) * across;
     const double half = radius * radius - dot(miss, miss);
-    if (half <= 0 || half * squared <= least * radius * radius) return kMeetsNever;
+    if (half <= 0 || std::min(radius, length_of(off)) - length_of(last) <= kIn) return kMeetsNever;
     return std::max(nearest - std::sqrt(half / squared), 0.0);
 }
 
@@ -122,10 +125,11 @@ double meeting(const FacetCorners& facet, const Point3& ball, const Point3& way,
     double first = faces && enters <= leaves ? share + enters : kMeetsNever;
     for (std::size_t k = 0; k < 3; ++k) {
         const Point3 off = ball - corners[k], edge = corners[(k + 1) % 3] - corners[k];
-        first = std::min(first, meets_round(off, way, length, radius));
+        first = std::min(first, meets_round(off, way, radius));
         const double squared = dot(edge, edge), start = dot(off, edge) / squared, rate = dot(way, edge) / squared;
-        const double when = meets_round(off - start * edge, way - rate * edge, length, radius), at = start + rate * when;
-        if (when < first && at >= 0 && at <= 1) first = when;
+        const double when = meets_round(off - start * edge, way - rate * edge, radius), at = start + rate * when;
+        const double beyond = kPastEnd / std::sqrt(squared);
+        if (when < first && at >= -beyond && at <= 1 + beyond) first = when;
     }
     return first <= before ? first : kMeetsNever;
 }

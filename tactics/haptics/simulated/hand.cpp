@@ -55,52 +55,6 @@ private:
     Point3 there_;
 };
 
-class Sections final : public ScriptedHand {
-public:
-    using ScriptedHand::ScriptedHand;
-
-private:
-    void go(double dt) noexcept override {
-        constexpr double kApart = 0.01;  // of a section, from one height that is taken down to the next
-        if (phase_ > 3) {
-            done_ = true;
-            return;
-        }
-        // First above the beginning of a section, then along it, pressing: the hand stays below the finger.
-        const bool across = phase_ < 2;
-        const double length = across ? field_.width : field_.height;
-        const Point3 begin =
-            across ? Point3{kBesideSolid * length, field_.height / 2, 0} : Point3{field_.width / 2, kBesideSolid * length, 0};
-        if (phase_ % 2 == 0) {
-            const double over = field_.depth + 5;
-            go_towards(at_.z < over && flat_length(at_ - begin) > 1 ? Point3{at_.x, at_.y, over} : Point3{begin.x, begin.y, over},
-                       2 * field_.speed, dt);
-            if (flat_length(at_ - begin) < 1e-9) {
-                taken_ = 0;
-                next();
-            }
-            return;
-        }
-        // Where it is held up, as by a wall, it climbs.
-        constexpr double kHeldUp = 6;  // mm that it is ahead
-        if ((across ? at_.x - finger_.x : at_.y - finger_.y) > kHeldUp)
-            at_.z += field_.speed / 2 * dt;
-        else
-            press(dt);
-        if (force_.z > 2 * kFelt || in_phase_ > 2) {
-            const double step = field_.speed * dt;
-            (across ? at_.x : at_.y) += step;
-            const double share = (across ? finger_.x : finger_.y) / length;
-            if (share > taken_ + kApart) {
-                find(across ? "height across" : "height down");
-                taken_ = share;
-            }
-            if ((across ? at_.x : at_.y) > (1 - kBesideSolid) * length) next();
-        }
-    }
-    double taken_ = 0;
-};
-
 class Led final : public ScriptedHand {
 public:
     using ScriptedHand::ScriptedHand;
@@ -132,11 +86,11 @@ std::unique_ptr<Hand> make(const HandField& field) {
 
 const std::vector<HandKind>& hands() {
     static const std::vector<HandKind> kHands = {
-        {"to-and-fro", "moves through the middle, from side to side", false, make<ToAndFro>},
-        {"trace", "finds a curve from the axes, follows it to its end and stops at a tick", true, trace_hand},
-        {"points", "sweeps the field in rows and notes where points are", true, make<Points>},
-        {"sections", "follows a surface along two lines through its middle", false, make<Sections>},
-        {"led", "lets itself be led to where its keys say", true, make<Led>},
+        {"to-and-fro", "moves through the middle, from side to side", false, false, make<ToAndFro>},
+        {"trace", "finds a curve from the axes, follows it to its end and stops at a tick", true, true, trace_hand},
+        {"points", "sweeps the field in rows and notes where points are", true, true, make<Points>},
+        {"sections", "follows a surface along two lines through its middle", false, true, sections_hand},
+        {"led", "lets itself be led to where its keys say", true, false, make<Led>},
     };
     return kHands;
 }

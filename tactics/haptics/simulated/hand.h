@@ -22,7 +22,8 @@ struct HandSense {
 
 /// A finding of a hand at a place.
 struct HandFinding {
-    std::string_view what;  ///< "curve", "end of the curve", "closed curve", "tick", "point", "height"
+    std::string_view what;  ///< "curve", "end of the curve", "closed curve", "tick", "point", "height across", "height down";
+                            ///< along sections also "no ground across", "no ground down" and "stuck", where it did not get on
     Point3 place;
     double time = 0;  ///< s since it began
 };
@@ -49,6 +50,7 @@ struct HandField {
 struct HandKind {
     std::string_view name, what;
     bool of_plots = false;  ///< it searches for curves or points, which only a plot has
+    bool ends = false;      ///< it comes to an end of its own
     std::unique_ptr<Hand> (*make)(const HandField& field);
 };
 /// trace: goes to the corner of the axes, up the left axis until a curve pulls, along the curve to its end, down to the lower

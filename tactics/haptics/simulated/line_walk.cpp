@@ -38,10 +38,10 @@ LineWalk::State LineWalk::go(const Point3& finger, const Point3& force, double d
     if (returns_ > 0) {
         // Back to the corner, giving way to the line.
         returns_ -= dt;
-        const Point3 back = corner_ - finger_;
+        const Point3 back = way_back() - finger_;
         at = finger_ + std::min(4.0, 1 + flat_length(back)) * unit(back) + Point3{0, 0, -kPress};
         before_ = finger_;
-        if (flat_length(back) > 1 && returns_ > 0) return State::walks;
+        if (length_of(corner_ - finger_) > 1 && returns_ > 0) return State::walks;
         returns_ = 0;
         return try_next() ? State::walks : State::ended;
     }
@@ -129,6 +129,16 @@ bool LineWalk::was_here() const noexcept {
     for (std::size_t back = 3; back <= known; ++back)
         if (length_of(places_[(placed_at_corner_ - back) % places_.size()] - finger_) < kSamePlace) return true;
     return false;
+}
+
+// A few places farther towards the corner than the nearest that it knows: straight to it a line on the way might hold the finger.
+Point3 LineWalk::way_back() const noexcept {
+    constexpr std::size_t kAhead = 4;
+    const auto place = [this](std::size_t back) { return places_[(placed_at_corner_ - back) % places_.size()]; };
+    std::size_t nearest = 0;
+    for (std::size_t back = 1; back <= std::min(placed_at_corner_, places_.size()); ++back)
+        if (nearest == 0 || length_of(place(back) - finger_) < length_of(place(nearest) - finger_)) nearest = back;
+    return nearest > kAhead ? place(nearest - kAhead) : corner_;
 }
 
 bool LineWalk::is_back() noexcept {

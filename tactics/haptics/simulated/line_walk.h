@@ -34,6 +34,7 @@ private:
     State stop() noexcept;
     bool try_next() noexcept;
     bool was_here() const noexcept;
+    Point3 way_back() const noexcept;
     bool is_back() noexcept;
     bool is_to_and_fro() noexcept;
 

@@ -68,5 +68,7 @@ private:
 
 /// Finds a curve from the axes, follows it to its end and stops at a tick.
 std::unique_ptr<Hand> trace_hand(const HandField& field);
+/// Presses on a surface along two lines through its middle and notes heights.
+std::unique_ptr<Hand> sections_hand(const HandField& field);
 
 }  // namespace tactics
