@@ -49,6 +49,7 @@ void find_over(std::vector<LayerFace>& faces, double tolerance) {
     }
     const SpaceGrid grid(std::move(boxes));
     const double off = kInOnePlane * tolerance;
+    std::vector<std::uint32_t> met(faces.size(), ~0u);  // the last face that each was found to lie over
     for (std::uint32_t i = 0; i < faces.size(); ++i) {
         LayerFace& one = faces[i];
         std::vector<Point3> places = {one.middle};
@@ -64,7 +65,8 @@ void find_over(std::vector<LayerFace>& faces, double tolerance) {
                 const bool on_edge = distance_to_rings(at, other.rings) <= tolerance;
                 const bool inside = !on_edge && is_over(at, other.normal, other.rings);
                 has_other = has_other || on_edge || inside;
-                if (inside && std::find(one.over.begin(), one.over.end(), j) == one.over.end()) {
+                if (inside && met[j] != i) {
+                    met[j] = i;
                     one.over.push_back(j);
                     faces[j].over.push_back(i);
                 }
