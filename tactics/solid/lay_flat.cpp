@@ -20,8 +20,8 @@ constexpr Strategy kStrategies[] = {Strategy::longest, Strategy::broadest, Strat
 
 constexpr double kSizes[] = {0, 1.0, 0.75};  // how small, of the scale of what lies where it is; 0: as it comes
 // Layouts one after the other that are no better, after which no more are tried; and as a share of those wished for.
-constexpr int kInVain = 24;
-constexpr double kInVainOf = 0.375;
+constexpr int kInVain = 40;
+constexpr double kInVainOf = 0.625;
 constexpr double kHalfSize = 0.05;  // of the rating that it costs if all is half as large
 
 // Of the parts, that which is too small to be felt.
