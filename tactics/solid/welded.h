@@ -11,6 +11,7 @@
 
 namespace tactics {
 
+using Corner = std::uint32_t;  ///< place in WeldedSurface::corners
 /// A polygon by its corners, counter-clockwise seen from outside.
 using CornerRing = std::vector<std::uint32_t>;
 
