@@ -9,6 +9,8 @@
 #include <iterator>
 #include <utility>
 
+#include "filters/opencv.h"
+
 namespace tactics {
 
 namespace {
@@ -29,6 +31,27 @@ constexpr int kWhiteOfHatch = 215;      // grey levels, of the ground between it
 constexpr double kMostOpen = 0.12;      // of the border of a hatch without a line
 constexpr std::size_t kMostParts = 400;
 
+struct FoundPart {
+    cv::Rect box;
+    cv::Mat mask;  // of the box
+    FillKind kind;
+    double width = 0;
+};
+
+// By distances: the time does not grow with the radius. Beyond the mask is nothing.
+cv::Mat shrunk(const cv::Mat& mask, double radius) {
+    cv::Mat deep;
+    cv::copyMakeBorder(mask, deep, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+    cv::distanceTransform(deep, deep, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    return deep(cv::Rect(1, 1, mask.cols, mask.rows)) > radius;
+}
+
+cv::Mat grown(const cv::Mat& mask, double radius) {
+    cv::Mat away;
+    cv::distanceTransform(~mask, away, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    return away <= radius;
+}
+
 cv::Mat opened(const cv::Mat& mask, double radius) { return grown(shrunk(mask, radius), radius) & mask; }
 
 double widest(const cv::Mat& mask) {
@@ -43,6 +66,14 @@ double widest(const cv::Mat& mask) {
 MeanColour mean_of(const cv::Mat& pixels, const cv::Mat& mask) {
     const cv::Scalar mean = cv::mean(pixels, mask);
     return pixels.channels() == 1 ? MeanColour{mean[0], mean[0], mean[0]} : MeanColour{mean[0], mean[1], mean[2]};
+}
+
+// The channel that is most.
+cv::Mat most_of(const cv::Mat& pixels) {
+    if (pixels.channels() == 1) return pixels;
+    std::array<cv::Mat, 3> planes;
+    cv::split(pixels, planes.data());
+    return cv::max(planes[0], cv::max(planes[1], planes[2]));
 }
 
 cv::Mat off(const cv::Mat& pixels, const MeanColour& colour) {
@@ -60,6 +91,12 @@ cv::Mat flat_places(const cv::Mat& pixels) {
     return most_of(range) <= kFlatFill;
 }
 
+MeanColour level_at(const cv::Mat& pixels, int x, int y) {
+    const std::uint8_t* pixel = pixels.ptr(y) + static_cast<std::ptrdiff_t>(x) * pixels.channels();
+    if (pixels.channels() == 1) return {double(pixel[0]), double(pixel[0]), double(pixel[0])};
+    return {double(pixel[0]), double(pixel[1]), double(pixel[2])};
+}
+
 // The colour of which there is most, to an eighth of the range.
 MeanColour commonest(const cv::Mat& pixels, const cv::Mat& mask) {
     constexpr int kShift = 5, kCells = 8;
@@ -67,7 +104,7 @@ MeanColour commonest(const cv::Mat& pixels, const cv::Mat& mask) {
     for (int y = 0; y < pixels.rows; ++y)
         for (int x = 0; x < pixels.cols; ++x) {
             if (mask.at<std::uint8_t>(y, x) == 0) continue;
-            const MeanColour colour = colour_at(pixels, x, y);
+            const MeanColour colour = level_at(pixels, x, y);
             std::size_t cell = 0;
             for (const double level : colour) cell = cell * kCells + static_cast<std::size_t>(static_cast<int>(level) >> kShift);
             ++cells[cell].first;
@@ -94,8 +131,8 @@ MeanColour ground_of(const cv::Mat& pixels, double mm) {
 }
 
 struct Flats {
-    std::vector<FilledPart> parts;  // without the ground
-    cv::Mat open;                   // where one colour is all around, the ground's, too
+    std::vector<FoundPart> parts;  // without the ground
+    cv::Mat open;                  // where one colour is all around, the ground's, too
 };
 
 Flats flats_of(const cv::Mat& pixels, const MeanColour& ground, double mm) {
@@ -107,7 +144,7 @@ Flats flats_of(const cv::Mat& pixels, const MeanColour& ground, double mm) {
         const int wide = stats.at<int>(i, cv::CC_STAT_WIDTH), high = stats.at<int>(i, cv::CC_STAT_HEIGHT);
         if (std::min(wide, high) * mm < kNarrowestFill || found.parts.size() == kMostParts) continue;
         const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP), wide, high);
-        FilledPart part{box, labels(box) == i, {}};
+        FoundPart part{box, labels(box) == i, {}};
         part.width = widest(part.mask);
         if (part.width * mm < kNarrowestFill) continue;
         part.kind.colour = part.kind.behind = mean_of(pixels(box), part.mask);
@@ -160,7 +197,7 @@ public:
                          stats.at<int>(i, cv::CC_STAT_WIDTH) + 2 * margin, stats.at<int>(i, cv::CC_STAT_HEIGHT) + 2 * margin) &
                 cv::Rect(0, 0, pixels_.cols, pixels_.rows);
             // The corners that a disc does not reach into.
-            FilledPart part{box, opened(grown(labels(box) == i, reach) & busy(box), round), {}};
+            FoundPart part{box, opened(grown(labels(box) == i, reach) & busy(box), round), {}};
             const int size = cv::countNonZero(part.mask);
             if (size == 0) continue;
             part.width = widest(part.mask);
@@ -175,7 +212,7 @@ public:
         }
     }
 
-    std::vector<FilledPart> parts;
+    std::vector<FoundPart> parts;
 
 private:
     const cv::Mat& pixels_;
@@ -194,12 +231,12 @@ cv::Mat without_lines(const cv::Mat& pixels, double mm) {
     return both;
 }
 
-std::vector<FilledPart> hatches_of(const cv::Mat& pixels, const Flats& flats, const MeanColour& ground, double mm) {
+std::vector<FoundPart> hatches_of(const cv::Mat& pixels, const Flats& flats, const MeanColour& ground, double mm) {
     const cv::Mat behind = without_lines(pixels, mm);
     cv::Mat busy = ~grown(flats.open, 2);
     Hatches found(pixels, mm);
     found.look(busy & flat_places(behind) & (off(behind, ground) >= kSeenFill), behind, true);
-    for (const FilledPart& part : found.parts) cv::Mat(busy(part.box)) &= ~grown(part.mask, 2);
+    for (const FoundPart& part : found.parts) cv::Mat(busy(part.box)) &= ~grown(part.mask, 2);
     found.look(busy, cv::Mat(pixels.size(), pixels.type(), cv::Scalar(ground[0], ground[1], ground[2])), false);
     return std::move(found.parts);
 }
@@ -208,21 +245,8 @@ std::vector<FilledPart> hatches_of(const cv::Mat& pixels, const Flats& flats, co
 
 bool alike(const MeanColour& a, const MeanColour& b) { return contrast(a, b) <= kOneColour; }
 
-cv::Mat most_of(const cv::Mat& pixels) {
-    if (pixels.channels() == 1) return pixels;
-    std::array<cv::Mat, 3> planes;
-    cv::split(pixels, planes.data());
-    return cv::max(planes[0], cv::max(planes[1], planes[2]));
-}
-
 double contrast(const MeanColour& a, const MeanColour& b) {
     return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
-}
-
-MeanColour colour_at(const cv::Mat& pixels, int x, int y) {
-    const std::uint8_t* pixel = pixels.ptr(y) + static_cast<std::ptrdiff_t>(x) * pixels.channels();
-    if (pixels.channels() == 1) return {double(pixel[0]), double(pixel[0]), double(pixel[0])};
-    return {double(pixel[0]), double(pixel[1]), double(pixel[2])};
 }
 
 bool same_kind(const FillKind& a, const FillKind& b) {
@@ -233,42 +257,34 @@ bool same_kind(const FillKind& a, const FillKind& b) {
     return std::cos(a.angle - b.angle) > std::cos(kSameAngle) || std::max(a.order, b.order) < kSameOrder;
 }
 
-cv::Mat shrunk(const cv::Mat& mask, double radius) {
-    cv::Mat deep;
-    cv::copyMakeBorder(mask, deep, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
-    cv::distanceTransform(deep, deep, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    return deep(cv::Rect(1, 1, mask.cols, mask.rows)) > radius;
-}
-
-cv::Mat grown(const cv::Mat& mask, double radius) {
-    cv::Mat away;
-    cv::distanceTransform(~mask, away, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    return away <= radius;
-}
-
-FilledParts filled_parts_in(const cv::Mat& pixels, double mm) {
-    FilledParts found;
-    found.ground = ground_of(pixels, mm);
+FilledParts filled_parts_in(const Image& picture, double mm) {
+    const cv::Mat pixels = view_of(picture);
+    FilledParts fills;
+    fills.ground = ground_of(pixels, mm);
     // The strip of it below an axis, which may be narrow, is none between the lines of a hatch.
     const int wider = static_cast<int>(std::ceil(kHatchGap / mm)) + 3;
     cv::Mat wide;
     cv::copyMakeBorder(pixels, wide, wider, wider, wider, wider, cv::BORDER_CONSTANT,
-                       cv::Scalar(found.ground[0], found.ground[1], found.ground[2]));
-    Flats flats = flats_of(wide, found.ground, mm);
-    found.parts = hatches_of(wide, flats, found.ground, mm);
+                       cv::Scalar(fills.ground[0], fills.ground[1], fills.ground[2]));
+    const Flats flats = flats_of(wide, fills.ground, mm);
+    std::vector<FoundPart> found = hatches_of(wide, flats, fills.ground, mm);
     // Between the lines of a hatch there may be room for a disc, but none for a finger.
     cv::Mat hatched = cv::Mat::zeros(wide.size(), CV_8U);
-    for (const FilledPart& part : found.parts) cv::Mat(hatched(part.box)) |= part.mask;
-    std::copy_if(flats.parts.begin(), flats.parts.end(), std::back_inserter(found.parts), [&](const FilledPart& part) {
+    for (const FoundPart& part : found) cv::Mat(hatched(part.box)) |= part.mask;
+    std::copy_if(flats.parts.begin(), flats.parts.end(), std::back_inserter(found), [&](const FoundPart& part) {
         return 2 * cv::countNonZero(hatched(part.box) & part.mask) < cv::countNonZero(part.mask);
     });
-    for (FilledPart& part : found.parts) {
+    for (const FoundPart& part : found) {
         const cv::Rect inside = part.box & cv::Rect(wider, wider, pixels.cols, pixels.rows);
-        part.mask = part.mask(inside - part.box.tl()).clone();
-        part.box = inside - cv::Point(wider, wider);
+        if (inside.empty()) continue;
+        FilledPart own{inside.x - wider, inside.y - wider, make_image(inside.width, inside.height, 1, mm, 0),
+                       part.kind,        part.width,       0};
+        cv::Mat mask = view_of(own.mask);
+        part.mask(inside - part.box.tl()).copyTo(mask);
+        own.size = cv::countNonZero(mask);
+        if (own.size > 0) fills.parts.push_back(std::move(own));
     }
-    std::erase_if(found.parts, [](const FilledPart& part) { return part.box.empty() || cv::countNonZero(part.mask) == 0; });
-    return found;
+    return fills;
 }
 
 }  // namespace tactics

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "filters/opencv.h"
+#include "tactics/image.h"
 
 namespace tactics {
 
@@ -18,8 +18,6 @@ bool alike(const MeanColour& a, const MeanColour& b);
 /// The levels by which they differ in the channel in which they differ most.
 double contrast(const MeanColour& a, const MeanColour& b);
 
-MeanColour colour_at(const cv::Mat& pixels, int x, int y);
-
 struct FillKind {
     MeanColour colour{};  ///< the mean, with the lines of a hatch
     MeanColour behind{};  ///< without them
@@ -30,10 +28,11 @@ struct FillKind {
 bool same_kind(const FillKind& a, const FillKind& b);
 
 struct FilledPart {
-    cv::Rect box;
-    cv::Mat mask;  ///< of the box: 255 in the part; one in one colour ends a pixel before anything else begins
+    int left = 0, top = 0;  ///< of the mask in the picture, pixels
+    Image mask;             ///< 255 in the part, else 0; one in one colour ends a pixel before anything else begins
     FillKind kind;
     double width = 0;  ///< diameter of the largest disc in it, pixels
+    int size = 0;      ///< pixels
 };
 
 /// In pixels of the picture.
@@ -44,13 +43,6 @@ struct FilledParts {
 
 /// The ground goes on beyond the picture. `mm` is the size of a pixel on the page: a hatch is what has no room for a finger
 /// between its lines, and a part as wide as a line is none.
-FilledParts filled_parts_in(const cv::Mat& pixels, double mm);
-
-/// The channel that is most, of each pixel.
-cv::Mat most_of(const cv::Mat& pixels);
-
-/// Radius in pixels. The time does not grow with it. Beyond the mask is nothing.
-cv::Mat shrunk(const cv::Mat& mask, double radius);
-cv::Mat grown(const cv::Mat& mask, double radius);
+FilledParts filled_parts_in(const Image& picture, double mm);
 
 }  // namespace tactics

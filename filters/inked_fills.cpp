@@ -25,10 +25,9 @@ constexpr double kNarrowestTexture = 11;
 
 // Its rings in mm.
 Area area_of(const FilledPart& part, double mm) {
-    const cv::Mat& mask = part.mask;
-    InkMap map(mask.cols, mask.rows);
-    for (int y = 0; y < mask.rows; ++y)
-        for (int x = 0; x < mask.cols; ++x) map.row(y)[x] = mask.at<std::uint8_t>(y, x) != 0 ? 1 : 0;
+    InkMap map(part.mask.width, part.mask.height);
+    for (int y = 0; y < part.mask.height; ++y)
+        for (int x = 0; x < part.mask.width; ++x) map.row(y)[x] = part.mask.row(y)[x] != 0 ? 1 : 0;
     Area area;
     for (const Outline& outline : outlines_of(map))
         for (const OutlineRing& ring : outline.rings) {
@@ -38,7 +37,7 @@ Area area_of(const FilledPart& part, double mm) {
             points = course_of(points, 0.2 / mm);
             points.pop_back();
             if (points.size() < 3) continue;
-            for (Point& p : points) p = {(p.x + part.box.x) * mm, (p.y + part.box.y) * mm};
+            for (Point& p : points) p = {(p.x + part.left) * mm, (p.y + part.top) * mm};
             area.rings.push_back(std::move(points));
         }
     return area;
@@ -72,10 +71,10 @@ std::vector<int> textures_of(const std::vector<FilledPart>& parts) {
 std::vector<Area> take_fills(Image& picture) {
     const double mm = picture.mm_per_pixel;
     if (std::min(picture.width, picture.height) * mm < kNarrowestTexture) return {};
-    FilledParts found = filled_parts_in(view_of(static_cast<const Image&>(picture)), mm);
+    FilledParts found = filled_parts_in(picture, mm);
     draw_by_outlines(picture, found);
     std::erase_if(found.parts, [&](const FilledPart& part) {
-        return part.width * mm < kNarrowestTexture && cv::countNonZero(part.mask) < 0.1 * picture.width * picture.height;
+        return part.width * mm < kNarrowestTexture && part.size < 0.1 * picture.width * picture.height;
     });
     const std::vector<int> textures = textures_of(found.parts);
     std::vector<Area> areas;
@@ -89,20 +88,20 @@ std::vector<Area> take_fills(Image& picture) {
 
 std::optional<Point> hatched_place(const Image& picture) {
     constexpr double kPage = 250;  // mm of the longer side
-    const FilledParts found = filled_parts_in(view_of(picture), kPage / std::max(picture.width, picture.height));
+    const FilledParts found = filled_parts_in(picture, kPage / std::max(picture.width, picture.height));
     std::optional<Point> place;
     double most = 0;
     for (const FilledPart& part : found.parts) {
         if (!part.kind.hatch) continue;
         if (!same_kind(part.kind, found.parts.front().kind)) return std::nullopt;
         cv::Mat deep;
-        cv::distanceTransform(part.mask, deep, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+        cv::distanceTransform(view_of(part.mask), deep, cv::DIST_L2, cv::DIST_MASK_PRECISE);
         double own = 0;
         cv::Point at;
         cv::minMaxLoc(deep, nullptr, &own, nullptr, &at);
         if (own > most) {
             most = own;
-            place = Point{part.box.x + at.x + 0.5, part.box.y + at.y + 0.5};
+            place = Point{part.left + at.x + 0.5, part.top + at.y + 0.5};
         }
     }
     return place;

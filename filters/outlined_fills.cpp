@@ -20,6 +20,18 @@ constexpr double kLineLevels = 100;   // off the ground: as dark as a line that 
 constexpr double kGroundLevels = 20;  // levels in any channel
 constexpr int kUnfilled = 0, kGroundFill = 1, kFirstFill = 2;
 
+MeanColour level_of(const cv::Mat& pixels, int x, int y) {
+    const std::uint8_t* pixel = pixels.ptr(y, x);
+    if (pixels.channels() == 1) return {double(pixel[0]), double(pixel[0]), double(pixel[0])};
+    return {double(pixel[0]), double(pixel[1]), double(pixel[2])};
+}
+
+cv::Mat highest(const cv::Mat& pixels) {
+    cv::Mat most;
+    cv::reduce(pixels.reshape(1, static_cast<int>(pixels.total())), most, 1, cv::REDUCE_MAX);
+    return most.reshape(1, pixels.rows);
+}
+
 // The part or ground that is nearest, within that distance, and its colour.
 class Nearest {
 public:
@@ -32,7 +44,8 @@ public:
         own_ = cv::Mat::zeros(pixels.size(), CV_32S);
         own_.setTo(kGroundFill, on_ground);
         int number = kFirstFill;
-        for (const FilledPart& part : fills.parts) own_(part.box).setTo(number++, part.mask);
+        for (const FilledPart& part : fills.parts)
+            own_(cv::Rect(part.left, part.top, part.mask.width, part.mask.height)).setTo(number++, view_of(part.mask));
         find_places();
         add_scraps(fills.ground, 3 * most);
         find_places();
@@ -41,7 +54,7 @@ public:
     const cv::Mat& own() const { return own_; }
     bool is_own(int x, int y) const { return own_.at<int>(y, x) != kUnfilled; }
     int at(int x, int y) const { return away_.at<float>(y, x) > most_ ? kUnfilled : own_.at<int>(place(x, y)); }
-    MeanColour colour(int x, int y) const { return colour_at(colours_, place(x, y).x, place(x, y).y); }
+    MeanColour colour(int x, int y) const { return level_of(colours_, place(x, y).x, place(x, y).y); }
 
 private:
     void find_places() {
@@ -61,7 +74,7 @@ private:
                     const MeanColour fill = colour(x, y);
                     const bool is_ground = own_.at<int>(near) == kGroundFill;
                     const double nearly = is_ground ? kGroundLevels : std::min(kNearlyOne, kShare * contrast(fill, ground));
-                    if (contrast(colour_at(pixels_, x, y), fill) >= nearly) continue;
+                    if (contrast(level_of(pixels_, x, y), fill) >= nearly) continue;
                     more.at<int>(y, x) = own_.at<int>(near);
                     std::copy_n(pixels_.ptr(near.y, near.x), pixels_.channels(), colours_.ptr(y, x));
                 }
@@ -88,7 +101,7 @@ cv::Mat borders(const Nearest& nearest, const FilledParts& fills, const cv::Mat&
         if (one == other || one == kUnfilled || other == kUnfilled || std::max(one, other) < kFirstFill) return;
         // Two in one colour have something else between them.
         if (!is_hatch(one) && !is_hatch(other) && alike(nearest.colour(x, y), nearest.colour(u, v)) &&
-            alike(nearest.colour(x, y), colour_at(pixels, x, y)) && alike(nearest.colour(x, y), colour_at(pixels, u, v)))
+            alike(nearest.colour(x, y), level_of(pixels, x, y)) && alike(nearest.colour(x, y), level_of(pixels, u, v)))
             return;
         lines.at<std::uint8_t>(y, x) = 255;
     };
@@ -124,7 +137,7 @@ cv::Mat drawn_between(const cv::Mat& pixels, const cv::Mat& filled, double reach
     cv::dilate(high, high, around);
     cv::subtract(low, pixels, low);
     cv::subtract(pixels, high, high);
-    return most_of(cv::max(low, high)) > kMixed;
+    return highest(cv::max(low, high)) > kMixed;
 }
 
 }  // namespace
@@ -136,7 +149,9 @@ void draw_by_outlines(Image& picture, const FilledParts& fills) {
     const double reach = kBesideFill / mm + 1.5;
     const Nearest nearest(before, fills, reach);
     const cv::Mat drawn = drawn_between(before, nearest.own() != kUnfilled, reach);
-    const cv::Mat near_fill = grown(nearest.own() >= kFirstFill, reach);
+    cv::Mat near_fill;
+    cv::distanceTransform(nearest.own() < kFirstFill, near_fill, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    near_fill = near_fill <= reach;
     const bool light = fills.ground[0] + fills.ground[1] + fills.ground[2] > 1.5 * 255;
     const auto paint = [&](int x, int y, double ink) {
         std::uint8_t* pixel = picture.row(y) + static_cast<std::ptrdiff_t>(x) * picture.channels;
@@ -150,12 +165,12 @@ void draw_by_outlines(Image& picture, const FilledParts& fills) {
             if (number < kFirstFill && near_fill.at<std::uint8_t>(y, x) == 0) continue;
             const bool in_hatch = number >= kFirstFill && fills.parts[static_cast<std::size_t>(number - kFirstFill)].kind.hatch;
             const bool is_line = !in_hatch && !nearest.is_own(x, y) && drawn.at<std::uint8_t>(y, x) != 0;
-            paint(x, y, is_line ? contrast(colour_at(before, x, y), fills.ground) : 0);
+            paint(x, y, is_line ? contrast(level_of(before, x, y), fills.ground) : 0);
         }
     // Where a line is already, it stays as it is.
     cv::Mat lines = borders(nearest, fills, before), ink;
     cv::absdiff(view_of(picture), cv::Scalar(fills.ground[0], fills.ground[1], fills.ground[2]), ink);
-    cv::dilate(most_of(ink), ink, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(5, 5)));
+    cv::dilate(highest(ink), ink, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(5, 5)));
     cv::Mat missing = lines & (ink < kLineLevels);
     cv::dilate(missing, missing, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(7, 7)));
     lines &= missing;
