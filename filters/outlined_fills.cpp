@@ -16,8 +16,9 @@ namespace {
 // mm on the page; pixels where those are larger.
 constexpr double kBesideFill = 0.6;   // so far from a part reach the paler pixels of its border, or half of the line around it
 constexpr double kFillOutline = 0.5;  // width, as that of curves of charts
-constexpr double kLineLevels = 100;   // off the ground: as dark as a line that is drawn by its middle
-constexpr double kGroundLevels = 20;  // levels in any channel
+constexpr double kCoarsestOutline = 0.7;  // a pixel, so that a line of one is no surface
+constexpr double kLineLevels = 100;       // off the ground: as dark as a line that is drawn by its middle
+constexpr double kGroundLevels = 20;      // levels in any channel
 constexpr int kUnfilled = 0, kGroundFill = 1, kFirstFill = 2;
 
 MeanColour level_of(const cv::Mat& pixels, int x, int y) {
@@ -140,11 +141,22 @@ cv::Mat drawn_between(const cv::Mat& pixels, const cv::Mat& filled, double reach
     return highest(cv::max(low, high)) > kMixed;
 }
 
+// In their mean colour, so that they have edges as one in one colour has.
+void paint_hatches(Image& picture, const FilledParts& fills) {
+    cv::Mat pixels = view_of(picture);
+    for (const FilledPart& part : fills.parts) {
+        const cv::Rect box(part.left, part.top, part.mask.width, part.mask.height);
+        const auto& [red, green, blue] = part.kind.colour;
+        if (part.kind.hatch) pixels(box).setTo(cv::Scalar(red, green, blue), view_of(part.mask));
+    }
+}
+
 }  // namespace
 
 void draw_by_outlines(Image& picture, const FilledParts& fills) {
     if (fills.parts.empty()) return;
     const double mm = picture.mm_per_pixel;
+    if (mm > kCoarsestOutline) return paint_hatches(picture, fills);
     const cv::Mat before = view_of(picture).clone();
     const double reach = kBesideFill / mm + 1.5;
     const Nearest nearest(before, fills, reach);
