@@ -23,6 +23,7 @@ constexpr int kLeastTallest = 7;  // of a line: an x of 5 pixels stands beside c
 // letters' side bearings.
 constexpr double kWordGap = 1.0;
 constexpr double kMarkGap = 0.5;
+constexpr double kSignGap = 1.5;  // to an equals sign, whose room is wider than a word space
 // From x-height to a letter with ascender and descender.
 constexpr double kUnlike = 2.4;
 
@@ -144,19 +145,34 @@ bool are_equals_sign(const PixelBox& upper, const PixelBox& lower) {
            std::abs(upper.left - lower.left) <= 1 && std::abs(upper.right - lower.right) <= 1;
 }
 
+// Beside a sign stands a letter of its line, as high as both strokes. Beside two samples of a legend, whose lines are as far
+// apart as its rows, each letter stands beside one of them.
+bool stands_beside(const PixelBox& letter, const PixelBox& upper, const PixelBox& lower) {
+    const PixelBox sign = around(upper, lower);
+    const int gap = std::max(letter.left - sign.right, sign.left - letter.right);
+    const double reach = kSignGap * std::max(letter.height(), sign.height());
+    return is_letter(letter) && gap >= 0 && gap <= reach && letter.top < upper.bottom && letter.bottom > lower.top;
+}
+
 void join_equals_signs(std::vector<InkPiece>& pieces) {
     std::vector<std::size_t> strokes;
     for (std::size_t i = 0; i < pieces.size(); ++i)
         if (pieces[i].box.width() >= 3 * pieces[i].box.height() && pieces[i].box.width() <= kMostHeight) strokes.push_back(i);
     std::stable_sort(strokes.begin(), strokes.end(),
                      [&](std::size_t a, std::size_t b) { return pieces[a].box.left < pieces[b].box.left; });
+    const auto in_line = [&](const PixelBox& upper, const PixelBox& lower) {
+        return std::any_of(pieces.begin(), pieces.end(),
+                           [&](const InkPiece& piece) { return stands_beside(piece.box, upper, lower); });
+    };
     std::vector<bool> gone(pieces.size(), false);
     for (std::size_t i = 0; i < strokes.size(); ++i)
         for (std::size_t k = i + 1; k < strokes.size(); ++k) {
             InkPiece &a = pieces[strokes[i]], &b = pieces[strokes[k]];
             if (b.box.left > a.box.left + 1) break;
             if (gone[strokes[i]] || gone[strokes[k]]) continue;
-            if (!are_equals_sign(a.box, b.box) && !are_equals_sign(b.box, a.box)) continue;
+            const bool a_first = a.box.top < b.box.top;
+            const PixelBox &upper = a_first ? a.box : b.box, &lower = a_first ? b.box : a.box;
+            if (!are_equals_sign(upper, lower) || !in_line(upper, lower)) continue;
             a.box = around(a.box, b.box);
             a.runs.insert(a.runs.end(), b.runs.begin(), b.runs.end());
             gone[strokes[k]] = true;

@@ -104,6 +104,21 @@ TEST(Lettering, AnEqualsSignIsAsMuchOfALineAsALetter) {
     EXPECT_EQ(lines[0].box, (PixelBox{20, 20, 57, 32}));
 }
 
+TEST(Lettering, SamplesOfALegendAreNoEqualsSign) {
+    // As far apart as the rows, and beside each a word of that row alone.
+    Image image = make_image(160, 80, 1, 0, 255);
+    for (const int row : {0, 1}) {
+        fill(image, {20, 25 + 22 * row, 50, 27 + 22 * row}, 0);
+        write_blocks(image, 58, 20 + 22 * row, "xxxx", 0);
+    }
+    const auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 2u);
+    for (const LetteringLine& line : lines) {
+        EXPECT_EQ(line.letters.size(), 4u);
+        EXPECT_EQ(line.box.height(), 12);
+    }
+}
+
 TEST(Lettering, TicksBelowALineAreNoneOfIt) {
     Image image = make_image(160, 60, 1, 0, 255);
     write_blocks(image, 20, 20, "xxxxx", 0);
