@@ -129,6 +129,18 @@ TEST(Lettering, TicksBelowALineAreNoneOfIt) {
     EXPECT_TRUE(lines[0].marks.empty());
 }
 
+TEST(Lettering, InAFrameAndNumbersBelowEachOtherAreTheirOwnLines) {
+    Image image = make_image(200, 120, 1, 0, 255);
+    write_blocks(image, 30, 20, "xxx", 0);
+    for (int x = 22; x < 70; ++x) image.row(12)[x] = image.row(40)[x] = 0;
+    for (int y = 12; y <= 40; ++y) image.row(y)[22] = image.row(y)[69] = 0;
+    for (const int row : {0, 1, 2}) write_blocks(image, 120, 20 + 20 * row, "xx", 0);
+    const auto lines = find_lettering(image);
+    const auto words = std::count_if(lines.begin(), lines.end(), [](const LetteringLine& one) { return one.letters.size() > 1; });
+    EXPECT_EQ(words, 4);
+    for (const LetteringLine& line : lines) EXPECT_FALSE(line.upwards);
+}
+
 TEST(Lettering, OfOneOrTwoLettersMayClimb) {
     Image level = make_image(120, 40, 1, 0, 255);
     write_blocks(level, 20, 12, "xx", 0);
