@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,7 @@ constexpr int kLeastMark = 9, kMostMark = 60;  // pixels
 constexpr std::size_t kFewUnread = 8;          // where no print is known
 
 struct MarkShape {
-    double side = 0, across = 0, share = 0, band = 0;
+    double side = 0, across = 0, share = 0, band = 0, slant = 0;
     Point middle;  // of its ink, in shares of its box
 };
 
@@ -42,6 +43,7 @@ MarkShape mark_shape(const InkPiece& piece) {
     shape.middle = {(x / area + 0.5) / piece.box.width(), (y / area + 0.5) / piece.box.height()};
     const double a = xx / area - x * x / (area * area) + 1.0 / 12, b = yy / area - y * y / (area * area) + 1.0 / 12,
                  c = xy / area - x * y / (area * area);
+    shape.slant = std::abs(c) / std::sqrt(std::max(1e-9, a * b));
     shape.band = area / (12 * std::sqrt(std::max(1e-9, a * b - c * c)));
     return shape;
 }
@@ -112,6 +114,10 @@ bool in_line_with_print(const LetteringLine& line, const KnownPrint& known) {
 
 Point middle_of(const PixelBox& box) { return {0.5 * (box.left + box.right), 0.5 * (box.top + box.bottom)}; }
 
+double gap_between(const PixelBox& a, const PixelBox& b) {
+    return std::hypot(std::max({0, a.left - b.right, b.left - a.right}), std::max({0, a.top - b.bottom, b.top - a.bottom}));
+}
+
 // Figures of an axis of which none was read: at least four of one height, in even steps along a row or column that need not be
 // quite level.
 bool is_on_scale(std::size_t which, const std::vector<ReadLine>& lines) {
@@ -142,6 +148,11 @@ bool is_on_scale(std::size_t which, const std::vector<ReadLine>& lines) {
 bool same_mark(const MarkShape& a, const MarkShape& b) {
     return std::abs(a.side - b.side) <= 1 && std::abs(a.across - b.across) <= 1 && std::abs(a.share - b.share) <= 0.05 &&
            std::abs(a.band - b.band) <= 0.05 && distance(a.middle, b.middle) <= 0.03;
+}
+
+bool same_size(const MarkShape& a, const MarkShape& b) {
+    constexpr double kSame = 0.12;
+    return std::abs(a.side - b.side) <= kSame * b.side && std::abs(a.across - b.across) <= kSame * b.across;
 }
 
 // A dash of a curve where it bends, from end to end hardly longer than it is large. Letters turn more often, or branch.
@@ -194,7 +205,56 @@ public:
         return unlike.empty() ? !upright || !in_line_[line] : drawn && unlike.size() < kShapesOfWords;
     }
 
+    // A letter of each group of letters that follow each other on a slope or a curve, so that they make no line.
+    std::vector<std::size_t> sloping(const KnownPrint& known) const {
+        constexpr double kGap = 0.5;  // of the larger one
+        std::vector<std::size_t> found;
+        std::vector<bool> taken(pieces_.size(), false);
+        const auto may_follow = [&](std::size_t i) {
+            return !taken[i] && as_large_as_print(pieces_[i].shape, known) && pieces_[i].shape.across > 2 &&
+                   !is_repeated(pieces_[i]);
+        };
+        for (std::size_t first = 0; first < pieces_.size(); ++first) {
+            if (!may_follow(first)) continue;
+            std::vector<std::size_t> group{first};
+            taken[first] = true;
+            for (std::size_t at = 0; at < group.size(); ++at)
+                for (std::size_t i = 0; i < pieces_.size(); ++i) {
+                    const Piece &one = pieces_[group[at]], &other = pieces_[i];
+                    if (gap_between(one.ink->box, other.ink->box) > kGap * std::max(one.shape.side, other.shape.side)) continue;
+                    if (!may_follow(i)) continue;
+                    taken[i] = true;
+                    group.push_back(i);
+                }
+            if (const auto letter = letter_of(group)) found.push_back(*letter);
+        }
+        return found;
+    }
+
 private:
+    bool is_repeated(const Piece& piece) const {
+        return are_several([&](const Piece& other) { return same_mark(piece.shape, other.shape); });
+    }
+
+    // The line of its middle letter, if that is a word: of at least four pieces at least two can only be letters.
+    std::optional<std::size_t> letter_of(const std::vector<std::size_t>& group) const {
+        constexpr std::size_t kLeast = 4, kLetters = 2;
+        std::vector<std::size_t> letters;
+        for (const std::size_t i : group)
+            if (is_letter_like(pieces_[i].shape) && !is_bent_band(*pieces_[i].ink)) letters.push_back(i);
+        if (group.size() < kLeast || letters.size() < kLetters) return std::nullopt;
+        return pieces_[letters[letters.size() / 2]].line;
+    }
+
+    static constexpr double kBesideDash = 0.8;  // of the mark
+
+    // No dash.
+    static bool is_mark(const MarkShape& shape) {
+        constexpr double kBroad = 0.6, kSlant = 0.6;
+        return is_letter_like(shape) ||
+               (shape.side >= kLeastMark && shape.across >= kBroad * shape.side && shape.slant <= kSlant);
+    }
+
     static bool is_upright_bar(const Piece& piece) {
         constexpr double kFull = 0.8;
         return piece.ink->box.height() > 2 * piece.ink->box.width() && piece.shape.share >= kFull;
@@ -202,8 +262,8 @@ private:
 
     bool is_drawn(const Piece& piece) const {
         if (is_bent_band(*piece.ink) && !in_line_[piece.line]) return true;
-        if (are_several([&](const Piece& other) { return same_mark(piece.shape, other.shape); })) return true;
-        if (!in_line_[piece.line] && is_among_marks(piece.shape)) return true;
+        if (is_repeated(piece)) return true;
+        if (!in_line_[piece.line] && (is_among_marks(piece.shape) || is_like_one_on_dashes(piece))) return true;
         // Marks of several kinds are of about one size, about as wide as high, and the same on both sides.
         constexpr double kSquare = 0.75, kOneSize = 0.75;
         const auto is_even = [](const Piece& one) {
@@ -217,14 +277,38 @@ private:
 
     // A plot that has marks of that size, or marks that cover each other.
     bool is_among_marks(const MarkShape& shape) const {
-        constexpr double kSame = 0.12, kLeast = 1.15, kMost = 2.5;
+        constexpr double kLeast = 1.15, kMost = 2.5;
         return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& mark) {
             const double side = shape.side / mark.shape.side, across = shape.across / mark.shape.across;
-            const bool one = std::abs(side - 1) <= kSame && std::abs(across - 1) <= kSame;
             const bool two = side >= kLeast && across >= kLeast && side <= kMost;
-            return mark.alone && (one || two) &&
+            return mark.alone && is_mark(mark.shape) && (two || same_size(shape, mark.shape)) &&
                    are_several([&](const Piece& other) { return other.alone && same_mark(mark.shape, other.shape); });
         });
+    }
+
+    bool is_like_one_on_dashes(const Piece& piece) const {
+        return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& other) {
+            return same_size(piece.shape, other.shape) && is_letter_like(other.shape) && is_on_dashes(other);
+        });
+    }
+
+    // A mark of a dashed curve, with the nearest dash of it on each side.
+    bool is_on_dashes(const Piece& piece) const {
+        if (!piece.alone) return false;
+        const PixelBox& box = piece.ink->box;
+        const Point middle = middle_of(box);
+        std::vector<Point> ways;
+        for (const Piece& other : pieces_) {
+            if (&other == &piece || !other.alone || gap_between(box, other.ink->box) > kBesideDash * piece.shape.side) continue;
+            if (is_letter_like(other.shape)) continue;
+            const Point to = middle_of(other.ink->box);
+            const double length = distance(middle, to);
+            if (length > 0) ways.push_back({(to.x - middle.x) / length, (to.y - middle.y) / length});
+        }
+        for (const Point& a : ways)
+            for (const Point& b : ways)
+                if (a.x * b.x + a.y * b.y < -0.8) return true;
+        return false;
     }
 
     // Three or more, and not most of them in line with print, as figures of an axis are.
@@ -275,6 +359,7 @@ std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& l
         }
         unread[i] = true;
     }
+    for (const std::size_t line : drawn.sloping(known)) unread[line] = true;
     if (!any_known && count > kFewUnread)
         for (std::size_t i = 0; i < lines.size(); ++i) unread[i] = unread[i] && lines[i].likely;
     return unread;
