@@ -286,6 +286,17 @@ int ink_depth(const Image& ink, const cv::Mat& mask) {
     return 255 - level;
 }
 
+// What of that ink is as deep as the sample: a black line has a pale border, and a thin one is paler for a while.
+cv::Mat as_deep_as(const KeySample& sample, const cv::Mat& own, const Image& ink) {
+    constexpr double kShare = 0.4;  // of its depth: the frame of a legend is paler than any curve
+    constexpr int kAround = 7;      // pixels
+    const double apart = std::min<double>(kSameOfDashes, kShare * sample.off_ground), depth = 255 - sample.off_ground;
+    cv::Mat darkest, deep;
+    cv::erode(view_of(ink), darkest, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(kAround, kAround)));
+    cv::inRange(darkest, cv::Scalar(depth - apart), cv::Scalar(depth + apart), deep);
+    return own & deep;
+}
+
 // Black or grey and whole, as axes are, and the only curve that is. What crosses it in colour does not end it, and what covers it
 // for a while leaves pieces of it one beside the other.
 std::optional<Point> place_on_grey(const Image& picture, const Image& ink, const KeySample& sample,
@@ -302,6 +313,7 @@ std::optional<Point> place_on_grey(const Image& picture, const Image& ink, const
     cv::morphologyEx(own, level, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(long_across, 1)));
     cv::morphologyEx(own, upright, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(1, long_down)));
     own &= ~(level | upright);
+    own = as_deep_as(sample, own, ink);
     cv::distanceTransform(~own, whole, cv::DIST_L2, cv::DIST_MASK_PRECISE);
     whole = (whole <= kCrossed) & (view_of(ink) < kInkOfKeys);
     cv::Mat labels, stats, middles;

@@ -94,7 +94,7 @@ void add_strokes(const Page& own, const Medium& medium, Drawing& drawing) {
     for (std::size_t i = 0; i < own.strokes.size(); ++i) {
         const PageStroke& stroke = own.strokes[i];
         if (!is_drawn(stroke.role) || stroke.points.size() < 2) continue;
-        if (stroke.role == Role::lead && leads_from_name(stroke, own, medium.gap + medium.thin_line)) continue;
+        if (stroke.role == Role::lead && leads_from_name(stroke, own, clear_of_braille(medium) + medium.thin_line)) continue;
         Stroke line{stroke.points, stroke.closed, stroke.inner ? LineClass::thin : class_of(stroke.width, medium), 0,
                     stroke.role};
         if (const std::size_t last = last_of_line(own, i); last > i) {

@@ -211,15 +211,17 @@ double first_ink(Reading& reading, const Lettering& lettering) {
 }
 
 // A person must look at each, but of many pictures a line for each picture is enough to send them there.
-void add_unsure(Notes& notes, const std::vector<ToldWords>& told) {
-    const auto count = std::count_if(told.begin(), told.end(), [](const ToldWords& one) { return !one.set; });
+void add_unsure(Notes& notes, const PrintWords& words) {
+    std::vector<const ToldWords*> left;
+    for (std::size_t i = 0; i < words.told.size(); ++i)
+        if (!words.told[i].set && !(words.remove_all && words.lettering.words[i].print)) left.push_back(&words.told[i]);
+    const std::size_t count = left.size();
     if (count > 1)
         notes.push_back(
             to_act_on(phrase("print at {0} places was not read for sure and is left in the lines; look it over, and give "
                              "what is words with {1}",
                              std::to_string(count), spelled("label"))));
-    for (const ToldWords& one : told)
-        if (!one.set) notes.push_back({unsure_line(one), count > 1 ? Note::Kind::know : Note::Kind::act});
+    for (const ToldWords* one : left) notes.push_back({unsure_line(*one), count > 1 ? Note::Kind::know : Note::Kind::act});
 }
 
 // Words of a legend stand at what their samples show.
@@ -302,7 +304,7 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
                     "print was read at {0} place and stands in braille; look it over, or leave it as it is with {1} leave",
                     "print was read at {0} places and stands in braille; look it over, or leave it as it is with {1} leave",
                     spelled("words")));
-    if (!words.remove_all) add_unsure(words.notes, words.told);
+    add_unsure(words.notes, words);
     return words;
 }
 

@@ -130,7 +130,7 @@ public:
 
 private:
     Beside beside_at(double width) const {
-        return beside(drawing_.names(width), blocks_, width, width / aspect_, sheet_.medium->gap);
+        return beside(drawing_.names(width), blocks_, width, width / aspect_, clear_of_braille(*sheet_.medium));
     }
 
     bool fits(double width) const {

@@ -119,7 +119,7 @@ public:
         : page_(page),
           sheet_(sheet),
           windows_(windows),
-          room_(page, sheet.medium->gap),
+          room_(page, clear_of_braille(*sheet.medium)),
           leads_(page, sheet.medium->thin_line, sheet.medium->gap) {
         for (const BrailleLine& line : page.braille)
             if (!line.cells.empty()) words_.push_back(extent_of(line, page.cell, page.braille_dot));
@@ -226,7 +226,7 @@ private:
     }
 
     // From the middle of a lead line to words; files round to hundredths, at both.
-    double lead_gap() const { return sheet_.medium->gap + sheet_.medium->thin_line / 2 + 0.02; }
+    double lead_gap() const { return clear_of_braille(*sheet_.medium) + sheet_.medium->thin_line / 2 + 0.02; }
 
     // Where the place that it has is hemmed in: another one on the border of the same thing.
     bool stands_elsewhere(Piece& piece) {

@@ -19,8 +19,6 @@ namespace {
 
 // The amount by which a file's rounding to hundredths of a millimetre can reduce a distance.
 constexpr double kRounded = 0.02;
-// Beside braille, on every medium (L. Hasty, Designing Tactile Graphics: 1/8 in between any two elements).
-constexpr double kFromBraille = 3.2;
 
 struct Side {
     Point a, b;

@@ -14,6 +14,11 @@ namespace tactics {
 /// The point of a rectangle that is nearest to a point.
 Point nearest_of(const Rect& rect, Point p);
 
+/// From braille to the edge of anything else: 1/8 in between any two elements (L. Hasty, Designing Tactile Graphics), mm.
+inline constexpr double kFromBraille = 3.2;
+/// The same on that medium, whose gap between lines may be more or less.
+inline double clear_of_braille(const Medium& medium) { return medium.gap > kFromBraille ? medium.gap : kFromBraille; }
+
 /// The rectangle around all possible dots of the cells of that line.
 Rect extent_of(const BrailleLine& line, const CellSize& cell, double dot);
 

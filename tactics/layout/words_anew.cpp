@@ -123,7 +123,7 @@ Phrase set_line_anew(Page& page, int words) {
 void lead_anew(Page& page, const Rect& before, const Rect& now, Point thing) {
     constexpr double kNear = 1;  // mm besides the gap
     const Medium& medium = medium_of(page);
-    const double gap = medium.gap + medium.thin_line / 2;
+    const double gap = clear_of_braille(medium) + medium.thin_line / 2;
     for (PageStroke& stroke : page.strokes) {
         if (stroke.role != Role::lead || stroke.points.size() != 2) continue;
         Point &from = stroke.points[0], &to = stroke.points[1];

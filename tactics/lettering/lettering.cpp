@@ -177,10 +177,13 @@ Lettering read_lettering(const Image& picture, std::string_view language, double
     if (!lettering.trouble.empty()) return lettering;
     std::vector<ReadLine>& all = asked.all;
     if (!fonts || !hold_against_fonts(grey, all, std::move(climbing), fonts)) believe_lone_letters(all);
-    for (ReadLine& one : all) one.tell = one.tell || may_be_words(one, all);
+    for (ReadLine& one : all) one.likely = may_be_words(one, all);
     const std::vector<bool> unread = unread_print(grey, all);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i].words.sure && !all[i].tell && !unread[i]) continue;
+        // Two marks of a plot are read as two letters, but seldom three as three.
+        constexpr std::size_t kLetters = 3;
+        all[i].words.print = all[i].words.sure || all[i].tell || (all[i].likely && all[i].line.letters.size() >= kLetters);
         if (unread[i] && !has_letter_or_digit(all[i].words.text)) all[i].words.text.clear();
         lettering.words.push_back(std::move(all[i].words));
     }

@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "tactics/lettering/equals_sign.h"
 #include "tactics/lettering/found_boxes.h"
 
 namespace tactics {
@@ -45,6 +46,7 @@ bool is_mark(const PixelBox& box, int letter_height) {
 bool stand_in_line(const PixelBox& a, const PixelBox& b) {
     const int low = std::min(a.height(), b.height()), high = std::max(a.height(), b.height());
     if (high > kUnlike * low) return false;
+    if (around(a, b) == a || around(a, b) == b) return false;  // a frame
     if (std::min(a.bottom, b.bottom) - std::max(a.top, b.top) < 0.5 * low) return false;
     const int gap = std::max(a.left, b.left) - std::min(a.right, b.right);
     return gap < kWordGap * high;
@@ -134,35 +136,6 @@ double share_of_ink(const InkPiece& piece) {
     double ink = 0;
     for (const InkRun& run : piece.runs) ink += run.right - run.left;
     return ink / (static_cast<double>(piece.box.width()) * piece.box.height());
-}
-
-// An equals sign: two strokes as long as each other, one above the other. Together they stand in line with letters.
-bool are_equals_sign(const PixelBox& upper, const PixelBox& lower) {
-    const int width = std::max(upper.width(), lower.width());
-    return upper.bottom < lower.top && lower.bottom - upper.top <= 0.8 * width && 3 * upper.height() <= width &&
-           3 * lower.height() <= width && width >= kLeastInkHeight && width <= kMostHeight &&
-           std::abs(upper.left - lower.left) <= 1 && std::abs(upper.right - lower.right) <= 1;
-}
-
-void join_equals_signs(std::vector<InkPiece>& pieces) {
-    std::vector<std::size_t> strokes;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (pieces[i].box.width() >= 3 * pieces[i].box.height() && pieces[i].box.width() <= kMostHeight) strokes.push_back(i);
-    std::stable_sort(strokes.begin(), strokes.end(),
-                     [&](std::size_t a, std::size_t b) { return pieces[a].box.left < pieces[b].box.left; });
-    std::vector<bool> gone(pieces.size(), false);
-    for (std::size_t i = 0; i < strokes.size(); ++i)
-        for (std::size_t k = i + 1; k < strokes.size(); ++k) {
-            InkPiece &a = pieces[strokes[i]], &b = pieces[strokes[k]];
-            if (b.box.left > a.box.left + 1) break;
-            if (gone[strokes[i]] || gone[strokes[k]]) continue;
-            if (!are_equals_sign(a.box, b.box) && !are_equals_sign(b.box, a.box)) continue;
-            a.box = around(a.box, b.box);
-            a.runs.insert(a.runs.end(), b.runs.begin(), b.runs.end());
-            gone[strokes[k]] = true;
-        }
-    std::size_t at = 0;
-    std::erase_if(pieces, [&](const InkPiece&) { return gone[at++]; });
 }
 
 class Finder {
@@ -292,12 +265,27 @@ private:
                 std::count_if(one.letters.begin(), one.letters.end(), [&](std::size_t letter) { return in_row[letter] <= 2; }));
             if (10 * alone < 7 * one.letters.size()) continue;
             const bool is_short = one.letters.size() < kLeastLetters;
+            if (!is_short && are_rows(turned_boxes, one, in_row)) continue;
             if (is_short && alone < one.letters.size()) continue;
             if (!is_short)
                 for (const std::size_t letter : one.letters) climbs[letter] = true;
             add(pieces, turned_boxes, one, level, light, true, is_short ? short_ : found_);
         }
         for (const Group& one : group(upright, climbs)) add(pieces, upright, one, level, light, false, found_);
+    }
+
+    // Short numbers of a table, one below the other: seen by who reads upwards, their letters stand apart as words do.
+    static bool are_rows(const std::vector<PixelBox>& turned_boxes, const Group& group, const std::vector<std::size_t>& in_row) {
+        constexpr double kApart = 0.45;  // of the height
+        int height = 0, reached = turned_boxes[group.letters.front()].right;
+        std::size_t apart = 0, in_pairs = 0;
+        for (const std::size_t letter : group.letters) height = std::max(height, turned_boxes[letter].height());
+        for (const std::size_t letter : group.letters) {
+            apart += turned_boxes[letter].left - reached > kApart * height ? 1 : 0;
+            reached = std::max(reached, turned_boxes[letter].right);
+            in_pairs += in_row[letter] > 1 ? 1 : 0;
+        }
+        return 2 * in_pairs >= group.letters.size() ? 3 * apart >= group.letters.size() : apart + 1 == group.letters.size();
     }
 
     void add(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, Group group, int level, bool light,

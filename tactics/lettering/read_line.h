@@ -13,6 +13,7 @@ struct ReadLine {
     bool alike = false;    ///< read the same at two sizes
     bool counted = false;  ///< it has as many words as there are gaps
     bool tell = false;     ///< it is print, whether it can be read or not
+    bool likely = false;   ///< it was read as words that may be none
 };
 
 inline bool is_words(const LetteringLine& line) { return line.letters.size() > 1; }
@@ -25,10 +26,10 @@ PrintedWords print_of(const Image& grey, const LetteringLine& line);
 bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::vector<LetteringLine> climbing,
                         const PrintFonts& fonts);
 
-/// Which of the lines look like print, and are neither sure nor told: single letters and figures that are soft, noisy or of no
-/// known font. Where other print is known such a thing is about as large, else there are few. It stands free, is no dot, dash or
-/// disc, and does not look like two others, as marks of a plot do, or like a bent dash, unless it stands in line with print. Nor
-/// is it one of three or more things of about one size, as wide as high, of which no more than half stand in line with print.
+/// Which of the lines that are neither sure nor told are print: those that are likely, and such as look like print: figures and
+/// words that are soft, noisy or of no known font. Where other print is known these are about as large, else there are few. They
+/// stand free. None is what may be drawn: bars and discs; three or more things that look like each other, or are of about one
+/// size and as wide as high, as marks of a plot are, and bent dashes, unless they stand in line with print.
 std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& lines);
 
 }  // namespace tactics

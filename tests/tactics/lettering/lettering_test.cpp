@@ -104,6 +104,21 @@ TEST(Lettering, AnEqualsSignIsAsMuchOfALineAsALetter) {
     EXPECT_EQ(lines[0].box, (PixelBox{20, 20, 57, 32}));
 }
 
+TEST(Lettering, SamplesOfALegendAreNoEqualsSign) {
+    // As far apart as the rows, and beside each a word of that row alone.
+    Image image = make_image(160, 80, 1, 0, 255);
+    for (const int row : {0, 1}) {
+        fill(image, {20, 25 + 22 * row, 50, 27 + 22 * row}, 0);
+        write_blocks(image, 58, 20 + 22 * row, "xxxx", 0);
+    }
+    const auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 2u);
+    for (const LetteringLine& line : lines) {
+        EXPECT_EQ(line.letters.size(), 4u);
+        EXPECT_EQ(line.box.height(), 12);
+    }
+}
+
 TEST(Lettering, TicksBelowALineAreNoneOfIt) {
     Image image = make_image(160, 60, 1, 0, 255);
     write_blocks(image, 20, 20, "xxxxx", 0);
@@ -112,6 +127,18 @@ TEST(Lettering, TicksBelowALineAreNoneOfIt) {
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_EQ(lines[0].box, (PixelBox{20, 20, 72, 32}));
     EXPECT_TRUE(lines[0].marks.empty());
+}
+
+TEST(Lettering, InAFrameAndNumbersBelowEachOtherAreTheirOwnLines) {
+    Image image = make_image(200, 120, 1, 0, 255);
+    write_blocks(image, 30, 20, "xxx", 0);
+    for (int x = 22; x < 70; ++x) image.row(12)[x] = image.row(40)[x] = 0;
+    for (int y = 12; y <= 40; ++y) image.row(y)[22] = image.row(y)[69] = 0;
+    for (const int row : {0, 1, 2}) write_blocks(image, 120, 20 + 20 * row, "xx", 0);
+    const auto lines = find_lettering(image);
+    const auto words = std::count_if(lines.begin(), lines.end(), [](const LetteringLine& one) { return one.letters.size() > 1; });
+    EXPECT_EQ(words, 4);
+    for (const LetteringLine& line : lines) EXPECT_FALSE(line.upwards);
 }
 
 TEST(Lettering, OfOneOrTwoLettersMayClimb) {

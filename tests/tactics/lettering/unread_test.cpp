@@ -64,7 +64,7 @@ TEST_F(UnreadPrint, ASingleFigureIsToldAndMarksAreNot) {
 TEST_F(UnreadPrint, WhereNoPrintIsKnownFewThingsAreTold) {
     draw(100, 150, two), draw(250, 60, four), disc(60, 40, 0, 7);
     EXPECT_EQ(told(false).size(), 2u);
-    for (int i = 0; i < 9; ++i) draw(20 + 30 * i, 20, i % 2 == 0 ? two : four);
+    for (int i = 0; i < 9; ++i) draw(20 + 30 * i, 180, i % 2 == 0 ? two : four);
     EXPECT_TRUE(told(false).empty());
 }
 
@@ -79,6 +79,27 @@ TEST_F(UnreadPrint, ABentDashAndMarksOfAboutOneSizeAreNone) {
     const auto boxes = told(true);
     EXPECT_EQ(boxes.size(), 1u);
     EXPECT_TRUE(has(boxes, 251, 101));
+}
+
+TEST_F(UnreadPrint, MarksThatCoverEachOtherAreNone) {
+    draw(20, 150, two), draw(34, 150, four);
+    const std::vector<std::string_view> cross{"   #   ", "   #   ", "   #   ", "#######", "   #   ", "   #   ", "   #   "};
+    for (const int x : {80, 140, 200, 260}) draw(x, 30 + x / 5, cross);
+    draw(120, 100, cross), draw(122, 104, cross);  // as one piece they look like nothing else
+    draw(180, 120, four);
+    const auto boxes = told(true);
+    EXPECT_EQ(boxes.size(), 1u);
+    EXPECT_TRUE(has(boxes, 181, 121));
+}
+
+TEST_F(UnreadPrint, FiguresOfAnAxisAreToldWhereNoneOfThemWasRead) {
+    draw(20, 20, two), draw(34, 20, four);  // "24", far away
+    const std::vector<std::string_view> one{"  #", "###", "  #", "  #", "  #", "  #", "  #"},
+        seven{"#####", "    #", "    #", "   # ", "   # ", "  #  ", "  #  "};
+    draw(60, 150, one), draw(119, 151, two), draw(179, 152, seven), draw(239, 153, four);  // a scan is not quite level
+    EXPECT_EQ(told(true).size(), 4u);
+    draw(60, 100, {"#####", "#####", "#####", "#####", "#####", "#####", "#####"});
+    EXPECT_EQ(told(true).size(), 4u);
 }
 
 TEST_F(UnreadPrint, WhatIsNotAsLargeAsPrintOrTouchesIsNone) {
