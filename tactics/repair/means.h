@@ -17,11 +17,6 @@ using Mends = std::vector<Mend>;
 /// that the rest can be examined.
 Mends thin_out(Drawing& drawing, const Medium& medium, double times);
 
-/// Of edges found in a picture (strokes with strength), the short ones in a crowd say least: where lines with their gaps take
-/// more of the ground than lines that lie as they will can share, the short ones with the least evidence go. Thus the outline of
-/// a deer stays in the wood that it stands in. Lines of other sources are unchanged.
-Mends thin_crowds(Drawing& drawing, const Medium& medium);
-
 /// Ends that nearly meet a line, and point to it, are led onto it.
 Mends join_ends(Drawing& drawing, const Medium& medium, Seen& seen);
 

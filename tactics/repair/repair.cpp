@@ -55,8 +55,6 @@ public:
         return true;
     }
 
-    void thin_crowds() { add(tactics::thin_crowds(drawing_, medium_)); }
-
     bool thin(double times) {
         const bool thinned = add(thin_out(drawing_, medium_, times));
         if (thinned) seen_.reset();
@@ -148,7 +146,6 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         repaired.changes = repairing.take_changes();
         repaired.kept = length_before > 0 ? std::min(1.0, length_of_all(mended) / length_before) : 1;
     };
-    repairing.thin_crowds();
     repairing.thin(kMostLine);
     if (!repairing.seen().near.complete()) repairing.thin(kMostLine / 2);
     Broken before = broken_rules(repairing.seen(), medium);
