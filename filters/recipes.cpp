@@ -23,6 +23,7 @@ constexpr NamedRecipe kRecipes[] = {
      "sobel\n"
      "threshold method=fixed level=40\n"
      "trace\n"
+     "thin-crowds\n"
      "simplify\n"},
     {"kmeans-sobel", "regions of similar grey, then the edges between them",
      "resample dpi=100\n"
@@ -30,12 +31,14 @@ constexpr NamedRecipe kRecipes[] = {
      "sobel\n"
      "threshold method=fixed level=10\n"
      "trace\n"
+     "thin-crowds\n"
      "simplify\n"},
     {"sobel-kmeans", "edges first, then segmentation selects the strong ones: best in the pilot study",
      "resample dpi=100\n"
      "sobel\n"
      "kmeans k=4 keep=2\n"
      "trace\n"
+     "thin-crowds\n"
      "simplify\n"},
     {"photo", "photographs: a few whole outlines of what people would draw",
      "resample dpi=50\n"
