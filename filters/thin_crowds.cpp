@@ -29,6 +29,12 @@ constexpr Option kThinCrowdsOptions[] = {
      .max = 1000,
      .unit = "mm",
      .summary = "longer lines stay, as a finger can follow them out of the crowd"},
+    {.name = "few",
+     .type = Option::Type::whole,
+     .fallback = 100,
+     .min = 0,
+     .max = 1e6,
+     .summary = "so many lines stay in any case, as a finger can look at each"},
     {.name = "gap",
      .type = Option::Type::length,
      .fallback = 4.2,
@@ -113,11 +119,14 @@ Artwork apply_thin_crowds(Artwork artwork, const Settings& settings) {
         ground.take(parts.back(), 1);
     }
     std::vector<bool> goes(drawing.strokes.size());
+    std::size_t left = drawing.strokes.size();
+    const auto few = static_cast<std::size_t>(settings.number("few"));
     const std::vector<std::size_t> order = by_evidence(drawing.strokes);
     std::for_each(order.rbegin(), order.rend(), [&](std::size_t i) {
-        if (length_of(drawing.strokes[i]) >= longest || ground.round_it(parts[i]) <= most) return;
+        if (left <= few || length_of(drawing.strokes[i]) >= longest || ground.round_it(parts[i]) <= most) return;
         ground.take(parts[i], -1);
         goes[i] = true;
+        --left;
     });
     std::size_t at = 0;
     std::erase_if(drawing.strokes, [&](const Stroke&) { return goes[at++]; });

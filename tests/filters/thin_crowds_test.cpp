@@ -77,6 +77,17 @@ TEST(ThinCrowds, LeavesWhatHasRoomAndWhatIsLong) {
     EXPECT_EQ(drawn(wood(1500), "thin-crowds ground=100").strokes.size(), 1501u);
 }
 
+// The eyes and the mouth of a face on a small sheet are a crowd, too.
+TEST(ThinCrowds, LeavesAFew) {
+    EXPECT_EQ(drawn(wood(1500), "thin-crowds ground=0").strokes.size(), 100u);
+    EXPECT_EQ(drawn(wood(1500), "thin-crowds ground=0 few=300").strokes.size(), 300u);
+    Drawing small = wood(90);
+    for (Stroke& stroke : small.strokes)
+        for (Point& p : stroke.points) p = {p.x / 6, p.y / 6};
+    small.width /= 6, small.height /= 6;
+    EXPECT_EQ(drawn(small, "thin-crowds").strokes.size(), 91u);
+}
+
 TEST(ThinCrowds, HasNoMoreToDoAfterwards) {
     const Drawing once = drawn(wood(1500), "thin-crowds");
     EXPECT_EQ(drawn(once, "thin-crowds").strokes.size(), once.strokes.size());
