@@ -31,7 +31,6 @@ constexpr NamedRecipe kRecipes[] = {
      "sobel\n"
      "threshold method=fixed level=10\n"
      "trace\n"
-     "thin-crowds\n"
      "simplify\n"},
     {"sobel-kmeans", "edges first, then segmentation selects the strong ones: best in the pilot study",
      "resample dpi=100\n"
