@@ -14,7 +14,6 @@
 #include "filters/contour_maps.h"
 #include "filters/edge_map.h"
 #include "filters/edge_noise.h"
-#include "filters/enlarged.h"
 #include "filters/map_choice.h"
 #include "filters/plain_contours.h"
 #include "filters/thin_lines.h"
@@ -84,11 +83,11 @@ constexpr std::array kContoursOptions{
 };
 
 // Scans and prints bring a frame along: a line close beside the border says nothing of the scene, one that runs out of it does.
-constexpr double kBorder = 2, kBorderOfLines = 1;  // in blurs; an axis may be the last thing of a figure
-constexpr float kContoursBeside = 0.9f;            // cosine of the angle to the border, 26 degrees
+constexpr double kBorder = 2;            // in blurs
+constexpr float kContoursBeside = 0.9f;  // cosine of the angle to the border, 26 degrees
 
-void leave_the_border(EdgeMap& map, double width) {
-    const int border = static_cast<int>(std::lround(width));
+void leave_the_border(EdgeMap& map, double sigma) {
+    const int border = static_cast<int>(std::lround(kBorder * sigma));
     std::size_t i = 0;
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x, ++i) {
@@ -114,7 +113,7 @@ EdgeMap learned_contours(const Image& picture, const ContourNet& net) {
     constexpr float kHardly = 20;
     constexpr double kReach = 2;  // pixels to either side in which a contour's chance falls off
     EdgeMap thin = thin_edges(learned_map_of(picture, net), kReach);
-    leave_the_border(thin, kBorder * kReach);
+    leave_the_border(thin, kReach);
     drop_below(thin, kHardly);
     thin.mm_per_pixel = picture.mm_per_pixel;
     return thin;
@@ -131,20 +130,11 @@ ChosenSetting settle_contours(const Artwork& artwork, Settings& settings) {
                    numeral(std::round(blur * 10) / 10))};
 }
 
-// Lines of two pixels in a surface, spread over a whole page, are neither lines nor clear edges to what measures in mm: they
-// need pixels that are finer than the blur. Where they nearly are, finer ones would part the two sides of a line, as of those
-// around a hatch. A picture of fewer than that is one for a medium that shows no more.
-Image fine_for_lines(const Image& picture, double blur_mm) {
-    constexpr double kFinest = 0.5, kFine = 0.85, kCoarsest = 2;  // of the blur, a pixel
-    constexpr double kMostSide = 4000;
-    const double share = picture.mm_per_pixel / blur_mm, scale = share / kFinest;
-    const double wide = std::round(picture.width * scale), high = std::round(picture.height * scale);
-    if (share <= kFine || share > kCoarsest || std::max(wide, high) > kMostSide) return picture;
-    return enlarged(picture, static_cast<int>(wide), static_cast<int>(high));
-}
-
-EdgeMap plain_edges(const Image& picture, const Settings& settings) {
-    const double mm = picture.mm_per_pixel, sigma = blur_of(picture, settings), lines = settings.number("lines") / mm;
+Artwork apply_contours(Artwork artwork, const Settings& settings) {
+    const Image& picture = std::get<Image>(artwork);
+    const double mm = picture.mm_per_pixel;
+    if (const auto net = net_for(settings)) return learned_contours(picture, *net);
+    const double sigma = blur_of(picture, settings);
     const PlainMap map = plain_contours(picture, {.blur = sigma,
                                                   .along = settings.number("along") / mm,
                                                   .chroma = settings.number("chroma"),
@@ -152,19 +142,11 @@ EdgeMap plain_edges(const Image& picture, const Settings& settings) {
                                                   .floor = settings.number("floor")});
     if (map.edges.thinned) return map.edges;
     EdgeMap thin = thin_edges(map.edges, sigma);
-    leave_the_border(thin, (lines > 0 ? kBorderOfLines : kBorder) * sigma);
+    leave_the_border(thin, sigma);
     drop_below(thin, static_cast<float>(kLeft * map.noise));
     // The edges beside a line stand a blur away from it, and no more than half of one farther.
-    add_thin_lines(thin, picture, lines, 1.5 * sigma);
+    add_thin_lines(thin, picture, settings.number("lines") / mm, 1.5 * sigma);
     return thin;
-}
-
-Artwork apply_contours(Artwork artwork, const Settings& settings) {
-    const Image& picture = std::get<Image>(artwork);
-    if (const auto net = net_for(settings)) return learned_contours(picture, *net);
-    const double blur = settings.number("blur");
-    if (settings.number("lines") > 0 && blur > 0) return plain_edges(fine_for_lines(picture, blur), settings);
-    return plain_edges(picture, settings);
 }
 
 }  // namespace

@@ -2,14 +2,16 @@
 #include "filters/inked_fills.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <iterator>
 #include <utility>
 
-#include "filters/filled_parts.h"
+#include "filters/darken.h"
 #include "filters/opencv.h"
 #include "filters/outline.h"
-#include "filters/outlined_fills.h"
 #include "filters/smooth.h"
 #include "filters/texture_choice.h"
 #include "tactics/geometry/course.h"
@@ -20,14 +22,179 @@ namespace tactics {
 
 namespace {
 
-// mm on the page. A surface must hold what is felt as a texture (6.4 mm) with the gap to its outline on both sides.
-constexpr double kNarrowestTexture = 11;
+// Settings, in mm on the page. A surface must hold what is felt as a texture (6.4 mm) with the gap to its outline on both sides.
+constexpr double kNarrowest = 11;
+constexpr double kHatchGap = 4.8;   // white between the lines of a hatch; more is a ground with lines on it
+constexpr double kHatchPart = 8;    // any place of a hatch has so much of it around
+constexpr int kFlat = 14;           // levels that neighbours in one colour may differ by; JPEG leaves some
+constexpr int kSameColour = 20;     // levels in any channel
+constexpr double kMostOpen = 0.12;  // of the border of a hatch without a line
+constexpr std::size_t kMostParts = 400;
+
+using MeanColour = std::array<double, 3>;
+
+struct FillKind {
+    MeanColour colour{};  // the mean
+    bool hatch = false;
+    double angle = 0, order = 0;  // of a hatch: doubled, and how much all lines run one way
+};
+
+struct Part {
+    cv::Rect box;
+    cv::Mat mask;  // of the box
+    FillKind kind;
+};
+
+// By distances: the time does not grow with the radius. Beyond the picture is nothing.
+cv::Mat shrunk(const cv::Mat& mask, double radius) {
+    cv::Mat deep;
+    cv::copyMakeBorder(mask, deep, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+    cv::distanceTransform(deep, deep, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    return deep(cv::Rect(1, 1, mask.cols, mask.rows)) > radius;
+}
+cv::Mat grown(const cv::Mat& mask, double radius) {
+    cv::Mat away;
+    cv::distanceTransform(~mask, away, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    return away <= radius;
+}
+cv::Mat opened(const cv::Mat& mask, double radius) { return grown(shrunk(mask, radius), radius) & mask; }
+
+double widest(const cv::Mat& mask) {
+    cv::Mat deep;
+    cv::copyMakeBorder(mask, deep, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+    cv::distanceTransform(deep, deep, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    double most = 0;
+    cv::minMaxLoc(deep, nullptr, &most);
+    return 2 * most;
+}
+
+MeanColour mean_of(const cv::Mat& pixels, const cv::Mat& mask) {
+    const cv::Scalar mean = cv::mean(pixels, mask);
+    return pixels.channels() == 1 ? MeanColour{mean[0], mean[0], mean[0]} : MeanColour{mean[0], mean[1], mean[2]};
+}
+
+bool alike(const MeanColour& a, const MeanColour& b) {
+    for (std::size_t c = 0; c < 3; ++c)
+        if (std::abs(a[c] - b[c]) > kSameColour) return false;
+    return true;
+}
+
+bool same_kind(const FillKind& a, const FillKind& b) {
+    constexpr double kSameOrder = 0.25, kSameAngle = 0.7;  // 20 degrees of a line's direction, doubled
+    if (a.hatch != b.hatch) return false;
+    if (!a.hatch) return alike(a.colour, b.colour);
+    if (std::abs(a.order - b.order) > kSameOrder) return false;
+    return std::cos(a.angle - b.angle) > std::cos(kSameAngle) || std::max(a.order, b.order) < kSameOrder;
+}
+
+// Parts of one colour, with the paler pixels of their border.
+cv::Mat flat_places(const cv::Mat& pixels) {
+    cv::Mat low, high, range;
+    cv::erode(pixels, low, cv::Mat());
+    cv::dilate(pixels, high, cv::Mat());
+    cv::subtract(high, low, range);
+    if (range.channels() == 3) {
+        std::array<cv::Mat, 3> planes;
+        cv::split(range, planes.data());
+        range = cv::max(planes[0], cv::max(planes[1], planes[2]));
+    }
+    return range <= kFlat;
+}
+
+struct Found {
+    std::vector<Part> flats;  // without the ground
+    cv::Mat open;             // where one colour is all around, the ground's, too
+    MeanColour ground{};
+};
+
+Found flats_of(const cv::Mat& pixels, double mm) {
+    Found found;
+    cv::Mat labels, stats, middles;
+    const int count = cv::connectedComponentsWithStats(flat_places(pixels), labels, stats, middles, 4, CV_32S);
+    found.open = cv::Mat::zeros(pixels.size(), CV_8U);
+    const double least = kHatchGap / mm;
+    std::vector<Part> parts;
+    std::vector<int> sizes;
+    for (int i = 1; i < count; ++i) {
+        const int wide = stats.at<int>(i, cv::CC_STAT_WIDTH), high = stats.at<int>(i, cv::CC_STAT_HEIGHT);
+        if (std::min(wide, high) < least || parts.size() == kMostParts) continue;
+        const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP), wide, high);
+        const cv::Mat own = labels(box) == i;
+        const double width = widest(own);
+        if (width < least) continue;
+        Part part{box, own, {}};
+        part.kind.colour = mean_of(pixels(box), own);
+        cv::Mat(found.open(box)) |= own;
+        if (width * mm < kNarrowest && stats.at<int>(i, cv::CC_STAT_AREA) < 0.1 * static_cast<double>(pixels.total())) continue;
+        parts.push_back(std::move(part));
+        sizes.push_back(stats.at<int>(i, cv::CC_STAT_AREA));
+    }
+    // The ground is the colour of which there is most.
+    double most = 0;
+    for (const Part& one : parts) {
+        double size = 0;
+        for (std::size_t k = 0; k < parts.size(); ++k) size += alike(parts[k].kind.colour, one.kind.colour) ? sizes[k] : 0;
+        if (size > most) {
+            most = size;
+            found.ground = one.kind.colour;
+        }
+    }
+    std::erase_if(parts, [&](const Part& part) { return alike(part.kind.colour, found.ground); });
+    found.flats = std::move(parts);
+    return found;
+}
+
+// Which way the lines run, from the products of the slopes.
+void find_direction(const cv::Mat& ink, const cv::Mat& mask, FillKind& kind) {
+    cv::Mat dx, dy;
+    cv::Sobel(ink, dx, CV_32F, 1, 0);
+    cv::Sobel(ink, dy, CV_32F, 0, 1);
+    const double xx = cv::mean(dx.mul(dx), mask)[0], yy = cv::mean(dy.mul(dy), mask)[0], xy = cv::mean(dx.mul(dy), mask)[0];
+    kind.angle = std::atan2(2 * xy, xx - yy);
+    kind.order = xx + yy > 0 ? std::hypot(xx - yy, 2 * xy) / (xx + yy) : 0;
+}
+
+// Nearly all of its border is a line: a row of things beside each other has none around it.
+bool is_bounded(const cv::Mat& near_ink, const cv::Mat& mask) {
+    const cv::Mat border = mask & ~shrunk(mask, 2);
+    const int all = cv::countNonZero(border);
+    return all > 0 && cv::countNonZero(border & ~near_ink) <= kMostOpen * all;
+}
+
+// Each part is looked at within its own box, so that the time grows with the picture, and hardly with the number of parts.
+std::vector<Part> hatches_of(const cv::Mat& pixels, const Image& ink, const Found& found, double mm) {
+    const double reach = kHatchPart / 4 / mm, round = std::max(2.0, 1 / mm);
+    const int margin = static_cast<int>(reach + round) + 3;
+    const cv::Mat busy = ~grown(found.open, 2), core = opened(busy, kHatchPart / 2 / mm), black = view_of(ink) < 160,
+                  near_ink = grown(black, 3);
+    std::vector<Part> parts;
+    cv::Mat labels, stats, middles;
+    const int count = cv::connectedComponentsWithStats(core, labels, stats, middles, 8, CV_32S);
+    for (int i = 1; i < count && parts.size() < kMostParts; ++i) {
+        const cv::Rect box =
+            cv::Rect(stats.at<int>(i, cv::CC_STAT_LEFT) - margin, stats.at<int>(i, cv::CC_STAT_TOP) - margin,
+                     stats.at<int>(i, cv::CC_STAT_WIDTH) + 2 * margin, stats.at<int>(i, cv::CC_STAT_HEIGHT) + 2 * margin) &
+            cv::Rect(0, 0, pixels.cols, pixels.rows);
+        // The corners that a disc does not reach into.
+        Part part{box, opened(grown(labels(box) == i, reach) & busy(box), round), {}};
+        const int size = cv::countNonZero(part.mask);
+        if (size == 0 || widest(part.mask) * mm < kNarrowest) continue;
+        const double share = static_cast<double>(cv::countNonZero(part.mask & black(box))) / size;
+        if (share < 0.05 || share > 0.8 || !is_bounded(near_ink(box), part.mask)) continue;
+        part.kind.hatch = true;
+        part.kind.colour = mean_of(pixels(box), part.mask);
+        find_direction(view_of(ink)(box), part.mask, part.kind);
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
 
 // Its rings in mm.
-Area area_of(const FilledPart& part, double mm) {
-    InkMap map(part.mask.width, part.mask.height);
-    for (int y = 0; y < part.mask.height; ++y)
-        for (int x = 0; x < part.mask.width; ++x) map.row(y)[x] = part.mask.row(y)[x] != 0 ? 1 : 0;
+Area area_of(const Part& part, double mm) {
+    const cv::Mat& mask = part.mask;
+    InkMap map(mask.cols, mask.rows);
+    for (int y = 0; y < mask.rows; ++y)
+        for (int x = 0; x < mask.cols; ++x) map.row(y)[x] = mask.at<std::uint8_t>(y, x) != 0 ? 1 : 0;
     Area area;
     for (const Outline& outline : outlines_of(map))
         for (const OutlineRing& ring : outline.rings) {
@@ -37,23 +204,35 @@ Area area_of(const FilledPart& part, double mm) {
             points = course_of(points, 0.2 / mm);
             points.pop_back();
             if (points.size() < 3) continue;
-            for (Point& p : points) p = {(p.x + part.left) * mm, (p.y + part.top) * mm};
+            for (Point& p : points) p = {(p.x + part.box.x) * mm, (p.y + part.box.y) * mm};
             area.rings.push_back(std::move(points));
         }
     return area;
 }
 
-// A texture for each kind, in the order of the parts; none if there are too many kinds, or one colour is all there is.
-std::vector<int> textures_of(const std::vector<FilledPart>& parts) {
+}  // namespace
+
+std::vector<Area> take_fills(Image& picture) {
+    const double mm = picture.mm_per_pixel;
+    if (std::min(picture.width, picture.height) * mm < kNarrowest) return {};
+    cv::Mat pixels = view_of(picture);
+    const Image ink = ink_on_white(picture);
+    Found found = flats_of(pixels, mm);
+    std::vector<Part> parts = hatches_of(pixels, ink, found, mm);
+    for (const Part& hatch : parts) {
+        const cv::Mat inner = shrunk(hatch.mask, 2);
+        pixels(hatch.box).setTo(cv::Scalar(hatch.kind.colour[0], hatch.kind.colour[1], hatch.kind.colour[2]), inner);
+    }
+    const bool any_hatch = !parts.empty();
+    parts.insert(parts.end(), std::make_move_iterator(found.flats.begin()), std::make_move_iterator(found.flats.end()));
     std::vector<FillKind> kinds;
     std::vector<std::size_t> kind_of;
-    for (const FilledPart& part : parts) {
+    for (const Part& part : parts) {
         const auto same =
             std::find_if(kinds.begin(), kinds.end(), [&](const FillKind& kind) { return same_kind(kind, part.kind); });
         kind_of.push_back(static_cast<std::size_t>(same - kinds.begin()));
         if (same == kinds.end()) kinds.push_back(part.kind);
     }
-    const bool any_hatch = std::any_of(kinds.begin(), kinds.end(), [](const FillKind& kind) { return kind.hatch; });
     if (kinds.size() > textures().size() || (kinds.size() < 2 && !any_hatch)) return {};
     // The ground stays blank: it is beside all of them.
     std::vector<std::vector<double>> beside(kinds.size() + 1, std::vector<double>(kinds.size() + 1, 1));
@@ -61,26 +240,10 @@ std::vector<int> textures_of(const std::vector<FilledPart>& parts) {
     std::vector<double> grey{255};
     for (const FillKind& kind : kinds) grey.push_back(0.299 * kind.colour[0] + 0.587 * kind.colour[1] + 0.114 * kind.colour[2]);
     const std::vector<int> chosen = choose_textures(beside, grey);
-    std::vector<int> textures;
-    for (const std::size_t kind : kind_of) textures.push_back(chosen[kind + 1]);
-    return textures;
-}
-
-}  // namespace
-
-std::vector<Area> take_fills(Image& picture) {
-    const double mm = picture.mm_per_pixel;
-    if (std::min(picture.width, picture.height) * mm < kNarrowestTexture) return {};
-    FilledParts found = filled_parts_in(picture, mm);
-    draw_by_outlines(picture, found);
-    std::erase_if(found.parts, [&](const FilledPart& part) {
-        return part.width * mm < kNarrowestTexture && part.size < 0.1 * picture.width * picture.height;
-    });
-    const std::vector<int> textures = textures_of(found.parts);
     std::vector<Area> areas;
-    for (std::size_t i = 0; i < textures.size(); ++i) {
-        Area area = area_of(found.parts[i], mm);
-        area.texture = textures[i];
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        Area area = area_of(parts[i], mm);
+        area.texture = chosen[kind_of[i] + 1];
         if (area.texture > 0 && !area.rings.empty()) areas.push_back(std::move(area));
     }
     return areas;
@@ -88,20 +251,21 @@ std::vector<Area> take_fills(Image& picture) {
 
 std::optional<Point> hatched_place(const Image& picture) {
     constexpr double kPage = 250;  // mm of the longer side
-    const FilledParts found = filled_parts_in(picture, kPage / std::max(picture.width, picture.height));
+    const double mm = kPage / std::max(picture.width, picture.height);
+    const Image ink = ink_on_white(picture);
+    const std::vector<Part> parts = hatches_of(view_of(picture), ink, flats_of(view_of(picture), mm), mm);
     std::optional<Point> place;
     double most = 0;
-    for (const FilledPart& part : found.parts) {
-        if (!part.kind.hatch) continue;
-        if (!same_kind(part.kind, found.parts.front().kind)) return std::nullopt;
+    for (const Part& part : parts) {
+        if (!same_kind(part.kind, parts.front().kind)) return std::nullopt;
         cv::Mat deep;
-        cv::distanceTransform(view_of(part.mask), deep, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+        cv::distanceTransform(part.mask, deep, cv::DIST_L2, cv::DIST_MASK_PRECISE);
         double own = 0;
         cv::Point at;
         cv::minMaxLoc(deep, nullptr, &own, nullptr, &at);
         if (own > most) {
             most = own;
-            place = Point{part.left + at.x + 0.5, part.top + at.y + 0.5};
+            place = Point{part.box.x + at.x + 0.5, part.box.y + at.y + 0.5};
         }
     }
     return place;

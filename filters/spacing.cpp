@@ -170,7 +170,6 @@ private:
             allow_meeting(samples, own, apart, false);
             allow_meeting(samples, own, apart, true);
         }
-        allow_junctions(stroke.closed, samples, own, kept, apart);
         widen_cuts(stroke.closed, samples, apart);
         auto runs = clear_runs(stroke.closed, apart);
         std::stable_sort(runs.begin(), runs.end(), [](NearRun a, NearRun b) { return a.end - a.begin > b.end - b.begin; });
@@ -213,41 +212,6 @@ private:
             });
         if (!clear) return;
         for (std::size_t i = 0; i < count; ++i) apart[index(i)] = gap_;
-    }
-
-    // A run of samples within the gap of lines that all end on the stroke there, and leave it at 30 degrees or more: an axis
-    // goes on where the side of a bar stands on it.
-    void allow_junctions(bool closed, const std::vector<Sample>& samples, const std::vector<bool>& own,
-                         const std::vector<Stroke>& kept, std::vector<double>& apart) const {
-        const std::size_t n = samples.size();
-        const auto blocked = [&](std::size_t i) { return apart[i % n] < gap_; };
-        std::size_t start = 0;
-        while (closed && start < n && blocked(start)) ++start;
-        for (std::size_t i = start; i < start + n; ++i) {
-            if (!blocked(i)) continue;
-            const std::size_t begin = i;
-            while (i < start + n && blocked(i)) ++i;
-            if (static_cast<double>(i - begin) * gap_ / kStepsPerGap > (kMeeting + 0.5) * gap_) continue;
-            bool all_end = true;
-            for (std::size_t k = begin; k < i && all_end; ++k) {
-                all_end = !own[k % n];
-                drawn_.near(samples[k % n].at, [&](std::size_t, const Sample& s) {
-                    if (distance(s.at, samples[k % n].at) < gap_) all_end = all_end && ends_on(kept[s.owner], samples, begin, i);
-                });
-            }
-            for (std::size_t k = begin; k < i && all_end; ++k) apart[k % n] = gap_;
-        }
-    }
-
-    bool ends_on(const Stroke& line, const std::vector<Sample>& samples, std::size_t begin, std::size_t end) const {
-        if (line.closed) return false;
-        const Point front = line.points.front(), back = line.points.back();
-        if (distance(front, back) <= gap_) return false;  // it would be too near all along, if it came later
-        for (std::size_t i = begin; i < end; ++i) {
-            const Point at = samples[i % samples.size()].at;
-            if (std::min(distance(at, front), distance(at, back)) <= kTouches * gap_) return true;
-        }
-        return false;
     }
 
     // Where a line only touches the gap of another for a moment, the cut is made as wide as the gap: two ends are no nearer

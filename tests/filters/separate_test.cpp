@@ -80,20 +80,6 @@ TEST(Separate, LetsALineEndOnAnother) {
     EXPECT_NEAR(near.strokes[1].points.front().y, 50 + kGap, kGap / 8 + 0.01);
 }
 
-// An axis is one line, though the sides of bars that stand on it count for more; what crosses it or turns beside it cuts it.
-TEST(Separate, ALineGoesOnWhereOthersEndOnIt) {
-    const auto bars =
-        drawn("separate gap=3.2", sheet({line({{10, 50}, {90, 50}}, 5), line({{30, 50}, {30, 20}, {50, 20}, {50, 50}}, 9),
-                                         line({{70, 49.5}, {80, 20}}, 9)}));
-    ASSERT_EQ(bars.strokes.size(), 3u);
-    EXPECT_NEAR(length_of(bars.strokes[2]), 80, 1e-9);
-    expect_apart(bars, kGap);
-    const auto beside =
-        drawn("separate gap=3.2", sheet({line({{10, 50}, {90, 50}}, 5), line({{30, 50}, {40, 48}, {60, 20}}, 9)}));
-    EXPECT_EQ(beside.strokes.size(), 3u);
-    expect_apart(beside, kGap);
-}
-
 TEST(Separate, MakesOneLineOfTheTwoSidesOfAThinBar) {
     for (const bool closed : {true, false}) {
         const auto drawing =
