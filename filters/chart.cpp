@@ -15,7 +15,6 @@
 #include "filters/chart_key.h"
 #include "filters/chart_letters.h"
 #include "filters/chart_marks.h"
-#include "filters/contour_lines.h"
 #include "filters/curves_apart.h"
 #include "filters/plot_symbols.h"
 #include "tactics/error.h"
@@ -64,12 +63,6 @@ struct SymbolPlace {
 
 using Pieces = std::vector<std::vector<Point>>;
 
-std::vector<double> heights_of(const std::vector<ChartLevel>& levels) {
-    std::vector<double> heights;
-    for (const ChartLevel& level : levels) heights.push_back(level.height);
-    return heights;
-}
-
 class Chart {
 public:
     Chart(const Plot& plot, const Sheet& sheet, const ChartWish& wish, const Place& place, Notes& notes)
@@ -99,28 +92,17 @@ public:
     ChartKey key_below() const { return {key_entries(), sheet_, cells_, clear_, drawing_.width}; }
 
     Drawing draw(ChartTold& told) {
-        ChartFrame frame = frame_over(key_below());
-        std::vector<ChartLevel> levels = levels_over(frame);
-        // Then the key says how far apart they are.
-        if (std::any_of(levels.begin(), levels.end(), [](const ChartLevel& level) { return !level.label; })) {
-            heights_ = heights_of(levels);
-            frame = frame_over(key_below());
-        }
-        const double reserved = key_below().height();
-        if (!heights_.empty()) {
-            levels = levels_over(frame);
-            heights_ = heights_of(levels);
-        }
+        const ChartKey key = key_below();
+        const ChartFrame frame = frame_over(key);
         told.x = frame.across.place();
         told.y = frame.up.place();
         field_ = frame.field;
         top_ = frame.top;
         draw_axes(frame, clear_, drawing_);
-        draw_data(frame.across, frame.up, levels);
+        draw_data(frame.across, frame.up);
         draw_names(frame, sheet_, drawing_);
         if (wish_.grid) draw_grid(drawing_, grid_lines(frame), words_in_field(), medium_);
-        if (key_below().height() > reserved) heights_.clear();
-        key_below().draw(drawing_);
+        key.draw(drawing_);
         return std::move(drawing_);
     }
 
@@ -143,8 +125,6 @@ private:
             else
                 entries.push_back({letter_of(letter++) + " " + mark.name});
         }
-        if (const std::string heights = interval_of(heights_, plot_.z, sheet_.language); !heights.empty())
-            entries.push_back({heights});
         return entries;
     }
 
@@ -152,17 +132,15 @@ private:
         drawing_.strokes.push_back({std::move(points), false, width, 0, role});
     }
 
-    std::vector<ChartLevel> levels_over(const ChartFrame& frame) const {
-        if (plot_.surfaces.empty()) return {};
-        return levels_on(plot_.surfaces[0], frame.across, frame.up, wish_.levels, {frame.field, sheet_, cells_, clear_, plot_.z});
-    }
-
-    void draw_data(const AxisScale& across, const AxisScale& up, const std::vector<ChartLevel>& levels) {
+    void draw_data(const AxisScale& across, const AxisScale& up) {
         std::vector<ChartCurve> curves;
         for (const PlotCurve& curve : plot_.curves) {
             curves.push_back(curve_on(curve, across, up, plot_.y.logarithmic, medium_));
             tell_thinned(curve, curves.back());
         }
+        std::vector<ChartLevel> levels;
+        if (!plot_.surfaces.empty())
+            levels = levels_on(plot_.surfaces[0], across, up, wish_.levels, {field_, sheet_, cells_, clear_, plot_.z});
         std::size_t left_out = 0, repeated = 0;
         const double gap = std::max({medium_.gap + medium_.thin_line, kChartClear + medium_.thin_line, rows_}) + kSlack;
         const std::vector<ChartMark> marks = marks_apart(plot_.marks, groups_, across, up, clear_.mark, gap, left_out, repeated);
@@ -273,7 +251,6 @@ private:
     }
 
     void draw_level(const ChartLevel& level, const LineStyle& style, const Pieces& pieces) {
-        if (pieces.empty()) std::erase(heights_, level.height);
         for (const auto& piece : pieces) draw_piece(piece, style);
         if (level.label) {
             drawing_.labels.push_back({{level.label->left, level.label->top}, 0, 0, level.words});
@@ -332,11 +309,10 @@ private:
     const MarkGroups groups_;
     Drawing drawing_;
     std::vector<SymbolPlace> symbols_;
-    std::vector<Rect> words_;      // in the field
-    bool lettered_ = false;        // curves have letters and not styles
-    std::size_t letters_ = 0;      // that are given
-    std::vector<double> heights_;  // of contours that the key explains
-    double top_ = 0;               // where the words above the field end
+    std::vector<Rect> words_;  // in the field
+    bool lettered_ = false;    // curves have letters and not styles
+    std::size_t letters_ = 0;  // that are given
+    double top_ = 0;           // where the words above the field end
     Rect field_;
 };
 

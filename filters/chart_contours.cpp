@@ -9,7 +9,6 @@
 #include "tactics/geometry/places.h"
 #include "tactics/geometry/shape.h"
 #include "tactics/geometry/walk.h"
-#include "tactics/text/phrase.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -35,8 +34,7 @@ std::vector<ChartLevel> lines_of(const PlotSurface& surface, const AxisScale& ac
     const double step = heights.size() > 1 ? heights[1] - heights[0] : 0;
     for (const double height : heights) {
         const double number = step > 0 ? std::round(height / step) : 1;
-        ChartLevel level{
-            height, number_text(axis, height), heights.size() >= kIndexEvery && std::fmod(number, kIndexEvery) == 0, {}};
+        ChartLevel level{number_text(axis, height), heights.size() >= kIndexEvery && std::fmod(number, kIndexEvery) == 0, {}};
         for (const ContourLine& line : contour_lines(surface, height)) {
             std::vector<Point> points;
             for (const PlotPoint& p : line.points) points.push_back({across.at(p.x), up.at(p.y)});
@@ -147,15 +145,6 @@ std::vector<ChartLevel> levels_on(const PlotSurface& surface, const AxisScale& a
         if (fewest == 0 || wanted > 0) break;
     }
     return best;
-}
-
-std::string interval_of(const std::vector<double>& heights, const Axis& axis, std::string_view language) {
-    if (heights.size() < 2 || axis.dates) return {};
-    const double step = heights[1] - heights[0];
-    for (std::size_t i = 1; i < heights.size(); ++i)
-        if (std::abs(heights[i] - heights[i - 1] - step) > step / 100) return {};
-    const std::string name = axis.name.empty() ? phrase("height").in(language) : axis.name;
-    return phrase("{0}: a line every {1}", name, number_text(axis, step)).in(language);
 }
 
 }  // namespace tactics

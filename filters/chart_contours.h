@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "filters/cell_places.h"
@@ -14,7 +13,6 @@
 namespace tactics {
 
 struct ChartLevel {
-    double height = 0;                      ///< of the surface
     std::string words;                      ///< its height
     bool index = false;                     ///< drawn thicker: each fifth where there are five
     std::vector<std::vector<Point>> lines;  ///< mm; a closed one ends where it began
@@ -45,9 +43,5 @@ struct LevelGround {
 /// 0.
 std::vector<ChartLevel> levels_on(const PlotSurface& surface, const AxisScale& across, const AxisScale& up, int wanted,
                                   const LevelGround& ground);
-
-/// A line of the key, in `language`: "height (m): a line every 20". Not every line has room for its height, and so
-/// a finger can count. Empty: there are fewer than two heights, they are not even, or dates.
-std::string interval_of(const std::vector<double>& heights, const Axis& axis, std::string_view language);
 
 }  // namespace tactics

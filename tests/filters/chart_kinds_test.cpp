@@ -8,7 +8,6 @@
 #include <set>
 
 #include "filters/chart.h"
-#include "filters/chart_contours.h"
 #include "filters/contour_lines.h"
 #include "print/format.h"
 #include "tactics/error.h"
@@ -251,8 +250,7 @@ TEST(ChartKinds, ContoursHaveTheirHeightsInABreak) {
         const Reading reading(chart);
         std::set<std::string> told;
         for (const Label& label : chart.labels)
-            if (label.at.x > reading.at(-3, 0).x - 8 && label.at.y < reading.at(0, -3).y)
-                told.insert(label.text);  // in the field
+            if (label.at.x > reading.at(-3, 0).x && label.at.y < reading.at(0, -3).y) told.insert(label.text);
         EXPECT_GE(told.size(), 3u);
         // Those without room for their words are drawn all the same, and told.
         for (const std::string& note : texts_of(notes))
@@ -278,27 +276,6 @@ TEST(ChartKinds, ContoursHaveTheirHeightsInABreak) {
             }
         }
     }
-}
-
-// A reader counts lines that have no room for their heights, so the key says how far apart they are.
-TEST(ChartKinds, TheKeyTellsTheIntervalOfContours) {
-    Plot steep;
-    PlotSurface& hill = steep.surfaces.emplace_back();
-    for (int i = 0; i < 32; ++i) {
-        hill.x.push_back(i);
-        hill.y.push_back(i);
-    }
-    for (int j = 0; j < 32; ++j)
-        for (int i = 0; i < 32; ++i) hill.z.push_back(100 * std::exp(-(std::pow(i - 12, 2) + std::pow(j - 8, 2)) / 30));
-    steep.z.name = "height (m)";
-    Notes notes;
-    const Drawing chart = draw_chart(steep, sheet_of("svg"), {}, &notes);
-    std::string key;
-    for (const Label& label : chart.labels) key += label.text + " ";
-    EXPECT_NE(key.find("height (m): a line every 20"), std::string::npos) << key;
-    EXPECT_EQ(interval_of({1, 2, 4}, {}, "en"), "") << "one of them was left out";
-    EXPECT_EQ(interval_of({5}, {}, "en"), "");
-    EXPECT_EQ(interval_of({0.5, 1, 1.5}, {.name = "z", .comma = true}, "de"), "z: eine Linie alle 0,5");
 }
 
 TEST(ChartKinds, SectionsAreCurvesOfTheSurface) {
