@@ -107,9 +107,8 @@ std::vector<Phrase> fold_lines(const FoldOut& made) {
         return phrases(n, "{0} slender part shown by a wedge, thick where it is near",
                        "{0} slender parts shown by wedges, thick where they are near");
     });
-    count(left_out, [](std::size_t n) {
-        return phrases(n, "{0} face without room, or too narrow, left out", "{0} faces without room, or too narrow, left out");
-    });
+    count(left_out,
+          [](std::size_t n) { return phrases(n, "{0} face without room left out", "{0} faces without room left out"); });
     if (!what.empty()) lines.push_back(phrase("{0}: {1}", seen(made.plane), row_of(what)));
     if (made.spread > 1)
         lines.push_back(phrase("things are moved apart, {0} times as far from the middle, so that their faces have room",

@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
-#include <tuple>
 
 #include "tactics/geometry/vectors.h"
-#include "tactics/solid/ranks.h"
 
 namespace tactics {
 
@@ -18,6 +15,7 @@ constexpr double kSideBySide = 0.05;  // sine: 3 degrees
 constexpr double kAcross = 0.1;       // cosine up to which a move does not leave the line that an end must stay on
 constexpr double kLong = 3;           // times the least distance: a strip is as long; what is shorter is a shape of its own
 constexpr double kSame = 1 - 1e-9;    // of a cosine
+constexpr double kFarthest = 1.5;     // times the least distance that an end may move in all
 constexpr std::size_t kMostCloseSides = 3000;  // every pair is looked at; a page with more is for no finger
 
 Point direction_of(const DrawnSide& side) {
@@ -55,42 +53,26 @@ public:
         for (const DrawnSide& side : sides) before_.insert(before_.end(), {side.from, side.to});
     }
 
-    // First what leaves nothing too close to what it cannot be united with.
     std::size_t unite() {
-        const std::vector<Pair> all = pairs();
         std::size_t moved = 0;
-        for (const bool at_any_cost : {false, true})
-            for (const Pair& pair : all) {
-                std::vector<Move> ways = {way(pair.kept, pair.moved), way(pair.moved, pair.kept)};
-                std::erase_if(ways, [&](const Move& one) { return one.ends.empty() || (one.left_close > 0 && !at_any_cost); });
-                if (ways.empty()) continue;
-                make(ways.size() > 1 && ways[1].left_close < ways[0].left_close ? ways[1] : ways[0]);
-                ++moved;
-            }
+        for (const Pair& pair : pairs())
+            if (move(pair.kept, pair.moved) || move(pair.moved, pair.kept)) ++moved;
         return moved;
     }
 
 private:
-    // The closest first. Of two the longer is kept, and one that is drawn whole rather than one that is dashed; of two that are
-    // as long the first.
+    // The closest first. Of two the longer is kept, and one that is drawn whole rather than one that is dashed.
     std::vector<Pair> pairs() const {
         std::vector<Pair> found;
         for (std::size_t i = 0; i < sides_.size(); ++i)
             for (std::size_t j = i + 1; j < sides_.size(); ++j) {
-                const bool first = weight(i) >= weight(j) - touching_;
+                const bool first = weight(i) >= weight(j);
                 const std::size_t kept = first ? i : j, moved = first ? j : i;
                 const auto off = beside(sides_[kept], sides_[moved], apart_);
                 if (off && *off > 2 * touching_ && *off < apart_) found.push_back({*off, kept, moved});
             }
-        std::vector<Point3> gaps;
-        for (const Pair& pair : found) gaps.push_back({pair.apart, 0, 0});
-        const auto rank = ranks_of(gaps, touching_);
-        std::vector<std::size_t> order(found.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank[a] < rank[b]; });
-        std::vector<Pair> sorted;
-        for (const std::size_t i : order) sorted.push_back(found[i]);
-        return sorted;
+        std::stable_sort(found.begin(), found.end(), [](const Pair& a, const Pair& b) { return a.apart < b.apart; });
+        return found;
     }
 
     double weight(std::size_t side) const {
@@ -127,66 +109,29 @@ private:
         return found;
     }
 
-    struct Move {
-        std::size_t kept = 0;
-        std::vector<std::size_t> ends = {};  // those that move; none: it may not be
-        std::size_t left_close = 0;          // lines that are then too close, and too far from where its ends were to go along
-    };
-
-    struct Span {
-        double low = 0, high = 0;
-        void take(double at) {
-            low = std::min(low, at);
-            high = std::max(high, at);
-        }
-        double wide() const { return high - low; }
-    };
-
-    // Across a line, where the ends that are on it now were once.
-    Span span_of(const DrawnSide& line, const std::vector<std::size_t>& ends) const {
-        Span span;
-        const Point along = direction_of(line);
-        for (const std::size_t number : ends) span.take(cross(along, before_[number] - line.from));
-        return span;
-    }
-
-    // The second onto the first.
-    Move way(std::size_t kept, std::size_t moved) {
+    bool move(std::size_t kept, std::size_t moved) {
         const DrawnSide line = sides_[kept];
         const auto off = beside(line, sides_[moved], apart_);  // others have moved since
-        if (!off || !(*off > 2 * touching_ && *off < apart_)) return {};
+        if (!off || !(*off > 2 * touching_ && *off < apart_)) return false;
         const Point along = direction_of(line), across{-along.y, along.x};
-        Move one{kept, ends_on(moved)};
-        Span span = span_of(line, ends_on(kept));
-        for (const std::size_t number : one.ends) {
-            span.take(cross(along, before_[number] - line.from));
-            if (std::abs(cross(along, end(number) - line.from)) <= 2 * touching_) continue;
+        const std::vector<std::size_t> ends = ends_on(moved);
+        for (const std::size_t number : ends) {
+            const double by = -cross(along, end(number) - line.from);
+            if (std::abs(by) <= 2 * touching_) continue;
+            const Point then{end(number).x + by * across.x, end(number).y + by * across.y};
+            if (distance(then, before_[number]) > kFarthest * apart_) return false;
             // All that is tied in just this direction is on the line, and goes along.
             for (const Point& tie : tied_[number])
-                if (const double same = std::abs(dot(tie, across)); same > kAcross && same < kSame) return {};
+                if (const double same = std::abs(dot(tie, across)); same > kAcross && same < kSame) return false;
         }
-        if (span.wide() >= apart_) return {};
-        for (std::size_t i = 0; i < sides_.size(); ++i) {
-            const auto then = beside(line, sides_[i], apart_);
-            if (!then || !(*then > 2 * touching_ && *then < apart_)) continue;
-            if (std::binary_search(one.ends.begin(), one.ends.end(), 2 * i)) continue;
-            Span both = span;
-            for (const std::size_t number : ends_on(i)) both.take(cross(along, before_[number] - line.from));
-            one.left_close += both.wide() >= apart_;
-        }
-        return one;
-    }
-
-    void make(const Move& one) {
-        const DrawnSide line = sides_[one.kept];
-        const Point along = direction_of(line), across{-along.y, along.x};
-        for (const std::size_t number : one.ends) {
+        for (const std::size_t number : ends) {
             Point& at = end(number);
             const double by = -cross(along, at - line.from);
             at = {at.x + by * across.x, at.y + by * across.y};
             tied_[number].push_back(across);
         }
-        for (const std::size_t number : ends_on(one.kept)) tied_[number].push_back(across);
+        for (const std::size_t number : ends_on(kept)) tied_[number].push_back(across);
+        return true;
     }
 
     std::vector<DrawnSide>& sides_;
@@ -195,31 +140,12 @@ private:
     std::vector<std::vector<Point>> tied_;  // of each end, the normals of the lines that it must stay on
 };
 
-// By where they are, so that the last digits of a file do not decide which is the first.
-std::vector<DrawnSide> in_order(const std::vector<DrawnSide>& sides, double touching) {
-    std::vector<Point3> middles, extents;
-    for (const DrawnSide& side : sides) {
-        middles.push_back({(side.from.x + side.to.x) / 2, (side.from.y + side.to.y) / 2, 0});
-        extents.push_back({std::abs(side.from.x - side.to.x), std::abs(side.from.y - side.to.y), 0});
-    }
-    const auto where = ranks_of(middles, touching), large = ranks_of(extents, touching);
-    std::vector<std::size_t> order(sides.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return std::tie(where[a], large[a]) < std::tie(where[b], large[b]); });
-    std::vector<DrawnSide> sorted;
-    for (const std::size_t i : order) sorted.push_back(sides[i]);
-    return sorted;
-}
-
 }  // namespace
 
 std::size_t unite_close(std::vector<DrawnSide>& sides, double touching, double apart) {
     if (sides.size() > kMostCloseSides || !(apart > 2 * touching)) return 0;
-    std::vector<DrawnSide> then = in_order(sides, touching);
-    const std::size_t moved = Uniting(then, touching, apart).unite();
+    const std::size_t moved = Uniting(sides, touching, apart).unite();
     if (moved == 0) return 0;
-    sides = std::move(then);
     std::erase_if(sides, [&](const DrawnSide& side) { return !(distance(side.from, side.to) > touching); });
     sides = merged(sides, touching);
     return moved;

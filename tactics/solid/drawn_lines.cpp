@@ -7,7 +7,6 @@
 
 #include "tactics/solid/close_sides.h"
 #include "tactics/solid/joined_sides.h"
-#include "tactics/solid/near_borders.h"
 #include "tactics/solid/shown_twice.h"
 #include "tactics/solid/thin_walls.h"
 
@@ -35,83 +34,54 @@ std::vector<int> levels_of(const FlatLayout& layout, const Panels& panels, const
 
 // Panels over a side: those that hide it, and those whose border is so close that the side could not be felt separately.
 struct Over {
-    explicit Over(std::size_t panels) : drowns(panels, 0) {}
-    std::vector<const PlacedPanel*> hiding;
-    std::vector<char> drowns;  // by the places in the layout
+    std::vector<const PlacedPanel*> hiding, drowning;
 };
 
-class SidesUnder {
-public:
-    SidesUnder(const FlatLayout& layout, double touching, double as_one)
-        : layout_(layout), near_(layout, as_one), touching_(touching), as_one_(as_one) {}
-
-    // The parts of a side that are not under any of these, nor so close to their borders that both would feel like one line.
-    void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const Over& over) const {
-        const double length = distance(side.from, side.to);
-        if (!(length > touching_)) return;
-        const std::vector<double> cuts = cuts_of(side, over);
-        double begin = -1;
-        std::size_t drowned_by = layout_.panels.size();  // the stretch before, and often the next one, too
-        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-            const Point from = at(side, cuts[i]), middle = at(side, (cuts[i] + cuts[i + 1]) / 2), to = at(side, cuts[i + 1]);
-            const auto drowns = [&](std::size_t number) {
-                const auto is_near = [&](Point place) {
-                    return distance_to_border(layout_.panels[number].shape, place) < as_one_;
-                };
-                if (over.drowns[number] == 0 || !is_near(middle) || !is_near(from) || !is_near(to)) return false;
-                drowned_by = number;
-                return true;
-            };
-            const bool hidden = (drowned_by < layout_.panels.size() && drowns(drowned_by)) || is_under(over.hiding, middle) ||
-                                near_.any_near(middle, drowns);
-            if (!hidden && begin < 0) begin = cuts[i];
-            if ((hidden || i + 2 == cuts.size()) && begin >= 0) {
-                const double end = hidden ? cuts[i] : 1;
-                if ((end - begin) * length > touching_) sides.push_back({at(side, begin), at(side, end), side.line, side.twice});
-                begin = -1;
+// The parts of a side that are not under any of these, nor so close to their borders that both would feel like one line.
+void take_visible(std::vector<DrawnSide>& sides, const DrawnSide& side, const Over& over, double touching, double as_one) {
+    const double length = distance(side.from, side.to);
+    if (!(length > touching)) return;
+    std::vector<double> cuts = {0, 1};
+    const auto at = [&](double share) {
+        return Point{side.from.x + share * (side.to.x - side.from.x), side.from.y + share * (side.to.y - side.from.y)};
+    };
+    for (const PlacedPanel* one : over.drowning)
+        for (const auto& ring : one->shape.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+                // Where a corner comes near and goes away again.
+                const double foot =
+                    ((a.x - side.from.x) * (side.to.x - side.from.x) + (a.y - side.from.y) * (side.to.y - side.from.y)) /
+                    (length * length);
+                if (foot > 0 && foot < 1 && distance(a, at(foot)) < as_one) cuts.push_back(foot);
+                const double dx = side.to.x - side.from.x, dy = side.to.y - side.from.y, ex = b.x - a.x, ey = b.y - a.y;
+                const double both = dx * ey - dy * ex;
+                if (std::abs(both) < 1e-12 * length * std::hypot(ex, ey)) continue;
+                const double t = ((a.x - side.from.x) * ey - (a.y - side.from.y) * ex) / both;
+                const double s = ((a.x - side.from.x) * dy - (a.y - side.from.y) * dx) / both;
+                if (t > 0 && t < 1 && s >= 0 && s <= 1) cuts.push_back(t);
             }
+    std::sort(cuts.begin(), cuts.end());
+    double begin = -1;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        const Point middle = at((cuts[i] + cuts[i + 1]) / 2);
+        const auto drowns = [&](const PlacedPanel* one) {
+            const auto is_near = [&](Point place) { return distance_to_border(one->shape, place) < as_one; };
+            return is_near(middle) && is_near(at(cuts[i])) && is_near(at(cuts[i + 1]));
+        };
+        const bool hidden = std::any_of(over.hiding.begin(), over.hiding.end(),
+                                        [&](const PlacedPanel* one) {
+                                            return holds(one->shape, middle) && distance_to_border(one->shape, middle) > touching;
+                                        }) ||
+                            std::any_of(over.drowning.begin(), over.drowning.end(), drowns);
+        if (!hidden && begin < 0) begin = cuts[i];
+        if ((hidden || i + 2 == cuts.size()) && begin >= 0) {
+            const double end = hidden ? cuts[i] : 1;
+            if ((end - begin) * length > touching) sides.push_back({at(begin), at(end), side.line, side.twice});
+            begin = -1;
         }
     }
-
-private:
-    static Point at(const DrawnSide& side, double share) {
-        return {side.from.x + share * (side.to.x - side.from.x), side.from.y + share * (side.to.y - side.from.y)};
-    }
-
-    bool is_under(const std::vector<const PlacedPanel*>& hiding, Point place) const {
-        return std::any_of(hiding.begin(), hiding.end(), [&](const PlacedPanel* one) {
-            return one->shape.box.holds(place) && holds(one->shape, place) && distance_to_border(one->shape, place) > touching_;
-        });
-    }
-
-    // Shares of a side where something may begin or end; a border that drowns it comes near, or crosses it.
-    std::vector<double> cuts_of(const DrawnSide& side, const Over& over) const {
-        const double length = distance(side.from, side.to);
-        const double dx = side.to.x - side.from.x, dy = side.to.y - side.from.y;
-        std::vector<double> cuts = {0, 1};
-        for (std::size_t number = 0; number < layout_.panels.size(); ++number) {
-            if (over.drowns[number] == 0) continue;
-            for (const auto& ring : layout_.panels[number].shape.rings)
-                for (std::size_t i = 0; i < ring.size(); ++i) {
-                    const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-                    // Where a corner comes near and goes away again.
-                    const double foot = ((a.x - side.from.x) * dx + (a.y - side.from.y) * dy) / (length * length);
-                    if (foot > 0 && foot < 1 && distance(a, at(side, foot)) < as_one_) cuts.push_back(foot);
-                    const double ex = b.x - a.x, ey = b.y - a.y, both = dx * ey - dy * ex;
-                    if (std::abs(both) < 1e-12 * length * std::hypot(ex, ey)) continue;
-                    const double t = ((a.x - side.from.x) * ey - (a.y - side.from.y) * ex) / both;
-                    const double s = ((a.x - side.from.x) * dy - (a.y - side.from.y) * dx) / both;
-                    if (t > 0 && t < 1 && s >= 0 && s <= 1) cuts.push_back(t);
-                }
-        }
-        std::sort(cuts.begin(), cuts.end());
-        return cuts;
-    }
-
-    const FlatLayout& layout_;
-    NearBorders near_;
-    double touching_, as_one_;
-};
+}
 
 // Those on a panel that are no border of it, without the inner sides of thin walls, which are counted.
 std::vector<LaidLine> own_lines(const Panel& panel, const PlacedPanel& placed, double touching, double apart,
@@ -145,24 +115,22 @@ DrawnLines lines_of(const FlatLayout& layout, const std::vector<ModelPart>& part
         twice[hinge.other].push_back({hinge.other_from, hinge.other_to});
     }
     std::vector<DrawnSide> sides;
-    const auto number_of = [&](const PlacedPanel& one) { return static_cast<std::size_t>(&one - layout.panels.data()); };
-    const SidesUnder under(layout, touching, as_one);
     std::size_t inner = 0;
     for (const PlacedPanel& placed : layout.panels) {
-        Over over(layout.panels.size());
+        Over over;
         if (placed.handling == Handling::kept)
             for (const PlacedPanel& other : layout.panels) {
                 if (other.handling != Handling::kept || !boxes_meet(other.shape, placed.shape, as_one)) continue;
                 // Of two at the same height the first drowns the other.
                 const bool is_higher = other.height > placed.height + touching;
                 if (is_higher) over.hiding.push_back(&other);
-                if (is_higher || (&other < &placed && other.height > placed.height - touching)) over.drowns[number_of(other)] = 1;
+                if (is_higher || (&other < &placed && other.height > placed.height - touching)) over.drowning.push_back(&other);
             }
         const Panel& panel = panels.panels[placed.panel];
         const LineClass line = level[panel.part] > 0 ? LineClass::thick : LineClass::normal;
         for (const LaidLine& own : own_lines(panel, placed, touching, apart, inner))
             for (std::size_t i = 0; i + (own.closed ? 0 : 1) < own.points.size(); ++i)
-                under.take_visible(sides, {own.points[i], own.points[(i + 1) % own.points.size()], line}, over);
+                take_visible(sides, {own.points[i], own.points[(i + 1) % own.points.size()], line}, over, touching, as_one);
         for (std::size_t r = 0; r < panel.rings.size() && panel.is_bordered; ++r)
             for (std::size_t i = 0; i < panel.rings[r].size(); ++i) {
                 if (r == 0 && std::find(panel.open_sides.begin(), panel.open_sides.end(), i) != panel.open_sides.end()) continue;
@@ -174,19 +142,18 @@ DrawnLines lines_of(const FlatLayout& layout, const std::vector<ModelPart>& part
                         const auto same = [&](const Point3& p, const Point3& q) { return length_of(p - q) <= 20 * touching; };
                         return (same(a, seam[0]) && same(b, seam[1])) || (same(a, seam[1]) && same(b, seam[0]));
                     });
-                under.take_visible(sides, {placed.shape.rings[r][i], placed.shape.rings[r][next], line, again}, over);
+                take_visible(sides, {placed.shape.rings[r][i], placed.shape.rings[r][next], line, again}, over, touching, as_one);
             }
     }
+    std::vector<DrawnSide> bars;
     for (const PlacedBar& bar : layout.bars) {
         if (bar.handling == Handling::wedge || distance(bar.from, bar.to) <= touching) continue;
-        Over over(layout.panels.size());
+        Over over;
         if (bar.handling == Handling::kept)
             for (const PlacedPanel& other : layout.panels)
-                if (other.handling == Handling::kept && other.height > bar.height + touching) {
-                    over.hiding.push_back(&other);
-                    over.drowns[number_of(other)] = 1;
-                }
-        under.take_visible(sides, {bar.from, bar.to, LineClass::normal, false}, over);
+                if (other.handling == Handling::kept && other.height > bar.height + touching) over.hiding.push_back(&other);
+        over.drowning = over.hiding;
+        take_visible(sides, {bar.from, bar.to, LineClass::normal, false}, over, touching, as_one);
     }
     sides = merged(sides, touching);
     const std::size_t united = unite_close(sides, touching, apart);

@@ -44,11 +44,10 @@ double between_lines(const Medium& medium) { return least_apart(medium, medium.l
 // What stands on something has thick lines.
 double between_things(const Medium& medium) { return least_apart(medium, medium.thick_line, medium.thick_line); }
 
-// What a drawing has to fit. `lines`, `things`: mm of the model that must be between two lines, and between two things;
-// `narrow`: what is no wider is one line.
+// What a drawing has to fit. `lines`, `things`: mm of the model that must be between two lines, and between two things.
 struct Fit {
     SheetRoom room;
-    double shortest = 0, lines = 0, things = 0, narrow = 0;
+    double shortest = 0, lines = 0, things = 0;
 };
 
 // `least`: of what has no extent in the plane, as a rod along the line of sight, how long it is in space.
@@ -59,7 +58,7 @@ double scale_for(const Box& box, double least, const SheetRoom& room) {
 
 Laid lay(const std::vector<ModelPart>& parts, const std::vector<std::uint32_t>& thing, const ViewPlane& view, const Fit& fit,
          const FoldWish& wish) {
-    const LayoutWish layout{wish.reader, fit.lines, wish.effort, fit.room, fit.shortest, fit.narrow};
+    const LayoutWish layout{wish.reader, fit.lines, wish.effort, fit.room, fit.shortest};
     const std::vector<Point3> off = wish.move ? moved_off(parts, thing, view, fit.things) : std::vector<Point3>{};
     const Panels panels = [&] {
         Panels made = panels_of(parts, thing, view);
@@ -92,19 +91,16 @@ struct Fitted {
     std::vector<ModelPart> felt;
     std::vector<char> is_small;  // of all parts
     ChosenPlane chosen;
-    double scale = 0, scale_before = 0;  // 0: not known yet
+    double scale = 0;  // 0: not known yet
 };
 
-void lay_felt(Fitted& fitted, const Model& model, const SheetRoom& room, const Medium& medium, const FoldWish& wish, bool last) {
+void lay_felt(Fitted& fitted, const Model& model, const SheetRoom& room, const Medium& medium, const FoldWish& wish) {
     const std::vector<std::uint32_t> thing = things_of(model, fitted.felt);
     constexpr int kFirstEffort = 4;  // what is to be hidden is not known yet
     const bool first = fitted.scale == 0;
     // As wide yet at the scale that it leads to.
     const double of_model = first ? 0 : (1 + kSameScale) / fitted.scale;
-    const double lines = of_model * between_lines(medium);
-    // Without what is too narrow the scale is larger, and at that it may be wide enough: in the end the smaller one decides.
-    const double narrow = last && fitted.scale_before > 0 ? lines * std::max(1.0, fitted.scale / fitted.scale_before) : lines;
-    const Fit fit{room, medium.shortest, lines, of_model * between_things(medium), narrow};
+    const Fit fit{room, medium.shortest, of_model * between_lines(medium), of_model * between_things(medium)};
     FoldWish now = wish;
     if (first) now.effort = std::min(wish.effort, kFirstEffort);
     // The plane stays what it was at first, so that what is hidden does not turn the drawing over.
@@ -140,8 +136,8 @@ Fitted fitted_to(const SheetRoom& room, const Model& model, const std::vector<Mo
         fitted.felt.clear();
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (fitted.is_small[i] == 0) fitted.felt.push_back(parts[i]);
-        lay_felt(fitted, model, room, medium, wish, round + 1 == kMostScales);
-        const double before = fitted.scale_before = fitted.scale;
+        lay_felt(fitted, model, room, medium, wish);
+        const double before = fitted.scale;
         double longest = 0;
         for (const ModelPart& part : fitted.felt) longest = std::max(longest, extent_of(part));
         fitted.scale = scale_for(box_of(fitted.laid.layout), longest, room);
@@ -157,7 +153,7 @@ void tell_moved(std::vector<FoldedObject>& objects, const Fitted& fitted) {
             if (one.object == fitted.felt[part].object) one.moved = std::max(one.moved, length_of(fitted.laid.off[part]));
     const double least = touching_in(fitted.felt);
     for (FoldedObject& one : objects)
-        if (one.moved <= least || one.fate != FoldedObject::Fate::drawn) one.moved = 0;
+        if (one.moved <= least) one.moved = 0;
 }
 
 void tell_united(std::size_t count, std::vector<Phrase>& notes) {

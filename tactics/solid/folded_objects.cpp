@@ -109,12 +109,9 @@ std::vector<FoldedObject> folded_objects(const Model& model, const std::vector<M
         ++objects[place[felt[panels.panels[panels.hinges[hinge].one].part].object]].doubled;
     for (std::size_t i = 0; i < laid.size(); ++i) {
         const Panel& panel = panels.panels[i];
-        if (laid[i] != 0 || !panel.reached || (panel.kind != PanelKind::side && panel.kind != PanelKind::bottom) ||
-            stands_for[panel.part] != 0)
-            continue;
-        // Of what is not drawn at all, no faces are missed.
-        FoldedObject& one = objects[place[felt[panel.part].object]];
-        one.left_out += one.fate == FoldedObject::Fate::drawn;
+        if (laid[i] == 0 && panel.reached && (panel.kind == PanelKind::side || panel.kind == PanelKind::bottom) &&
+            stands_for[panel.part] == 0)
+            ++objects[place[felt[panel.part].object]].left_out;
     }
     return objects;
 }

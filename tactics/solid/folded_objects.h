@@ -26,12 +26,11 @@ struct FoldedObject {
         wedges = 0;                        ///< of its faces and bars
     int hanging = 0;                       ///< what it looks like from a side, beside the face that hides it
     int doubled = 0;                       ///< sides that are shown in two places
-    int left_out = 0;                      ///< faces that a hand can reach, without room or too narrow; 0 of what is not drawn
+    int left_out = 0;                      ///< faces that a hand can reach and that had no room
     Point at;                              ///< on it, mm in the drawing; on the section of a vessel, if there is one
     std::optional<Point> opening, bottom;  ///< of a vessel: in the circles that are drawn for them
     double size = 0;                       ///< mm of the model, its longest extent
-    double moved =
-        0;  ///< mm of the model: how far it was moved off what was too close, with what it stands on; 0 of what is not drawn
+    double moved = 0;  ///< mm of the model: how far it was moved off what was too close, with what it stands on
 };
 
 /// Its name, or that it has none.

@@ -43,8 +43,6 @@ struct Growth::State {
     std::vector<std::size_t> laid, outlines;  // panels of each part, and those of them that are outlines
     double smallest = 0;                      // scale
     Box extent = kNothing;                    // of all of it
-    std::vector<int> onto = {};               // place of what each is folded out of; -1: of nothing
-    bool has_all_narrow = false;              // no more of them
 };
 
 Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const std::vector<std::uint32_t>& thing,
@@ -66,7 +64,6 @@ Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const 
     for (std::uint32_t i = 0; i < panels.panels.size(); ++i) {
         const Panel& panel = panels.panels[i];
         middles_.push_back(panel.rings.empty() ? Point3{} : middle_of(panel));
-        is_narrow_.push_back(is_narrow(panel, wish.narrow) ? 1 : 0);
         if (dot(panel.normal, view.toward) < kAligned) continue;
         has_kept_[panel.part] = 1;
         if (panel.rings.empty()) continue;
@@ -119,7 +116,7 @@ bool Growth::has_room(const State& state, const Box& box) const {
     return state.smallest == 0 || scale_in(wish_.room, all) >= (1 - kAsLarge) * state.smallest;
 }
 
-Growth::State Growth::begun(double smallest) const {
+FlatLayout Growth::grown(Strategy strategy, const std::vector<double>& favour, double smallest) {
     State state{{kept_, {}, {}},
                 kept_boxes_,
                 no_bars_,
@@ -131,38 +128,11 @@ Growth::State Growth::begun(double smallest) const {
         count(state, kept_[i].panel, i);
         take(state.extent, kept_[i].shape.box);
     }
-    state.onto.assign(kept_.size(), -1);
-    return state;
-}
-
-FlatLayout Growth::grown(Strategy strategy, const std::vector<double>& favour, double smallest) {
-    State state = begun(smallest);
     grow(state, strategy, favour);
-    drop_narrow(state);
     take_rest(state);
     grow(state, strategy, favour);
     add_bars(state);
     return std::move(state.layout);
-}
-
-// What is narrow stays only where something wider hangs on it: by itself it is a line for a finger that bounds nothing.
-void Growth::drop_narrow(State& state) const {
-    const std::vector<PlacedPanel>& all = state.layout.panels;
-    std::vector<char> stays(all.size(), 0);
-    for (std::size_t i = all.size(); i-- > 0;) {
-        if (all[i].handling != Handling::folded || is_narrow_[all[i].panel] == 0) stays[i] = 1;
-        if (stays[i] != 0 && state.onto[i] >= 0) stays[static_cast<std::size_t>(state.onto[i])] = 1;
-    }
-    if (std::find(stays.begin(), stays.end(), 0) != stays.end()) {
-        State left = begun(state.smallest);
-        for (std::size_t i = kept_.size(); i < all.size(); ++i)
-            if (stays[i] != 0) {
-                const int parent = state.onto[i] < 0 ? -1 : left.place[all[static_cast<std::size_t>(state.onto[i])].panel];
-                place(left, all[i], parent);
-            }
-        state = std::move(left);
-    }
-    state.has_all_narrow = true;
 }
 
 FlatShape Growth::shape_of(std::uint32_t panel, const Placement& placement) const {
@@ -180,8 +150,7 @@ void Growth::count(State& state, std::uint32_t panel, std::size_t place) const {
     state.outlines[panels_.panels[panel].part] += is_view(panels_.panels[panel].kind);
 }
 
-void Growth::place(State& state, PlacedPanel placed, int onto) const {
-    state.onto.push_back(onto);
+void Growth::place(State& state, PlacedPanel placed) const {
     count(state, placed.panel, state.layout.panels.size());
     state.panel_boxes.add(placed.shape.box);
     take(state.extent, placed.shape.box);
@@ -191,7 +160,6 @@ void Growth::place(State& state, PlacedPanel placed, int onto) const {
 bool Growth::may_add(const State& state, std::uint32_t panel) const {
     const Panel& one = panels_.panels[panel];
     if (state.place[panel] >= 0 || !one.reached || one.rings.empty() || !parts_[one.part].folds) return false;
-    if (is_narrow_[panel] != 0 && state.has_all_narrow) return false;
     if (one.kind == PanelKind::hanging) return state.laid[one.part] == 0;
     return !is_view(one.kind) || state.outlines[one.part] < most_outlines(parts_[one.part].form);
 }
@@ -275,7 +243,7 @@ void Growth::grow(State& state, Strategy strategy, const std::vector<double>& fa
         const std::uint32_t parent = next.other_way ? hinge.other : hinge.one;
         const PlacedPanel& onto = state.layout.panels[static_cast<std::size_t>(state.place[parent])];
         if (placed.shape.rings.empty() || !is_free(state, placed, &onto)) continue;
-        place(state, std::move(placed), state.place[parent]);
+        place(state, std::move(placed));
         open(child);
     }
 }
@@ -309,6 +277,44 @@ void Growth::place(State& state, const PlacedBar& placed) const {
     state.layout.bars.push_back(placed);
 }
 
+PlacedPanel Growth::straightened(std::uint32_t number) const {
+    const Panel& panel = panels_.panels[number];
+    const Point3 middle = middles_[number], normal = panel.normal;
+    const double away = dot(normal, view_.toward) < 0 ? -1 : 1;
+    PlacedPanel placed{
+        .panel = number, .handling = Handling::straightened, .height = dot(middle, view_.toward), .placement = {}, .shape = {}};
+    Point3 along = view_.right - dot(view_.right, normal) * normal;
+    if (length_of(along) < 0.1) along = dot(view_.down, normal) * normal - view_.down;
+    along = unit(along);
+    // A footprint is seen through what stands on it.
+    placed.placement = {middle, along, away * cross(along, normal), {dot(middle, view_.right), dot(middle, view_.down)},
+                        {1, 0}, {0, 1}};
+    if (std::abs(dot(normal, view_.toward)) >= kAligned) placed.handling = Handling::kept;
+    placed.shape = shape_of(number, placed.placement);
+    return placed;
+}
+
+PlacedPanel Growth::laid(std::uint32_t number) const {
+    const Panel& panel = panels_.panels[number];
+    PlacedPanel placed{.panel = number, .handling = Handling::lying, .folds = 1, .height = 0, .placement = {}, .shape = {}};
+    // About the lowest of its sides that lie in the plane; without one about its lowest corner.
+    Point3 foot = panel.rings.front().front();
+    for (const Point3& corner : panel.rings.front())
+        if (dot(corner, view_.toward) < dot(foot, view_.toward) - touching_) foot = corner;
+    const Point3 along = unit(cross(view_.toward, panel.normal));
+    Point3 across = cross(panel.normal, along);
+    if (dot(across, view_.toward) < 0) across = -1 * across;
+    const Point flat{dot(along, view_.right), dot(along, view_.down)};
+    const Point out{dot(panel.normal, view_.right), dot(panel.normal, view_.down)};
+    const double length = std::max(1e-12, std::hypot(out.x, out.y));
+    // It falls onto its back, so that its front is up.
+    placed.placement = {
+        foot, along, across, {dot(foot, view_.right), dot(foot, view_.down)}, flat, {-out.x / length, -out.y / length}};
+    placed.height = dot(foot, view_.toward);
+    placed.shape = shape_of(number, placed.placement);
+    return placed;
+}
+
 void Growth::take_rest(State& state) const {
     std::vector<std::uint32_t> best(parts_.size(), ~0u);
     for (std::uint32_t i = 0; i < panels_.panels.size(); ++i) {
@@ -330,7 +336,7 @@ void Growth::take_rest(State& state) const {
         if (has_kept_[part] != 0) continue;
         const double toward = std::abs(dot(panel.normal, view_.toward));
         PlacedPanel placed = toward >= kUpright ? straightened(best[part]) : laid(best[part]);
-        if (is_free(state, placed)) place(state, std::move(placed), -1);
+        if (is_free(state, placed)) place(state, std::move(placed));
     }
 }
 

@@ -31,15 +31,12 @@ public:
 
 private:
     struct State;
-    State begun(double smallest) const;
     void drop_hidden();
-    void drop_narrow(State& state) const;
     void grow(State& state, Strategy strategy, const std::vector<double>& favour) const;
     void take_rest(State& state) const;
     void add_bars(State& state) const;
     void count(State& state, std::uint32_t panel, std::size_t place) const;
-    /// `onto`: place of what it is folded out of; -1: of nothing.
-    void place(State& state, PlacedPanel placed, int onto) const;
+    void place(State& state, PlacedPanel placed) const;
     void place(State& state, const PlacedBar& placed) const;
     bool has_room(const State& state, const Box& box) const;
     /// `onto`: what it is folded out of; nothing: of nothing.
@@ -60,7 +57,6 @@ private:
     double touching_ = 0;                             // mm
     std::vector<std::vector<std::uint32_t>> hinges_;  // of each panel
     std::vector<Point3> middles_;                     // of each panel
-    std::vector<char> is_narrow_;                     // each panel
     std::vector<char> has_kept_;                      // of each part: a side of it is parallel to the plane
     std::vector<PlacedPanel> kept_;                   // the same in every layout
     GrowingGrid kept_boxes_;                          // of those

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "tactics/solid/outline.h"
-#include "tactics/solid/rings.h"
 #include "tactics/solid/space_box.h"
 
 namespace tactics {
@@ -93,10 +92,10 @@ public:
 private:
     bool is_thick(std::uint32_t part) const { return parts_[part].form != PartForm::line && parts_[part].form != PartForm::face; }
     std::vector<std::uint32_t> parts_near(std::uint32_t part) const {
-        return near_.near(grown(space_of(parts_[part]), kLooseShare * parts_[part].box.half[0]));
+        return near_.near(grown(space_of(parts_[part]), kLoose * parts_[part].box.half[0]));
     }
     double slack(std::uint32_t a, std::uint32_t b) const {
-        return kLooseShare * std::min(parts_[a].box.half[0], parts_[b].box.half[0]);
+        return kLoose * std::min(parts_[a].box.half[0], parts_[b].box.half[0]);
     }
 
     bool is_under(std::uint32_t part, const Panel& face) const {

@@ -19,10 +19,7 @@ constexpr Strategy kStrategies[] = {Strategy::longest, Strategy::broadest, Strat
                                     Strategy::deepest};
 
 constexpr double kSizes[] = {0, 1.0, 0.75};  // how small, of the scale of what lies where it is; 0: as it comes
-// Layouts one after the other that are no better, after which no more are tried; and as a share of those wished for.
-constexpr int kInVain = 40;
-constexpr double kInVainOf = 0.625;
-constexpr double kHalfSize = 0.05;  // of the rating that it costs if all is half as large
+constexpr double kHalfSize = 0.05;           // of the rating that it costs if all is half as large
 
 // Of the parts, that which is too small to be felt.
 double lost(const std::vector<ModelPart>& parts, double least) {
@@ -72,13 +69,10 @@ FlatLayout lay_flat(const std::vector<ModelPart>& parts, const Panels& panels, c
     for (std::size_t size = 1; size < sizes; ++size) consider(growth.grown(kStrategies[0], favour, kSizes[size] * whole));
     Chance chance;
     const int tried = layouts_tried(wish.effort, panels.panels.size());
-    const int in_vain = std::max(kInVain, static_cast<int>(kInVainOf * tried));
-    for (int i = 0, last_better = 0; i < tried && i - last_better < in_vain; ++i) {
-        const double before = best.rating.value();
+    for (int i = 0; i < tried; ++i) {
         for (double& one : favour) one = 0.25 + 1.5 * chance.next();
         const auto number = static_cast<std::size_t>(i);
         consider(growth.grown(kStrategies[number % std::size(kStrategies)], favour, kSizes[number % sizes] * whole));
-        if (best.rating.value() > before) last_better = i;
     }
     return best;
 }

@@ -7,8 +7,7 @@
 namespace tactics {
 
 /// The number of layouts tried besides the strategies: as many as wished for up to 200 panels, and proportionally fewer for more.
-/// If many in a row are no better, the search ends before. The limit is on work, not on time, so that the same model gives the
-/// same layout on every machine.
+/// The limit is on work, not on time, so that the same model gives the same layout on every machine.
 int layouts_tried(int effort, std::size_t panels);
 
 FlatLayout lay_flat(const std::vector<ModelPart>& parts, const Panels& panels, const std::vector<std::uint32_t>& thing,

@@ -90,7 +90,6 @@ struct LayoutWish {
     int effort = 64;      ///< layouts that are tried beyond the strategies (layouts_tried); the best is kept
     SheetRoom room = {};  ///< what is folded out may make all smaller, which is hard for a reader, too
     double shortest = 0;  ///< mm of the drawing, below which a part is not felt
-    double narrow = 0;    ///< mm of the model: what is narrower is folded out only where something wider hangs on it
 };
 
 }  // namespace tactics

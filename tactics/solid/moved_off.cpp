@@ -14,7 +14,6 @@
 #include "tactics/geometry/vectors.h"
 #include "tactics/solid/layout.h"
 #include "tactics/solid/parted.h"
-#include "tactics/solid/rings.h"
 #include "tactics/solid/space_box.h"
 
 namespace tactics {
@@ -170,7 +169,7 @@ private:
     }
 
     bool rests_on(const Foot& upper, const Foot& lower) const {
-        const double loose = kLooseShare * std::min(upper.high - upper.low, lower.high - lower.low) + touching_;
+        const double loose = kLoose * std::min(upper.high - upper.low, lower.high - lower.low) + touching_;
         return std::abs(upper.low - lower.high) <= loose;
     }
 
@@ -225,7 +224,7 @@ private:
             low = std::min(low, foot.low);
             high = std::max(high, foot.high);
         }
-        return holder->low <= low + kLooseShare * (high - low) &&
+        return holder->low <= low + kLoose * (high - low) &&
                std::all_of(holder->parts.begin(), holder->parts.end(), [&](auto part) {
                    return parts_[part].form == PartForm::face &&
                           std::abs(dot(parts_[part].box.axis[2], view_.toward)) >= kAligned;
@@ -233,7 +232,7 @@ private:
     }
 
     bool touch_in_space(const Foot& one, const Foot& other) const {
-        const auto reach = [&](std::uint32_t part) { return kLooseShare * parts_[part].box.half[0]; };
+        const auto reach = [&](std::uint32_t part) { return kLoose * parts_[part].box.half[0]; };
         for (const std::uint32_t a : one.parts)
             for (const std::uint32_t b : other.parts)
                 if (apart(space_of(parts_[a]), space_of(parts_[b])) <= std::min(reach(a), reach(b))) return true;

@@ -71,9 +71,8 @@ Phrase what_was_done(const FoldedObject& one, int held, const Phrase& seen, doub
         return phrases(n, "{0} slender part on it laid flat outward", "{0} slender parts on it laid flat outward");
     });
     count(one.doubled, [](std::size_t n) { return phrases(n, "{0} side shown twice", "{0} sides shown twice"); });
-    count(one.left_out, [](std::size_t n) {
-        return phrases(n, "{0} face without room, or too narrow, left out", "{0} faces without room, or too narrow, left out");
-    });
+    count(one.left_out,
+          [](std::size_t n) { return phrases(n, "{0} face without room left out", "{0} faces without room left out"); });
     return text;
 }
 

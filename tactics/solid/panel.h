@@ -81,7 +81,4 @@ Panels moved(Panels panels, const std::vector<Point3>& by);
 
 Point3 middle_of(const Panel& panel);
 
-/// A plane side that fits between two parallel lines less than that apart, mm: a finger feels one line there.
-bool is_narrow(const Panel& panel, double apart);
-
 }  // namespace tactics

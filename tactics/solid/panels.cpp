@@ -8,7 +8,6 @@
 
 #include "tactics/solid/hanging.h"
 #include "tactics/solid/outline.h"
-#include "tactics/solid/rings.h"
 #include "tactics/solid/round_panels.h"
 #include "tactics/solid/space_grid.h"
 
@@ -27,7 +26,7 @@ double thickness(const ModelPart& part) { return 2 * part.box.half[2]; }
 // The allowed distance of two parts where they meet: each lies on its own middle, or on one of its sides.
 double slack(const ModelPart& a, const ModelPart& b) {
     return thickness(a) * (a.form == PartForm::face) + thickness(b) * (b.form == PartForm::face) +
-           kLooseShare * std::min(a.box.half[0], b.box.half[0]);
+           kLoose * std::min(a.box.half[0], b.box.half[0]);
 }
 
 void add_panel(Panels& made, std::uint32_t part, PanelKind kind, const Point3& normal, std::vector<Ring> rings, double area) {
@@ -171,7 +170,7 @@ void add_bars(Panels& made, const std::vector<ModelPart>& parts, const std::vect
         bool held[2] = {};
         for (int end = 0; end < 2; ++end) {
             double least = std::numeric_limits<double>::infinity();
-            const double most = 2 * part.box.half[1] + kLooseShare * part.box.half[0];
+            const double most = 2 * part.box.half[1] + kLoose * part.box.half[0];
             for (const std::uint32_t other : near.near(grown(SpaceBox{ends[end], ends[end]}, most))) {
                 if (other == place || thing[other] != thing[place] || parts[other].form == PartForm::line) continue;
                 const double off = distance(ends[end], parts[other]);

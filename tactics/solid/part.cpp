@@ -11,7 +11,6 @@
 #include "tactics/solid/largest_first.h"
 #include "tactics/solid/named_part.h"
 #include "tactics/solid/ranks.h"
-#include "tactics/solid/rings.h"
 #include "tactics/solid/space_box.h"
 
 namespace tactics {
@@ -209,6 +208,13 @@ void take_handles(std::vector<ModelPart>& parts, std::size_t first) {
     }
 }
 
+double distance_to_side(const Point3& at, const Point3& from, const Point3& to) {
+    const Point3 along = to - from;
+    const double length = dot(along, along);
+    const double share = length > 0 ? std::clamp(dot(at - from, along) / length, 0.0, 1.0) : 0;
+    return length_of(at - from - share * along);
+}
+
 std::vector<PartWish> wishes_of(const Model& model, const PartWish& wish, const std::vector<ObjectWish>& objects) {
     std::vector<PartWish> wishes(model.objects.size(), wish);
     for (const ObjectWish& one : objects) {
@@ -277,8 +283,7 @@ std::vector<ModelPart> parts_of(const Model& whole, const PartWish& wish, const 
                                      path_of(model, place), std::to_string(shells.size())));
     }
     if (dropped > 0)
-        notes.push_back(phrases(dropped, "{0} face without area, or that was there twice, is left out",
-                                "{0} faces without area, or that were there twice, are left out"));
+        notes.push_back(phrase("{0} faces without area, or that were there twice, are left out", std::to_string(dropped)));
     return parts;
 }
 
@@ -308,18 +313,11 @@ double distance(const Point3& at, const ModelPart& part) {
         inside = inside && off <= 0;
         if (std::abs(off) >= least) continue;
         if (is_over(at - off * patch.normal, patch.normal, patch.rings)) least = std::abs(off);
-        least = std::min(least, distance_to_rings(at, patch.rings));
+        for (const auto& ring : patch.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                least = std::min(least, distance_to_side(at, ring[i], ring[(i + 1) % ring.size()]));
     }
     return inside ? 0 : least;
-}
-
-SpaceBox space_of(const ModelPart& part) {
-    Point3 half;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Point3& axis = part.box.axis[i];
-        half = half + part.box.half[i] * Point3{std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)};
-    }
-    return {part.box.middle - half, part.box.middle + half};
 }
 
 }  // namespace tactics

@@ -72,7 +72,6 @@ struct Stretch {
 Stretch stretch_of(const Solid& solid, const Point3& direction);
 
 double extent_of(const ModelPart& part);  ///< mm, the longest
-SpaceBox space_of(const ModelPart& part);
 /// For a line: the middles of its two ends.
 std::array<Point3, 2> ends_of(const ModelPart& part);
 /// mm from a place to the surface; 0 within a closed convex part.

@@ -6,8 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "tactics/solid/layout.h"
-#include "tactics/solid/rings.h"
 #include "tactics/solid/space_grid.h"
 
 namespace tactics {
@@ -16,41 +14,37 @@ namespace {
 
 constexpr double kReachedShare = 0.5;  // of the places on a face that a hand comes to
 constexpr double kBehind = 1e-3;       // share of the room for a hand: a thing no farther behind a place lies on it
-constexpr double kAlongHand = 1e-3;    // cosine up to which a patch is in the line of a hand, and no cover
 
 // Possible obstacles for a hand: all patches of a model.
 class Obstacles {
 public:
-    Obstacles(const std::vector<ModelPart>& parts, double hand)
-        : hand_(hand), slack_(std::max(kBehind * hand, touching_in(parts))), near_(boxes_of(parts)) {
+    explicit Obstacles(const std::vector<ModelPart>& parts) : near_(boxes_of(parts)) {
         for (std::uint32_t part = 0; part < parts.size(); ++part) {
             extents_.push_back(space_of(parts[part]));
-            floor_ = std::min(floor_, extents_.back().low.z);
             for (const Patch& patch : parts[part].solid.patches) patches_.push_back({part, &patch});
         }
     }
 
-    // Something is so near over that place that no hand comes there. What is over its border by the slack only covers it, and
-    // what is just a hand away does not, so that the last digits of a file do not decide.
-    bool cover(const Point3& at, const Point3& normal, std::uint32_t own) const {
-        const Point3 tip = at + hand_ * normal;
+    // Something is so near over that place that no hand comes there.
+    bool cover(const Point3& at, const Point3& normal, std::uint32_t own, double hand) const {
+        const Point3 tip = at + hand * normal;
         const SpaceBox ray{{std::min(at.x, tip.x), std::min(at.y, tip.y), std::min(at.z, tip.z)},
                            {std::max(at.x, tip.x), std::max(at.y, tip.y), std::max(at.z, tip.z)}};
-        return near_.any_near(grown(ray, slack_), [&](std::uint32_t place) {
+        return near_.any_near(grown(ray, kBehind * hand), [&](std::uint32_t place) {
             const auto& [part, patch] = patches_[place];
             const double toward = dot(patch->normal, normal);
-            if (std::abs(toward) < kAlongHand || apart(ray, extents_[part]) > slack_) return false;
+            if (std::abs(toward) < 1e-9 || apart(ray, extents_[part]) > 0) return false;
             const double along = dot(patch->normal, patch->rings.front().front() - at) / toward;
-            if (!(along > (part == own ? slack_ : -slack_) && along < hand_ - slack_)) return false;
-            const Point3 there = at + along * normal;
-            return is_over(there, patch->normal, patch->rings) || distance_to_rings(there, patch->rings) < slack_;
+            return along > (part == own ? kBehind : -kBehind) * hand && along < hand &&
+                   is_over(at + along * normal, patch->normal, patch->rings);
         });
     }
 
-    bool is_on_floor(const Point3& at, const Point3& normal) const {
-        return normal.z < -0.5 && at.z + hand_ * normal.z < floor_ - slack_;
+    double floor() const {
+        double lowest = std::numeric_limits<double>::infinity();
+        for (const SpaceBox& extent : extents_) lowest = std::min(lowest, extent.low.z);
+        return lowest;
     }
-    double slack() const { return slack_; }
 
 private:
     static std::vector<SpaceBox> boxes_of(const std::vector<ModelPart>& parts) {
@@ -60,7 +54,6 @@ private:
         return boxes;
     }
 
-    double hand_, slack_, floor_ = std::numeric_limits<double>::infinity();
     std::vector<SpaceBox> extents_;                                // of parts
     std::vector<std::pair<std::uint32_t, const Patch*>> patches_;  // and their parts
     SpaceGrid near_;
@@ -69,18 +62,19 @@ private:
 }  // namespace
 
 void find_reached(Panels& made, const std::vector<ModelPart>& parts, const ReachWish& wish) {
-    const Obstacles obstacles(parts, wish.hand);
+    const Obstacles obstacles(parts);
+    const double floor = obstacles.floor();
     for (Panel& panel : made.panels) {
         panel.reached = false;
         if (panel.rings.empty()) continue;
         std::vector<Point3> places = {middle_of(panel)};
         for (const Point3& corner : panel.rings.front()) places.push_back(places.front() + 0.6 * (corner - places.front()));
-        std::erase_if(places, [&](const Point3& at) {
-            return !is_over(at, panel.normal, panel.rings) || distance_to_rings(at, panel.rings) < obstacles.slack();
-        });
+        std::erase_if(places, [&](const Point3& at) { return !is_over(at, panel.normal, panel.rings); });
         std::size_t free = 0;
-        for (const Point3& at : places)
-            free += !(wish.floor && obstacles.is_on_floor(at, panel.normal)) && !obstacles.cover(at, panel.normal, panel.part);
+        for (const Point3& at : places) {
+            const bool grounded = wish.floor && panel.normal.z < -0.5 && at.z + wish.hand * panel.normal.z < floor;
+            free += !grounded && !obstacles.cover(at, panel.normal, panel.part, wish.hand);
+        }
         panel.reached = places.empty() || static_cast<double>(free) >= kReachedShare * static_cast<double>(places.size());
     }
     // From within.

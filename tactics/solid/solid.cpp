@@ -14,14 +14,106 @@
 #include "tactics/geometry/course.h"
 #include "tactics/geometry/triangulate.h"
 #include "tactics/solid/ranks.h"
-#include "tactics/solid/shell.h"
 
 namespace tactics {
 
 namespace {
 
-constexpr double kSameBend = 1e-3;  // radians
-constexpr double kCertain = 50;     // tolerances of welding, by which a place may differ from file to file
+using Corner = std::uint32_t;
+
+// Two faces are one plane to a finger: half a degree over 10 cm lifts it by
+// less than 1 mm. Cylinders of up to 360 sides stay round.
+const double kOnePlane = std::cos(0.5 * 3.14159265358979323846 / 180);
+constexpr double kOffPlane = 20;  // tolerances of welding that a corner may be off the plane of its patch
+
+struct Half {
+    Corner from, to;
+    std::uint32_t face;
+};
+
+// All that is worked on, by the places of the shell's faces.
+struct Shell {
+    const WeldedSurface& surface;
+    std::vector<CornerRing> rings;
+    std::vector<Point3> doubled;
+    std::vector<Half> halves;                                               // by their corners
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> by_side;  // halves from a corner to a corner
+    std::vector<std::uint32_t> patch;                                       // of each face
+
+    static std::uint64_t key(Corner from, Corner to) { return static_cast<std::uint64_t>(from) << 32 | to; }
+    // The faces on the other side of that side.
+    const std::vector<std::uint32_t>* beyond(Corner from, Corner to) const {
+        const auto found = by_side.find(key(to, from));
+        return found == by_side.end() ? nullptr : &found->second;
+    }
+};
+
+Point3 middle_of_ring(const WeldedSurface& surface, const CornerRing& ring) {
+    Point3 sum;
+    for (const Corner corner : ring) sum = sum + surface.corners[corner];
+    return (1.0 / static_cast<double>(ring.size())) * sum;
+}
+
+bool before(const Point3& a, const Point3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
+
+// Rounded, so that what differs by less than that is equal.
+double coarse(double value, double grain) { return std::round(value / grain); }
+
+constexpr double kCertain = 50;  // tolerances of welding, by which a place may differ from file to file
+
+// Faces in the order of their size, so that a patch grows from its largest.
+std::vector<std::uint32_t> by_size(const Shell& shell) {
+    std::vector<std::uint32_t> order(shell.rings.size());
+    std::vector<Point3> middles;
+    double largest = 0;
+    for (std::uint32_t face = 0; face < order.size(); ++face) {
+        order[face] = face;
+        middles.push_back(middle_of_ring(shell.surface, shell.rings[face]));
+        largest = std::max(largest, length_of(shell.doubled[face]));
+    }
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const double one = coarse(length_of(shell.doubled[a]), largest * 1e-4),
+                     other = coarse(length_of(shell.doubled[b]), largest * 1e-4);
+        if (one != other) return one > other;
+        return before(middles[a], middles[b]);
+    });
+    return order;
+}
+
+std::uint32_t grow_patches(Shell& shell) {
+    constexpr std::uint32_t kNone = ~0u;
+    shell.patch.assign(shell.rings.size(), kNone);
+    const double off_plane = kOffPlane * shell.surface.tolerance;
+    std::uint32_t count = 0;
+    for (const std::uint32_t first : by_size(shell)) {
+        if (shell.patch[first] != kNone) continue;
+        const Point3 normal = (1 / length_of(shell.doubled[first])) * shell.doubled[first];
+        const Point3 origin = middle_of_ring(shell.surface, shell.rings[first]);
+        const auto fits = [&](std::uint32_t face) {
+            return dot(normal, shell.doubled[face]) >= kOnePlane * length_of(shell.doubled[face]) &&
+                   std::all_of(shell.rings[face].begin(), shell.rings[face].end(), [&](Corner corner) {
+                       return std::abs(dot(normal, shell.surface.corners[corner] - origin)) <= off_plane;
+                   });
+        };
+        shell.patch[first] = count;
+        std::vector<std::uint32_t> waiting = {first};
+        while (!waiting.empty()) {
+            const CornerRing& ring = shell.rings[waiting.back()];
+            waiting.pop_back();
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const auto* others = shell.beyond(ring[i], ring[(i + 1) % ring.size()]);
+                if (others == nullptr) continue;
+                for (const std::uint32_t other : *others)
+                    if (shell.patch[other] == kNone && fits(other)) {
+                        shell.patch[other] = count;
+                        waiting.push_back(other);
+                    }
+            }
+        }
+        ++count;
+    }
+    return count;
+}
 
 // Sides of a patch whose other side is not of it, by where they begin.
 using Border = std::map<Corner, std::vector<Corner>>;
@@ -229,7 +321,18 @@ void put_in_order(Solid& solid, double tolerance) {
 }  // namespace
 
 Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& faces) {
-    Shell shell = shell_of(surface, faces);
+    Shell shell{.surface = surface, .rings = {}, .doubled = {}, .halves = {}, .by_side = {}, .patch = {}};
+    for (const std::uint32_t face : faces) {
+        shell.rings.push_back(surface.faces[face]);
+        shell.doubled.push_back(doubled_area(surface.corners, surface.faces[face]));
+    }
+    for (std::uint32_t face = 0; face < shell.rings.size(); ++face) {
+        const CornerRing& ring = shell.rings[face];
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            shell.halves.push_back({ring[i], ring[(i + 1) % ring.size()], face});
+            shell.by_side[Shell::key(ring[i], ring[(i + 1) % ring.size()])].push_back(face);
+        }
+    }
     const std::uint32_t count = grow_patches(shell);
     std::vector<Border> borders = borders_of(shell, count);
     std::vector<Point3> sums(count);
@@ -253,23 +356,30 @@ Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& f
             solid.closed = false;
             continue;
         }
-        const Point3 from = surface.corners[half.from], to = surface.corners[half.to];
-        const Point3 along = unit(to - from);
-        const auto bend_to = [&](std::uint32_t face) {
-            const Point3 &left = solid.patches[one].normal, &right = solid.patches[shell.patch[face]].normal;
-            return std::atan2(dot(along, cross(left, right)), dot(left, right));
-        };
-        // Where more than two faces meet, the next one round what is solid.
-        std::uint32_t next = others->front();
-        for (const std::uint32_t face : *others)
-            if (bend_to(face) > bend_to(next) + kSameBend) next = face;
-        const std::uint32_t other = shell.patch[next];
+        const std::uint32_t other = shell.patch[others->front()];
         if (one >= other) continue;
-        const double angle = bend_to(next);
+        const Patch &left = solid.patches[one], &right = solid.patches[other];
+        const Point3 from = surface.corners[half.from], to = surface.corners[half.to];
+        const double angle = std::atan2(dot((1 / length_of(to - from)) * (to - from), cross(left.normal, right.normal)),
+                                        dot(left.normal, right.normal));
         solid.seams.push_back({one, other, from, to, angle});
     }
     put_in_order(solid, surface.tolerance);
     return solid;
+}
+
+bool is_over(const Point3& at, const Point3& normal, const std::vector<std::vector<Point3>>& rings) {
+    // Seen along the axis that it faces most.
+    const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
+    const auto flat = [&](const Point3& p) {
+        return z >= x && z >= y ? Point{p.x, p.y} : y >= x ? Point{p.x, p.z} : Point{p.y, p.z};
+    };
+    const Point place = flat(at);
+    bool over = false;
+    for (const auto& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            if (ray_meets(place, flat(ring[i]), flat(ring[(i + 1) % ring.size()]))) over = !over;
+    return over;
 }
 
 double length_of(const Seam& seam) { return length_of(seam.to - seam.from); }
@@ -278,13 +388,6 @@ Point3 middle_of(const Patch& patch) {
     Point3 sum;
     for (const Point3& point : patch.rings.front()) sum = sum + point;
     return (1.0 / static_cast<double>(patch.rings.front().size())) * sum;
-}
-
-SpaceBox space_of(const Patch& patch) {
-    SpaceBox box = kNoSpace;
-    for (const auto& ring : patch.rings)
-        for (const Point3& at : ring) take(box, at);
-    return box;
 }
 
 }  // namespace tactics

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "tactics/solid/space_box.h"
 #include "tactics/solid/welded.h"
 
 namespace tactics {
@@ -38,8 +37,9 @@ struct Solid {
 /// the order in which a file has its faces makes no difference.
 Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& shell);
 
+/// The place, which lies in their plane, is within the rings (even-odd rule).
+bool is_over(const Point3& at, const Point3& normal, const std::vector<std::vector<Point3>>& rings);
 double length_of(const Seam& seam);    ///< mm
 Point3 middle_of(const Patch& patch);  ///< of its corners
-SpaceBox space_of(const Patch& patch);
 
 }  // namespace tactics

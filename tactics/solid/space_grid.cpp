@@ -9,7 +9,7 @@ namespace tactics {
 
 namespace {
 
-constexpr double kGridSize = 1000;  // of the longer side: models have any size
+constexpr double kGridSize = 1000;  // of the longer side: a Grid has cells in mm of a page, models have any size
 constexpr double kRounding = 1e-9 * kGridSize;
 
 }  // namespace
@@ -36,8 +36,10 @@ SpaceGrid::SpaceGrid(std::vector<SpaceBox> boxes) : boxes_(std::move(boxes)) {
     top_ = axes[1].low;
     const double longer = std::max(axes[0].length(), axes[1].length());
     scale_ = longer > 0 ? kGridSize / longer : 1;
-    grid_ = GrowingGrid({0, 0, scale_ * axes[0].length(), scale_ * axes[1].length()}, boxes_.size());
-    for (const SpaceBox& box : boxes_) grid_.add(flat(box));
+    std::vector<Box> flat_boxes;
+    flat_boxes.reserve(boxes_.size());
+    for (const SpaceBox& box : boxes_) flat_boxes.push_back(flat(box));
+    grid_ = Grid(std::move(flat_boxes), scale_ * axes[0].length(), scale_ * axes[1].length());
 }
 
 Box SpaceGrid::flat(const SpaceBox& box) const {
@@ -53,6 +55,7 @@ std::vector<std::uint32_t> SpaceGrid::near(const SpaceBox& box) const {
         return false;
     });
     std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

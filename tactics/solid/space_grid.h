@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tactics/geometry/growing_grid.h"
+#include "tactics/geometry/grid.h"
 #include "tactics/solid/space_box.h"
 
 namespace tactics {
@@ -14,7 +14,7 @@ class SpaceGrid {
 public:
     explicit SpaceGrid(std::vector<SpaceBox> boxes);
 
-    /// Calls visit(place) once for each box that meets `box`, until it gives true; then gives true.
+    /// Calls visit(place) for each box that meets `box`, until it gives true; then gives true. A box may come up several times.
     template <typename Visit>
     bool any_near(const SpaceBox& box, Visit visit) const {
         return !boxes_.empty() && grid_.any_near(flat(box), [&](std::size_t place) {
@@ -31,7 +31,7 @@ private:
     double Point3::*across_ = &Point3::x;  // the two axes along which boxes are told apart best
     double Point3::*down_ = &Point3::y;
     double left_ = 0, top_ = 0, scale_ = 1;  // into the grid
-    GrowingGrid grid_{{0, 0, 1, 1}, 1};
+    Grid grid_;
 };
 
 }  // namespace tactics

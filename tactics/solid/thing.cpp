@@ -44,7 +44,7 @@ std::vector<std::uint32_t> things_of(const Model& model, const std::vector<Model
         tops.push_back(top(part.object));
         boxes.push_back(space_of(part));
     }
-    const auto reach = [&](std::uint32_t part) { return kLooseShare * parts[part].box.half[0]; };
+    const auto reach = [&](std::uint32_t part) { return kLoose * parts[part].box.half[0]; };
     const SpaceGrid near(boxes);
     Lots lots(parts.size());
     for (std::uint32_t a = 0; a < parts.size(); ++a)

@@ -10,12 +10,12 @@
 
 #include "tactics/geometry/lots.h"
 #include "tactics/geometry/triangulate.h"
-#include "tactics/solid/backs.h"
-#include "tactics/solid/ranks.h"
 
 namespace tactics {
 
 namespace {
+
+using Corner = std::uint32_t;
 
 // Cells of a grid in space, by their numbers put together; two cells may share
 // one, which costs a look more.
@@ -74,26 +74,6 @@ bool is_bent(const std::vector<Point3>& corners, const CornerRing& ring, const P
                        [&](Corner corner) { return std::abs(dot(normal, corners[corner] - middle)) > 10 * tolerance; });
 }
 
-// Cut into triangles, wherever the file begins and whichever way it goes round.
-void add_cut(WeldedSurface& surface, CornerRing ring) {
-    const double grain = 50 * surface.tolerance;
-    const auto places_of = [&] {
-        std::vector<Point3> places;
-        for (const Corner corner : ring) places.push_back(surface.corners[corner]);
-        return places;
-    };
-    std::vector<Point3> places = places_of();
-    std::rotate(ring.begin(), ring.begin() + (first_corner(places, grain) - places.begin()), ring.end());
-    std::vector<Point3> neighbours = {surface.corners[ring[1]], surface.corners[ring.back()]};
-    const bool back = first_corner(neighbours, grain) != neighbours.begin();
-    if (back) std::reverse(ring.begin() + 1, ring.end());
-    places = places_of();
-    for (auto [a, b, c] : triangulate(places)) {
-        if (back) std::swap(b, c);
-        surface.faces.push_back({ring[a], ring[b], ring[c]});
-    }
-}
-
 struct Side {
     Corner from, to;
     std::uint32_t face;
@@ -123,19 +103,30 @@ void each_edge(const std::vector<Side>& sides, Take take) {
     }
 }
 
-using CornersOnSides = std::unordered_map<std::uint64_t, std::vector<std::pair<double, Corner>>>;
-
-// Adds those of `corners` that lie on a side between its ends; gives the ends of these sides.
-std::vector<Corner> find_on_sides(CornersOnSides& on, const WeldedSurface& surface, const std::vector<Side>& edges,
-                                  const std::vector<Corner>& corners, double cell) {
+// Corners of others that lie on a side become its own.
+void split_sides(WeldedSurface& surface) {
+    const std::vector<Side> sides = sides_of(surface.faces);
+    std::vector<Side> open;
+    double total = 0;
+    each_edge(sides, [&](std::span<const Side> edge) {
+        if (edge.size() == 2) return;
+        open.push_back(edge.front());
+        total += length_of(surface.corners[edge.front().to] - surface.corners[edge.front().from]);
+    });
+    if (open.empty() || !(total > 0)) return;
+    const double cell = std::max(total / static_cast<double>(open.size()), 4 * surface.tolerance);
     Cells cells(cell);
-    for (const Corner corner : corners) cells.put(surface.corners[corner], corner);
     std::vector<Corner> ends;
-    for (const Side& side : edges) {
+    for (const Side& side : open) ends.insert(ends.end(), {side.from, side.to});
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    for (const Corner corner : ends) cells.put(surface.corners[corner], corner);
+    std::unordered_map<std::uint64_t, std::vector<std::pair<double, Corner>>> between;
+    for (const Side& side : open) {
         const Corner low = std::min(side.from, side.to), high = std::max(side.from, side.to);
         const Point3 begin = surface.corners[low], along = surface.corners[high] - begin;
         const double length = length_of(along);
-        std::vector<std::pair<double, Corner>> found;
+        auto& found = between[key_of(low, high)];
         for (double at = 0; at <= length; at += cell)
             cells.near(begin + (at / length) * along, [&](Corner corner) {
                 if (corner == low || corner == high) return;
@@ -144,41 +135,8 @@ std::vector<Corner> find_on_sides(CornersOnSides& on, const WeldedSurface& surfa
                 if (share > 0 && share < 1 && length_of(off - share * along) <= surface.tolerance)
                     found.push_back({share, corner});
             });
-        if (found.empty()) continue;
-        std::vector<std::pair<double, Corner>>& all = on[key_of(low, high)];
-        all.insert(all.end(), found.begin(), found.end());
-        std::sort(all.begin(), all.end());
-        all.erase(std::unique(all.begin(), all.end()), all.end());
-        ends.insert(ends.end(), {low, high});
-    }
-    return ends;
-}
-
-// Corners of others that lie on a side become its own: those of sides without a neighbour, or with more than one, on any side, as
-// where four faces meet, two may share a side that is divided for the other two; and the ends of sides that are divided, so that
-// of a joint between courses of bricks all is found.
-void split_sides(WeldedSurface& surface) {
-    const std::vector<Side> sides = sides_of(surface.faces);
-    std::vector<Side> edges;
-    std::vector<Corner> ends, known;
-    double total = 0;
-    each_edge(sides, [&](std::span<const Side> edge) {
-        edges.push_back(edge.front());
-        total += length_of(surface.corners[edge.front().to] - surface.corners[edge.front().from]);
-        if (edge.size() != 2) ends.insert(ends.end(), {edge.front().from, edge.front().to});
-    });
-    if (!(total > 0)) return;
-    const double cell = std::max(total / static_cast<double>(edges.size()), 4 * surface.tolerance);
-    CornersOnSides between;
-    constexpr int kMostRounds = 16;  // courses of bricks from one to the next; each round looks at all sides
-    for (int round = 0; round < kMostRounds; ++round) {
-        std::sort(ends.begin(), ends.end());
-        ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-        std::erase_if(ends, [&](Corner end) { return std::binary_search(known.begin(), known.end(), end); });
-        if (ends.empty()) break;
-        known.insert(known.end(), ends.begin(), ends.end());
-        std::sort(known.begin(), known.end());
-        ends = find_on_sides(between, surface, edges, ends, cell);
+        std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
     }
     for (CornerRing& ring : surface.faces) {
         CornerRing split;
@@ -197,19 +155,15 @@ void split_sides(WeldedSurface& surface) {
     }
 }
 
-// Faces with the same corners, gone round the same way: the first stays.
-std::size_t drop_copies(const std::vector<Point3>& corners, std::vector<CornerRing>& faces) {
-    std::map<CornerRing, std::vector<Point3>> seen;  // and the areas of those
+// Faces with the same corners, whichever way round: the first stays.
+std::size_t drop_copies(std::vector<CornerRing>& faces) {
+    std::map<CornerRing, bool> seen;
     const std::size_t before = faces.size();
     std::erase_if(faces, [&](const CornerRing& ring) {
         if (ring.empty()) return true;
         CornerRing sorted = ring;
         std::sort(sorted.begin(), sorted.end());
-        std::vector<Point3>& others = seen[std::move(sorted)];
-        const Point3 area = doubled_area(corners, ring);
-        if (std::any_of(others.begin(), others.end(), [&](const Point3& other) { return dot(area, other) > 0; })) return true;
-        others.push_back(area);
-        return false;
+        return !seen.emplace(std::move(sorted), true).second;
     });
     return before - faces.size();
 }
@@ -254,19 +208,19 @@ WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, 
         double longest = 0;
         for (std::size_t i = 0; i < ring.size(); ++i)
             longest = std::max(longest, length_of(surface.corners[ring[i]] - surface.corners[ring[(i + 1) % ring.size()]]));
-        // Its corner is then on its longest side, and becomes one of the neighbour there.
-        if (!(length_of(doubled) > tolerance * longest)) {
+        if (!(length_of(doubled) > 2 * tolerance * longest)) {
             ring.clear();
         } else if (ring.size() > 3 && is_bent(surface.corners, ring, doubled, tolerance)) {
-            add_cut(surface, std::move(ring));
+            std::vector<Point3> corners;
+            for (const Corner corner : ring) corners.push_back(surface.corners[corner]);
+            for (const auto& cut : triangulate(corners)) surface.faces.push_back({ring[cut[0]], ring[cut[1]], ring[cut[2]]});
             continue;
         }
         surface.faces.push_back(std::move(ring));
     }
-    dropped += drop_copies(surface.corners, surface.faces);
+    dropped += drop_copies(surface.faces);
     split_sides(surface);
-    dropped += drop_copies(surface.corners, surface.faces);
-    dropped += drop_backs(surface);
+    dropped += drop_copies(surface.faces);
     return surface;
 }
 

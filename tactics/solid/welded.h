@@ -11,7 +11,6 @@
 
 namespace tactics {
 
-using Corner = std::uint32_t;  ///< place in WeldedSurface::corners
 /// A polygon by its corners, counter-clockwise seen from outside.
 using CornerRing = std::vector<std::uint32_t>;
 

@@ -83,39 +83,6 @@ TEST(CloseSides, StayStraight) {
     EXPECT_NEAR(sides[0].from.y, 30, 1e-9);
 }
 
-// Three upright lines, each nearer to the next than allowed: the outer ones are far enough from each other and both stay, though
-// the middle one is the longest.
-TEST(CloseSides, OfThreeTheOuterOnesStay) {
-    for (const double middle : {50.0, 70.0}) {
-        std::vector<DrawnSide> sides = {side({0, 0}, {0, 60}), side({2.2, 0}, {2.2, middle}), side({4.4, 0}, {4.4, 60})};
-        EXPECT_EQ(unite_close(sides, kTouching, kApart), 1u);
-        std::vector<double> across;
-        for (const DrawnSide& one : sides) across.push_back(one.from.x);
-        std::sort(across.begin(), across.end());
-        ASSERT_EQ(across.size(), 2u) << middle;
-        EXPECT_NEAR(across[0], 0, 1e-9);
-        EXPECT_NEAR(across[1], 4.4, 1e-9);
-    }
-}
-
-// What becomes one line was within the least distance, however long the row. Hardly ever that leaves two lines too close.
-TEST(CloseSides, OfALongRowNoLineGathersMoreThanOneGap) {
-    std::mt19937 random(8);
-    int too_close = 0;
-    for (int scene = 0; scene < 200; ++scene) {
-        std::uniform_real_distribution<double> wide(0.4, 4), high(20, 60);
-        std::vector<DrawnSide> sides;
-        for (double x = 0; x < 40; x += wide(random)) sides.push_back(side({x, 0}, {x, high(random)}));
-        const std::vector<DrawnSide> before = sides;
-        unite_close(sides, kTouching, kApart);
-        too_close += least_distance(sides) < kApart;
-        for (const DrawnSide& one : before)
-            EXPECT_TRUE(std::any_of(sides.begin(), sides.end(), [&](const DrawnSide& now) {
-                return std::abs(now.from.x - one.from.x) < kApart;
-            })) << scene;
-    }
-}
-
 TEST(CloseSides, OfManyBoxesInARowKeepTheirDistanceAndTheirConnections) {
     std::mt19937 random(5);
     for (int scene = 0; scene < 200; ++scene) {

@@ -43,8 +43,6 @@ Model random_boxes(unsigned seed, int count, bool turned) {
     return model;
 }
 
-std::uint32_t panels_part(const Folded& made, const PlacedPanel& placed) { return made.panels.panels[placed.panel].part; }
-
 // A prism or, with a tip, a pyramid over a convex base of that many corners.
 void add_prism(Model& model, Chance& chance, int corners, bool tip, const Point3& at) {
     add_object(model, tip ? "Pyramid" : "Prism");
@@ -143,57 +141,6 @@ TEST(LayoutLaws, VeryLongBordersAreMadeOfFewerCorners) {
     for (std::size_t i = 0; i < made.size(); ++i) {
         EXPECT_NEAR(length_of(made[i]), 500, 1e-9);
         EXPECT_GT(length_of(0.5 * (made[i] + made[(i + 1) % made.size()])), 499) << "within a thousandth of 1 m";
-    }
-}
-
-// What is narrower than a finger tells is folded out only as a link to something wider; all that is wide may still be.
-TEST(LayoutLaws, NarrowFacesAreFoldedOutOnlyForWiderOnesBeyondThem) {
-    std::size_t narrow_ones = 0, links = 0;
-    for (unsigned seed = 1; seed <= 3; ++seed) {
-        Chance chance(seed);
-        Model model;
-        for (int i = 0; i < 12; ++i) {
-            const Point3 at{i * 2000.0, 0, 0};
-            if (i % 2 == 0)
-                add_prism(model, chance, 3 + i, false, at);
-            else
-                add_box(model, "Box", -1, at, {chance.between(200, 800), chance.between(20, 400), chance.between(20, 400)});
-        }
-        const Folded flat = folded(model);
-        constexpr double kNarrow = 150;  // mm of the model
-        LayoutWish wish;
-        wish.narrow = kNarrow;
-        const FlatLayout layout = lay_flat(flat.parts, flat.panels, flat.thing, kFromAbove, wish);
-        const auto is_wide = [&](const PlacedPanel& one) { return !is_narrow(flat.panels.panels[one.panel], kNarrow); };
-        for (const PlacedPanel& one : layout.panels) {
-            if (one.handling != Handling::folded || is_wide(one)) continue;
-            ++links;
-            EXPECT_TRUE(std::any_of(layout.panels.begin(), layout.panels.end(), [&](const PlacedPanel& other) {
-                return panels_part(flat, other) == panels_part(flat, one) && other.folds > one.folds && is_wide(other);
-            })) << seed;
-        }
-        for (const Panel& panel : flat.panels.panels) narrow_ones += panel.reached && is_narrow(panel, kNarrow);
-        EXPECT_GT(std::count_if(layout.panels.begin(), layout.panels.end(),
-                                [](const PlacedPanel& one) { return one.handling == Handling::folded; }),
-                  3);
-    }
-    EXPECT_GT(narrow_ones, 40u);
-    EXPECT_GT(links, 0u);
-}
-
-TEST(LayoutLaws, APanelIsAsNarrowAsTheStripThatHoldsIt) {
-    Panel panel;
-    panel.normal = {0, 0, 1};
-    for (const double angle : {0.0, 0.3, 1.2}) {
-        const Point3 u{std::cos(angle), std::sin(angle), 0}, v{-std::sin(angle), std::cos(angle), 0};
-        panel.rings = {{{0, 0, 0}, 500.0 * u, 500.0 * u + 20.0 * v, 20.0 * v}};
-        panel.area = 10000;
-        EXPECT_TRUE(is_narrow(panel, 20.1));
-        EXPECT_FALSE(is_narrow(panel, 19.9));
-        panel.rings = {{{0, 0, 0}, 40.0 * u, 20.0 * v}};  // its height on the longest side is 17.889
-        panel.area = 400;
-        EXPECT_TRUE(is_narrow(panel, 17.9));
-        EXPECT_FALSE(is_narrow(panel, 17.88));
     }
 }
 
