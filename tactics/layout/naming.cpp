@@ -228,6 +228,34 @@ private:
     // From the middle of a lead line to words; files round to hundredths, at both.
     double lead_gap() const { return clear_of_braille(*sheet_.medium) + sheet_.medium->thin_line / 2 + 0.02; }
 
+    // Where the place that it has is hemmed in: another one on the border of the same thing.
+    bool stands_elsewhere(Piece& piece) {
+        constexpr std::size_t kMostPlaces = 48;
+        const Region* thing = nullptr;
+        double least = 0;
+        for (const Region& region : page_.regions) {
+            if (!holds(region, piece.name.at)) continue;
+            const Box box = box_of(region);
+            if (thing != nullptr && box.width() * box.height() >= least) continue;
+            thing = &region;
+            least = box.width() * box.height();
+        }
+        if (thing == nullptr) return false;
+        std::vector<Point> places;
+        for (const auto& ring : thing->rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Point next = ring[(i + 1) % ring.size()];
+                places.push_back(ring[i]);
+                places.push_back({(ring[i].x + next.x) / 2, (ring[i].y + next.y) / 2});
+            }
+        const std::size_t step = 1 + places.size() / kMostPlaces;
+        for (std::size_t i = 0; i < places.size(); i += step) {
+            piece.name.at = places[i];
+            if (stands_beside(piece) || stands_apart(piece, Way::open) || stands_apart(piece, Way::across)) return true;
+        }
+        return false;
+    }
+
     // On one sheet.
     bool is_whole(const Rect& rect) const {
         return windows_.empty() || std::any_of(windows_.begin(), windows_.end(), [&](const Rect& window) {
@@ -312,7 +340,8 @@ private:
             std::vector<std::uint8_t> cells{letter_cell(piece.key[0]), letter_cell(piece.key[1])};
             Piece letters = piece;
             letters.block = block_of(cells, page_);
-            if (!stands_beside(letters) && !stands_apart(letters, Way::open) && !stands_apart(letters, Way::across)) {
+            if (!stands_beside(letters) && !stands_apart(letters, Way::open) && !stands_apart(letters, Way::across) &&
+                !stands_elsewhere(letters)) {
                 leave_out(piece, phrase("the words and even for two letters"));
                 continue;
             }
