@@ -230,7 +230,9 @@ private:
 
     // Where the place that it has is hemmed in: another one on the border of the same thing.
     bool stands_elsewhere(Piece& piece) {
-        constexpr std::size_t kMostPlaces = 48;
+        constexpr std::size_t kMostPlaces = 48;         // of a thing
+        constexpr std::size_t kMostPlacesOfPage = 400;  // where many have no room, more are looked for in vain
+        if (places_tried_ >= kMostPlacesOfPage) return false;
         const Region* thing = nullptr;
         double least = 0;
         for (const Region& region : page_.regions) {
@@ -251,7 +253,8 @@ private:
         const std::size_t step = 1 + places.size() / kMostPlaces;
         for (std::size_t i = 0; i < places.size(); i += step) {
             piece.name.at = places[i];
-            if (stands_beside(piece) || stands_apart(piece, Way::open) || stands_apart(piece, Way::across)) return true;
+            ++places_tried_;
+            if (stands_beside(piece) || stands_apart(piece, Way::across)) return true;
         }
         return false;
     }
@@ -372,7 +375,7 @@ private:
     std::span<const Rect> windows_;
     Room room_;
     Leads leads_;
-    std::size_t leads_tried_ = 0;
+    std::size_t leads_tried_ = 0, places_tried_ = 0;
     std::vector<Rect> words_;
 };
 
