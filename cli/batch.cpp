@@ -63,6 +63,8 @@ public:
             progress_.say_line(phrase("{0}: {1}", name, phrases(file.pages, "{0} page", "{0} pages")));
     }
 
+    bool breaks_rules() const { return breaks_rules_; }
+
     // The last words, when all workers are done. Gives the exit code.
     int close() {
         const std::lock_guard lock(mutex_);
@@ -207,7 +209,7 @@ int run_batch(const Request& request) {
     Account account(request, gate);
     PageBinding binding(request.items, request, kAhead, &gate);
     const Interrupt interrupt([&] { account.stop(); });
-    const Many many{request.workers, request.update, &gate, request.made_with ? &*request.made_with : nullptr};
+    const Many many{request.workers, request.update, request.strict, &gate, request.made_with ? &*request.made_with : nullptr};
     const auto bound = bound_made_with(request.items, many);
     make_many(request.items, request, many, [&](std::size_t index, Outcome& outcome) {
         if (!binding.any()) return account.take(index, outcome);
@@ -216,7 +218,7 @@ int run_batch(const Request& request) {
     for (const BoundFile& file : binding.write()) {
         for (const auto& [output, with] : bound)
             if (output.path == file.path && file.error.empty() && file.missing.empty() && file.pages > 0)
-                keep_record(output, {with, 1}, true);
+                keep_record(output, {with, 1, {}, request.strict && !account.breaks_rules()}, true);
         account.take(file);
     }
     return account.close();

@@ -243,13 +243,6 @@ bool needs_a_look(const Outcome& outcome) {
                        [](const Layout& layout) { return !layout.mended.advice.empty() || !layout.mended.doubt.empty(); });
 }
 
-bool breaks_a_rule(const Outcome& outcome) {
-    return std::any_of(outcome.layouts.begin(), outcome.layouts.end(), [](const Layout& layout) {
-        return std::any_of(layout.broken.begin(), layout.broken.end(),
-                           [](const BrokenRule& rule) { return rule.hard && rule.places > 0; });
-    });
-}
-
 std::string result_json(const Outcome& outcome) {
     JsonAnswer json;
     json.add("input", outcome.input);

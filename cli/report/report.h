@@ -23,8 +23,6 @@ std::vector<Phrase> choice_lines(const Outcome& outcome);
 Notes further_lines(const Outcome& outcome);
 /// Whether one of its pages was reported as not fit to be felt or to be handed out.
 bool needs_a_look(const Outcome& outcome);
-/// Whether a page breaks a hard rule; known only if the wishes ask for the check.
-bool breaks_a_rule(const Outcome& outcome);
 /// One object, one line.
 std::string result_json(const Outcome& outcome);
 /// The member "heights" of an output.

@@ -70,7 +70,7 @@ Phrase note_of_smaller(const Layout& layout, double before, const Phrase& more_r
     const double width = layout.place.drawing.width;
     // Where dots are fixed the room is one of whole cells, and less than one of them is no loss.
     const double loss = has_fixed_dots(*layout.sheet.medium) ? layout.sheet.cell.cell_pitch : 0.1;
-    if (layout.sheet.drawing_width || layout.sheet.scale || layout.sheet.window || width > before - loss) return {};
+    if (width > before - loss) return {};
     const auto mm = [](double value) { return numeral(std::round(value * 10) / 10); };
     return phrase("the drawing is {0} mm wide instead of {1} mm, as this sheet has room for no more; take {2}", mm(width),
                   mm(before), more_room);
@@ -82,6 +82,13 @@ Phrase note_of_long_title(const Sheet& sheet) {
     if (cells <= static_cast<std::size_t>(sheet.title_cells)) return {};
     return phrase("the display shows the first {0} of the {1} cells of the title; shorten it", std::to_string(sheet.title_cells),
                   std::to_string(cells));
+}
+
+bool breaks_a_rule(const Outcome& outcome) {
+    return std::any_of(outcome.layouts.begin(), outcome.layouts.end(), [](const Layout& layout) {
+        return std::any_of(layout.broken.begin(), layout.broken.end(),
+                           [](const BrokenRule& rule) { return rule.hard && rule.places > 0; });
+    });
 }
 
 std::string name_of_input(const Outcome& outcome) {

@@ -13,8 +13,7 @@ void tell_layout(Layout& layout, const Pages& pages);
 /// What is said of words without room. `more_room`: what the user can take, such as larger paper.
 Phrase left_out_words(const std::vector<Name>& left_out, const Phrase& more_room);
 Phrase thinned_words(std::size_t numbers, const Phrase& more_room);
-/// Of a drawing that was `before` wide, mm, and has no room for that on this sheet; empty if it has, or another size was asked
-/// for.
+/// Of a drawing that was `before` wide, mm, and has no room for that on this sheet; empty if it has.
 Phrase note_of_smaller(const Layout& layout, double before, const Phrase& more_room);
 Phrase no_room_for_words(bool print_is_left, const Phrase& more_room);  ///< not for any
 Phrase note_of_long_title(const Sheet& sheet);                          ///< for a display whose line it does not fit; else empty

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostBytes = 1 << 24;  // of a record; a batch that is bound into one file has a line for each picture
 constexpr std::string_view kFiles = "files", kMark = "file ";  // and its number
+constexpr std::string_view kRules = "rules", kKept = "kept";
 
 fs::path record_path(const Output& output) {
     const fs::path path(output.path);
@@ -102,6 +103,10 @@ std::optional<Record> record_of(const Output& output) {
             record.marks.push_back(value);
             continue;
         }
+        if (name == kRules) {
+            record.keeps_rules = value == kKept;
+            continue;
+        }
         if (name != kFiles) {
             record.with.emplace_back(name, value);
             continue;
@@ -130,6 +135,7 @@ void keep_record(const Output& output, const Record& record, bool new_folder) {
             .append("\t")
             .append(mark_of_file(path_of_page(output, file)))
             .append("\n");
+    if (record.keeps_rules) text.append(kRules).append("\t").append(kKept).append("\n");
     text.append(kFiles).append("\t").append(std::to_string(record.files)).append("\n");
     try {
         NewFiles files(Keep::by_system);

@@ -37,6 +37,7 @@ struct Record {
     MadeWith with;
     std::size_t files = 0;
     std::vector<std::string> marks = {};  ///< fingerprints of `files`, filled in by keep_record
+    bool keeps_rules = false;             ///< checked, and no hard rule was broken; else that is not known, or one was
 };
 std::optional<Record> record_of(const Output& output);
 

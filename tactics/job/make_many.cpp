@@ -27,9 +27,10 @@ Outcome make_one(const Item& item, const Wishes& wishes, const Many& many, const
         for (const Output& output : item.outputs) with.push_back(made_with(*many.settings, item, output));
     Outcome outcome = make_pages(Job{item, wishes}, {{}, many.gate, &taken});
     if (!outcome.error.empty()) return outcome;
+    const bool kept = wishes.check_rules && !breaks_a_rule(outcome);
     for (std::size_t i = 0; i < with.size(); ++i)
         if (const std::size_t files = files_of(item.outputs[i], outcome); with[i] && files > 0 && !item.outputs[i].bound)
-            keep_record(item.outputs[i], {std::move(*with[i]), files}, many.update || !item.outputs[i].folder.empty());
+            keep_record(item.outputs[i], {std::move(*with[i]), files, {}, kept}, many.update || !item.outputs[i].folder.empty());
     return outcome;
 }
 
@@ -46,10 +47,10 @@ void make_many(std::span<const Item> items, const Wishes& wishes, const Many& ma
     const MadeWith settings = many.settings == nullptr ? MadeWith{} : *many.settings;
     // All of them are made if one has to be: what a file of many holds is not taken out of it.
     std::optional<std::vector<Phrase>> reasons_for_all;
-    if (many.update && together) reasons_for_all = reasons_to_bind(settings, items);
+    if (many.update && together) reasons_for_all = reasons_to_bind(settings, items, many.strict);
     share_out(items.size(), many.workers, [&](std::size_t i) {
         std::optional<std::vector<Phrase>> reasons;
-        if (many.update) reasons = together ? reasons_for_all : reasons_to_make(settings, items[i]);
+        if (many.update) reasons = together ? reasons_for_all : reasons_to_make(settings, items[i], many.strict);
         Outcome outcome;
         if (many.update && !reasons) {
             outcome.input = items[i].input;

@@ -15,6 +15,7 @@ namespace tactics {
 struct Many {
     int workers = 0;            ///< 0: the number of cores
     bool update = false;        ///< skip items without reasons_to_make (up_to_date.h)
+    bool strict = false;        ///< as there; the wishes then check rules
     WriteGate* gate = nullptr;  ///< as in Watch
     /// The settings that can change pages between calls, for the records of made_record.h; nullptr: no records. Records are kept
     /// if the outputs have a folder (Output::folder), with `update`, and where some exist already.

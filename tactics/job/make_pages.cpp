@@ -63,7 +63,8 @@ public:
             const Pages pages =
                 stays_[i] ? pages_of_own(*from_.own, layout.sheet.heights) : lay_out_one(layout.sheet, std::move(arranged_[i]));
             tell_layout(layout, pages);
-            if (from_.own) tell_once(to_act_on(note_of_smaller(layout, from_.own->drawing.width, more_room_)));
+            if (from_.own && !asks_for_other_size(layout.sheet, *from_.own, job_))
+                tell_once(to_act_on(note_of_smaller(layout, from_.own->drawing.width, more_room_)));
             layout.mended = mended_.told;
             layout.detail = detail_;
             if (detail_) tell_once(explained(*detail_, *layout.sheet.medium));

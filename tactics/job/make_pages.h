@@ -91,6 +91,9 @@ struct Outcome {
 /// "photo.jpg", "standard input", "book.pdf page 3": for messages.
 std::string name_of_input(const Outcome& outcome);
 
+/// Whether a page breaks a hard rule; known only if the wishes ask for the check.
+bool breaks_a_rule(const Outcome& outcome);
+
 /// The current step of a job.
 enum class JobStep { reading, drawing, laying_out, writing };
 

@@ -198,11 +198,15 @@ void take_own(Sheet& sheet, const Page& own, const Wishes& wishes, const Format&
         sheet.real_width = own.drawing.width / own.scale->length * own.scale->real;
 }
 
-void keep_size(Sheet& sheet, const Page& own, const Wishes& wishes) {
+bool asks_for_other_size(const Sheet& sheet, const Page& own, const Wishes& wishes) {
     // More paper is asked for because more has room on it, but another medium has its own.
-    const bool asks = sheet.drawing_width || sheet.scale || sheet.tiles.several() || sheet.window ||
-                      (wishes.paper && sheet.medium == medium_named(own.medium));
-    if (!asks && place_on(sheet, own.drawing.width / own.drawing.height).drawing.width >= own.drawing.width)
+    return sheet.drawing_width || sheet.scale || sheet.tiles.several() || sheet.window ||
+           (wishes.paper && sheet.medium == medium_named(own.medium));
+}
+
+void keep_size(Sheet& sheet, const Page& own, const Wishes& wishes) {
+    if (!asks_for_other_size(sheet, own, wishes) &&
+        place_on(sheet, own.drawing.width / own.drawing.height).drawing.width >= own.drawing.width)
         sheet.drawing_width = own.drawing.width;
 }
 

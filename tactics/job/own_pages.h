@@ -11,6 +11,9 @@ namespace tactics {
 /// only dots and that has lines, and its paper on the same medium.
 void take_own(Sheet& sheet, const Page& own, const Wishes& wishes, const Format& format);
 
+/// A width, a scale, several sheets, a window, or paper of the same medium: the drawing then need not be as wide as on that page.
+bool asks_for_other_size(const Sheet& sheet, const Page& own, const Wishes& wishes);
+
 /// Where the page does not stay as it is: the drawing is as wide as on it, if the sheet has room for that and the job asks for no
 /// other size.
 void keep_size(Sheet& sheet, const Page& own, const Wishes& wishes);

@@ -313,6 +313,11 @@ Phrase unsure_line(const ToldWords& words) {
         return phrase(
             "print at {0} %, {1} % was not read and is left in the lines; if it is words, give it with {2} \"{0}%,{1}%=...\"",
             tenths(words.x), tenths(words.y), spelled("label"));
+    if (words.sureness >= kSureEnough)
+        return phrase(
+            "print at {0} %, {1} % was read as \"{2}\", which a second look did not confirm, and is left in the lines; if it is "
+            "words, give it with {3} \"{0}%,{1}%=...\"",
+            tenths(words.x), tenths(words.y), words.text, spelled("label"));
     return phrase(
         "print at {0} %, {1} % was read as \"{2}\" with little sureness ({3} of 100) and is left in the lines; if it is "
         "words, give it with {4} \"{0}%,{1}%=...\"",

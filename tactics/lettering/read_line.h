@@ -29,7 +29,7 @@ bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::ve
 /// Which of the lines that are neither sure nor told are print: those that are likely, and such as look like print: figures and
 /// words that are soft, noisy or of no known font. Where other print is known these are about as large, else there are few. They
 /// stand free. None is what may be drawn: bars and discs; three or more things that look like each other, or are of about one
-/// size and as wide as high, as marks of a plot are, and bent dashes, unless they stand in line with print.
+/// size and as wide as high, as marks of a plot are, and bent dashes among others, unless they stand in line with print.
 std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& lines);
 
 }  // namespace tactics

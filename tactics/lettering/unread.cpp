@@ -9,74 +9,28 @@
 #include <vector>
 
 #include "tactics/drawing.h"
-#include "tactics/geometry/skeleton.h"
+#include "tactics/lettering/mark_shape.h"
 #include "tactics/lettering/read_line.h"
 
 namespace tactics {
 
 namespace {
 
-// Settings. Of the height of known print; of the longer side; of what a band as long and as wide has in ink.
-constexpr double kLeastOfKnown = 0.7, kMostOfKnown = 1.4, kNarrow = 0.3, kBandLike = 0.8;
-constexpr double kSurelyRead = 80;             // of 100, of three letters: rows of marks are read with less
-constexpr int kLeastMark = 9, kMostMark = 60;  // pixels
-constexpr std::size_t kFewUnread = 8;          // where no print is known
-
-struct MarkShape {
-    double side = 0, across = 0, share = 0, band = 0, slant = 0;
-    Point middle;  // of its ink, in shares of its box
-};
-
-// From the moments of its ink. A bar, whichever way it lies, and a disc fill the bar with their moments.
-MarkShape mark_shape(const InkPiece& piece) {
-    double area = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
-    for (const InkRun& run : piece.runs)
-        for (int column = run.left; column < run.right; ++column) {
-            const double u = column - piece.box.left, v = run.y - piece.box.top;
-            area += 1, x += u, y += v, xx += u * u, yy += v * v, xy += u * v;
-        }
-    MarkShape shape;
-    if (area == 0) return shape;
-    shape.side = std::max(piece.box.width(), piece.box.height());
-    shape.across = std::min(piece.box.width(), piece.box.height());
-    shape.share = area / (shape.side * shape.across);
-    shape.middle = {(x / area + 0.5) / piece.box.width(), (y / area + 0.5) / piece.box.height()};
-    const double a = xx / area - x * x / (area * area) + 1.0 / 12, b = yy / area - y * y / (area * area) + 1.0 / 12,
-                 c = xy / area - x * y / (area * area);
-    shape.slant = std::abs(c) / std::sqrt(std::max(1e-9, a * b));
-    shape.band = area / (12 * std::sqrt(std::max(1e-9, a * b - c * c)));
-    return shape;
-}
-
-bool is_letter_like(const MarkShape& shape) {
-    return shape.side >= kLeastMark && shape.side <= kMostMark && shape.across >= kNarrow * shape.side && shape.band < kBandLike;
-}
-
-bool is_doubtful(const ReadLine& line) { return !line.words.sure && !line.tell; }
-
-using KnownPrint = std::vector<const LetteringLine*>;
-
-KnownPrint known_print(const std::vector<ReadLine>& lines) {
-    KnownPrint known;
-    for (const bool likely : {false, true}) {
-        if (!known.empty()) break;
-        for (const ReadLine& one : lines)
-            if (likely ? one.likely : !is_doubtful(one)) known.push_back(&one.line);
-    }
-    return known;
-}
-
-bool as_large_as_print(const MarkShape& shape, const KnownPrint& known) {
-    return std::any_of(known.begin(), known.end(), [&](const LetteringLine* other) {
-        const double height = other->letter_height;
-        return is_words(*other) && shape.side >= kLeastOfKnown * height && shape.side <= kMostOfKnown * height;
-    });
-}
+constexpr double kSurelyRead = 80;     // of 100, of three letters: rows of marks are read with less. A setting
+constexpr std::size_t kFewUnread = 8;  // where no print is known
 
 bool has_room_around(const Image& grey, const LetteringLine& line) {
     const int room = std::max(2, line.letter_height / 6);
-    const auto is_ink = [&](int x, int y) {
+    const auto has_ink = [&](int x, int y) {
         return x >= 0 && y >= 0 && x < grey.width && y < grey.height && (grey.row(y)[x] < line.level) != line.light;
+    };
+    // More than a speck of a noisy scan.
+    const auto is_ink = [&](int x, int y) {
+        if (!has_ink(x, y)) return false;
+        for (int v = y - 1; v <= y + 1; ++v)
+            for (int u = x - 1; u <= x + 1; ++u)
+                if ((u != x || v != y) && has_ink(u, v)) return true;
+        return false;
     };
     for (int x = line.box.left - room; x < line.box.right + room; ++x)
         if (is_ink(x, line.box.top - room) || is_ink(x, line.box.bottom - 1 + room)) return false;
@@ -93,6 +47,8 @@ bool in_line_with_print(const LetteringLine& line, const KnownPrint& known) {
     const PixelBox& box = line.box;
     const int size = std::max(box.width(), box.height());
     int count = 0;
+    constexpr double kWithinSight = 15, kClose = 0.4;  // heights of letters; of `near`
+    constexpr std::size_t kFigures = 3;
     bool beside = false, not_far = false;
     for (const LetteringLine* other : known) {
         if (other == &line) continue;
@@ -106,68 +62,58 @@ bool in_line_with_print(const LetteringLine& line, const KnownPrint& known) {
         ++count;
         const int gap = row ? std::max(box.left, b.left) - std::min(box.right, b.right)
                             : std::max(box.top, b.top) - std::min(box.bottom, b.bottom);
-        beside = beside || gap <= kBeside * height;
+        // Close to the foot or middle of a figure of its height, it may stand farther off.
+        const double off = row ? std::abs(box.bottom - b.bottom)
+                               : 0.5 * std::min({std::abs(box.left + box.right - b.left - b.right),
+                                                 2 * std::abs(box.left - b.left), 2 * std::abs(box.right - b.right)});
+        const bool exact =
+            other->letters.size() <= kFigures && off <= kClose * near && std::abs(line.letter_height - height) <= kClose * near;
+        beside = beside || gap <= (exact ? kWithinSight : kBeside) * height;
         not_far = not_far || gap <= kNotFar * height;
     }
     return beside || (count > 1 && not_far);
 }
 
-Point middle_of(const PixelBox& box) { return {0.5 * (box.left + box.right), 0.5 * (box.top + box.bottom)}; }
-
-double gap_between(const PixelBox& a, const PixelBox& b) {
-    return std::hypot(std::max({0, a.left - b.right, b.left - a.right}), std::max({0, a.top - b.bottom, b.top - a.bottom}));
-}
-
-// Figures of an axis of which none was read: at least four of one height, in even steps along a row or column that need not be
-// quite level.
+// Figures of an axis, whether or not they are read: three in even steps along a row or column that need not be quite level, one
+// of which is known print; or four of one height. Columns may end or begin at one place.
 bool is_on_scale(std::size_t which, const std::vector<ReadLine>& lines) {
-    constexpr double kOneHeight = 0.2, kLevel = 0.05, kOff = 0.3;  // of the height; of the step; of the height
-    constexpr int kLeast = 4;
+    constexpr double kOneHeight = 0.2, kKnownHeight = 0.4, kLevel = 0.05,
+                     kOff = 0.3;  // of the height; of the step; of the height
+    constexpr int kOfKnown = 3, kOfUnread = 4;
+    const PixelBox& box = lines[which].line.box;
     const double height = lines[which].line.letter_height;
-    const auto is_alike = [&](const ReadLine& one) { return std::abs(one.line.letter_height - height) <= kOneHeight * height; };
-    const auto is_at = [&](const Point& at) {
-        return std::any_of(lines.begin(), lines.end(), [&](const ReadLine& one) {
-            return is_alike(one) && distance(middle_of(one.line.box), at) <= kOff * height;
-        });
+    const auto is_alike = [&](const ReadLine& one) {
+        return std::abs(one.line.letter_height - height) <= (is_doubtful(one) ? kOneHeight : kKnownHeight) * height;
     };
-    const Point from = middle_of(lines[which].line.box);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const Point to = middle_of(lines[i].line.box);
-        const double x = to.x - from.x, y = to.y - from.y, step = std::hypot(x, y);
-        if (i == which || !is_alike(lines[i]) || std::min(std::abs(x), std::abs(y)) > kLevel * step || step < 2 * height)
-            continue;
-        int count = 2;
-        for (int side : {-1, 1})
-            for (int k = side < 0 ? -1 : 2; count < kLeast && is_at({from.x + k * x, from.y + k * y}); k += side) ++count;
-        if (count >= kLeast) return true;
+    // From its box to another, which is some of these steps away.
+    const auto is_at = [&](const PixelBox& b, double x, double y, bool row) {
+        const auto off = [&](double moved) { return std::abs(moved) <= kOff * height; };
+        const double left = b.left - box.left - x, right = b.right - box.right - x;
+        return off(0.5 * (b.top + b.bottom - box.top - box.bottom) - y) &&
+               (off(0.5 * (left + right)) || (!row && (off(left) || off(right))));
+    };
+    for (const ReadLine& next : lines) {
+        const PixelBox& b = next.line.box;
+        const double across = 0.5 * (b.left + b.right - box.left - box.right),
+                     y = 0.5 * (b.top + b.bottom - box.top - box.bottom);
+        const bool row = std::abs(across) > std::abs(y);
+        const double edge = std::abs(b.left - box.left) < std::abs(b.right - box.right) ? b.left - box.left : b.right - box.right;
+        const double x = row || std::abs(across) < std::abs(edge) ? across : edge, step = std::max(std::abs(x), std::abs(y));
+        if (!is_alike(next) || step < 2 * height || std::min(std::abs(x), std::abs(y)) > kLevel * step) continue;
+        int count = 1;
+        bool known = false;
+        for (const int side : {1, -1})
+            for (int k = side;; k += side) {
+                const auto found = std::find_if(lines.begin(), lines.end(), [&](const ReadLine& one) {
+                    return is_alike(one) && is_at(one.line.box, k * x, k * y, row);
+                });
+                if (found == lines.end()) break;
+                ++count;
+                known = known || !is_doubtful(*found);
+            }
+        if (count >= (known ? kOfKnown : kOfUnread)) return true;
     }
     return false;
-}
-
-// Figures are as large as each other, too, but their ink lies otherwise.
-bool same_mark(const MarkShape& a, const MarkShape& b) {
-    return std::abs(a.side - b.side) <= 1 && std::abs(a.across - b.across) <= 1 && std::abs(a.share - b.share) <= 0.05 &&
-           std::abs(a.band - b.band) <= 0.05 && distance(a.middle, b.middle) <= 0.03;
-}
-
-bool same_size(const MarkShape& a, const MarkShape& b) {
-    constexpr double kSame = 0.12;
-    return std::abs(a.side - b.side) <= kSame * b.side && std::abs(a.across - b.across) <= kSame * b.across;
-}
-
-// A dash of a curve where it bends, from end to end hardly longer than it is large. Letters turn more often, or branch.
-bool is_bent_band(const InkPiece& piece) {
-    constexpr double kBent = 1.35;
-    InkMap map(piece.box.width() + 2, piece.box.height() + 2);
-    for (const InkRun& run : piece.runs)
-        for (int x = run.left; x < run.right; ++x) map.row(run.y - piece.box.top + 1)[x - piece.box.left + 1] = 1;
-    const Skeleton middle = thin(std::move(map));
-    double left = 1e9, top = 1e9, right = 0, bottom = 0;
-    for (const std::uint32_t pixel : middle.pixels) {
-        const double x = middle.x_of(pixel), y = middle.y_of(pixel);
-        left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
-    }
-    return static_cast<double>(middle.pixels.size()) <= kBent * std::hypot(right - left + 1, bottom - top + 1);
 }
 
 struct Piece {
@@ -175,6 +121,8 @@ struct Piece {
     MarkShape shape;
     std::size_t line = 0;
     bool alone = false;  // in its line
+    bool read = false;   // its line as likely words of several letters
+    bool bent = false;   // a bent band
 };
 
 // What of the doubtful lines is drawn: marks of a plot and dashes.
@@ -184,8 +132,7 @@ public:
         for (std::size_t i = 0; i < lines.size(); ++i) {
             in_line_.push_back(in_line_with_print(lines[i].line, known) || is_on_scale(i, lines));
             if (!is_doubtful(lines[i])) continue;
-            for (const InkPiece& piece : lines[i].line.letters)
-                pieces_.push_back({&piece, mark_shape(piece), i, !is_words(lines[i].line)});
+            for (const InkPiece& piece : lines[i].line.letters) pieces_.push_back(piece_of(piece, i, lines[i]));
         }
     }
 
@@ -232,6 +179,17 @@ public:
     }
 
 private:
+    static Piece piece_of(const InkPiece& ink, std::size_t line, const ReadLine& of) {
+        constexpr std::size_t kLetters = 3;  // two marks are read as two letters, but seldom three as three
+        const MarkShape shape = mark_shape(ink);
+        return {&ink,
+                shape,
+                line,
+                !is_words(of.line),
+                of.likely && of.line.letters.size() >= kLetters,
+                is_letter_like(shape) && is_bent_band(ink)};
+    }
+
     bool is_repeated(const Piece& piece) const {
         return are_several([&](const Piece& other) { return same_mark(piece.shape, other.shape); });
     }
@@ -241,12 +199,13 @@ private:
         constexpr std::size_t kLeast = 4, kLetters = 2;
         std::vector<std::size_t> letters;
         for (const std::size_t i : group)
-            if (is_letter_like(pieces_[i].shape) && !is_bent_band(*pieces_[i].ink)) letters.push_back(i);
+            if (is_letter_like(pieces_[i].shape) && !pieces_[i].bent) letters.push_back(i);
         if (group.size() < kLeast || letters.size() < kLetters) return std::nullopt;
         return pieces_[letters[letters.size() / 2]].line;
     }
 
     static constexpr double kBesideDash = 0.8;  // of the mark
+    static constexpr double kReach = 0.25;      // of what lies among others
 
     // No dash.
     static bool is_mark(const MarkShape& shape) {
@@ -261,9 +220,10 @@ private:
     }
 
     bool is_drawn(const Piece& piece) const {
-        if (is_bent_band(*piece.ink) && !in_line_[piece.line]) return true;
         if (is_repeated(piece)) return true;
-        if (!in_line_[piece.line] && (is_among_marks(piece.shape) || is_like_one_on_dashes(piece))) return true;
+        if (piece.read) return false;
+        if (piece.bent && !in_line_[piece.line] && is_among_dashes(piece)) return true;
+        if (!in_line_[piece.line] && (is_among_marks(piece) || is_like_one_on_dashes(piece))) return true;
         // Marks of several kinds are of about one size, about as wide as high, and the same on both sides.
         constexpr double kSquare = 0.75, kOneSize = 0.75;
         const auto is_even = [](const Piece& one) {
@@ -276,13 +236,15 @@ private:
     }
 
     // A plot that has marks of that size, or marks that cover each other.
-    bool is_among_marks(const MarkShape& shape) const {
+    bool is_among_marks(const Piece& piece) const {
         constexpr double kLeast = 1.15, kMost = 2.5;
+        const MarkShape& shape = piece.shape;
         return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& mark) {
             const double side = shape.side / mark.shape.side, across = shape.across / mark.shape.across;
             const bool two = side >= kLeast && across >= kLeast && side <= kMost;
             return mark.alone && is_mark(mark.shape) && (two || same_size(shape, mark.shape)) &&
-                   are_several([&](const Piece& other) { return other.alone && same_mark(mark.shape, other.shape); });
+                   are_several_around(piece, kReach,
+                                      [&](const Piece& other) { return other.alone && same_mark(mark.shape, other.shape); });
         });
     }
 
@@ -311,6 +273,20 @@ private:
         return false;
     }
 
+    bool is_among_dashes(const Piece& piece) const {
+        return are_several_around(piece, kReach, [&](const Piece& other) { return other.bent || !is_letter_like(other.shape); });
+    }
+
+    // It lies where they lie: figures of an axis stand beside all that is drawn.
+    template <typename Like>
+    bool are_several_around(const Piece& piece, double reach, Like is_like) const {
+        std::optional<PixelBox> all;
+        for (const Piece& other : pieces_)
+            if (&other != &piece && !in_line_[other.line] && is_like(other))
+                all = all ? around(*all, other.ink->box) : other.ink->box;
+        return all && gap_between(*all, piece.ink->box) <= reach * piece.shape.side && are_several(is_like);
+    }
+
     // Three or more, and not most of them in line with print, as figures of an axis are.
     template <typename Like>
     bool are_several(Like is_like) const {
@@ -327,12 +303,23 @@ private:
     std::vector<Piece> pieces_;
 };
 
-// Most of its letters are no bars, and are as large as print that is known.
+// A word in line with print; its fractions and small letters are lower.
+bool is_as_high_as_print(const LetteringLine& line, const KnownPrint& known) {
+    constexpr double kOneHeight = 0.2;
+    return is_words(line) && in_line_with_print(line, known) &&
+           std::any_of(known.begin(), known.end(), [&](const LetteringLine* other) {
+               return is_words(*other) &&
+                      std::abs(line.letter_height - other->letter_height) <= kOneHeight * other->letter_height;
+           });
+}
+
+// Most of its letters are no bars, and they, or the line, are as large as print that is known.
 bool has_letters(const ReadLine& one, const KnownPrint& known, bool any_known) {
+    const bool sized = !any_known || is_as_high_as_print(one.line, known);
     std::size_t letters = 0;
     for (const InkPiece& piece : one.line.letters) {
         const MarkShape shape = mark_shape(piece);
-        letters += is_letter_like(shape) && (!any_known || as_large_as_print(shape, known)) ? 1 : 0;
+        letters += is_letter_like(shape) && (sized || as_large_as_print(shape, known)) ? 1 : 0;
     }
     return letters > 0 && 2 * letters >= one.line.letters.size() && one.line.marks.size() <= one.line.letters.size();
 }

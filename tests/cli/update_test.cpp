@@ -55,6 +55,25 @@ TEST_F(Update, APageOfSomebodyElseIsMadeAnew) {
     }
 }
 
+TEST_F(Update, APageThatBreaksAHardRuleIsNeverUpToDateWhereThatCounts) {
+    const std::string start =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\">"
+        "<path fill=\"none\" stroke=\"#000\" d=\"M10 10h80";
+    write_bytes(folder / "hard.svg", start + "M10 11h80\"/></svg>");  // lines 1 mm apart
+    write_bytes(folder / "good.svg", start + "M10 50h80\"/></svg>");
+    const auto end = [&](const std::string& name, bool strict) {
+        Words words{name, "-o", "out/", "--as-drawn", "--update"};
+        if (strict) words.push_back("--strict");
+        return convert(words);
+    };
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(end("hard.svg", true).code, 3);
+    EXPECT_TRUE(holds(end("hard.svg", true).err, "breaks a hard rule, or was not checked"));
+    EXPECT_TRUE(holds(end("hard.svg", false).err, "up to date")) << "nobody asked";
+    EXPECT_EQ(end("good.svg", false).code, 0);
+    EXPECT_TRUE(holds(end("good.svg", true).err, "was not checked"));
+    EXPECT_TRUE(holds(end("good.svg", true).err, "up to date"));
+}
+
 TEST_F(Update, AFileNamedByAnOptionCountsByWhatIsInIt) {
     write_bytes(folder / "likes.txt", "reach 1\n");
     const auto choices = [&](const Words& words) {

@@ -277,8 +277,9 @@ def needs():
     return None
 
 
-# What pixels show of words: the text that draw.io cuts off, and nothing of the letters that are only hinted at by shapes here.
-PIXELS = {"Order of goods": "Order of ...", "Boiler": "", "y = x": ""}
+# What pixels show of words: the text that draw.io cuts off, and nothing of the letters that are only hinted at by shapes here,
+# nor of text on a path, which librsvg does not draw.
+PIXELS = {"Order of goods": "Order of ...", "Boiler": "", "y = x": "", "River Severn": ""}
 
 
 TITLES = ("Planets", "Sales by region", "Height of a plant", "Old town", "Numbers below ten")

@@ -70,7 +70,10 @@ TEST_F(UnreadPrint, WhereNoPrintIsKnownFewThingsAreTold) {
 
 TEST_F(UnreadPrint, ABentDashAndMarksOfAboutOneSizeAreNone) {
     draw(20, 150, two), draw(34, 150, four);
-    draw(130, 60, {"  ##  ", " #  # ", "#    #"});  // a dash at the top of a curve
+    draw(130, 60, {"  ##  ", " #  # ", "#    #"});                                                 // a dash at the top of a curve
+    draw(120, 66, {" #", " #", " #", "# ", "# "}), draw(145, 66, {"# ", "# ", " #", " #", " #"});  // and those beside it
+    draw(264, 34, {"# ", "# ", "# ", " #", " #"}), draw(240, 6, {"##", "##", "##", "##", "##"}),
+        draw(114, 82, {" #", " #", " #", "# ", "# "});
     draw(250, 20, {"###   ", "  ##  ", "   ## ", "    # ", "    ##"});
     draw(60, 20, {"#     #", " #   # ", "  # #  ", "   #   ", "  # #  ", " #   # ", "#     #"});
     draw(100, 30, {"   #   ", "   #   ", "   #   ", "#######", "   #   ", "   #   ", "   #   "});
@@ -100,6 +103,30 @@ TEST_F(UnreadPrint, FiguresOfAnAxisAreToldWhereNoneOfThemWasRead) {
     EXPECT_EQ(told(true).size(), 4u);
     draw(60, 100, {"#####", "#####", "#####", "#####", "#####", "#####", "#####"});
     EXPECT_EQ(told(true).size(), 4u);
+}
+
+TEST_F(UnreadPrint, ThreeStepsOfWhichOneIsKnownAreAnAxis) {
+    const std::vector<std::string_view> one{"  #", "###", "  #", "  #", "  #", "  #", "  #"},
+        seven{"#####", "    #", "    #", "   # ", "   # ", "  #  ", "  #  "};
+    // Dashes and marks all over the picture, among which these would be dashes that bend.
+    for (const int x : {10, 280}) draw(x, 10, {"# ", "# ", "# ", " #", " #"}), draw(x, 180, {"# ", "# ", " #", " #", " #"});
+    draw(20, 60, two), draw(34, 60, four);     // "24", which was read
+    draw(128, 63, one), draw(228, 66, seven);  // a scan is not quite level
+    const auto in_steps = told(true);
+    EXPECT_TRUE(has(in_steps, 132, 66));
+    EXPECT_TRUE(has(in_steps, 229, 67));
+    draw(74, 130, seven);  // of no step
+    EXPECT_FALSE(has(told(true), 75, 131));
+}
+
+TEST_F(UnreadPrint, AFigureBesideAllThatIsDrawnIsNoDash) {
+    draw(20, 20, two), draw(34, 20, four);
+    const std::vector<std::string_view> seven{"#####", "    #", "    #", "   # ", "   # ", "  #  ", "  #  "};
+    for (const int x : {100, 160, 220}) draw(x, 60 + x / 4, {"# ", "# ", "# ", " #", " #"});
+    draw(152, 170, seven);
+    EXPECT_TRUE(has(told(true), 153, 171));
+    draw(152, 84, seven);  // among them
+    EXPECT_FALSE(has(told(true), 153, 85));
 }
 
 TEST_F(UnreadPrint, WhatIsNotAsLargeAsPrintOrTouchesIsNone) {
