@@ -151,7 +151,7 @@ TEST(Stability, GreyIsBlindToColourAndPhotoIsNot) {
 TEST(Stability, TextureDrawsLessWithContours) {
     const Image& grains = known("texture").image;
     EXPECT_LT(ink_of(drawn(shipped("photo"), grains)), 0.02);
-    EXPECT_GT(ink_of(drawn(shipped("sobel"), grains)), 0.1);
+    EXPECT_GT(ink_of(drawn(shipped("sobel"), grains)), 0.05);  // though its crowds are thinned
 }
 
 // The chances are fitted to be alike in disturbed copies; still, of two outlines of about equal worth the other one may be
