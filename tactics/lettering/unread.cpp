@@ -131,12 +131,15 @@ public:
     DrawnThings(const std::vector<ReadLine>& lines, const KnownPrint& known) {
         for (std::size_t i = 0; i < lines.size(); ++i) {
             in_line_.push_back(in_line_with_print(lines[i].line, known) || is_on_scale(i, lines));
+            likely_.push_back(lines[i].likely);
             if (!is_doubtful(lines[i])) continue;
             for (const InkPiece& piece : lines[i].line.letters) pieces_.push_back(piece_of(piece, i, lines[i]));
         }
+        for (const Piece& piece : pieces_)
+            several_.push_back(are_several([&](const Piece& other) { return same_mark(piece.shape, other.shape); }));
     }
 
-    // Nothing in it can only be a letter. A word has letters of many shapes.
+    // Nothing in it can only be a letter; but a pale 0 may come in two halves. A word has letters of many shapes.
     bool has(std::size_t line) const {
         constexpr std::size_t kShapesOfWords = 4;
         std::vector<const MarkShape*> unlike;
@@ -149,7 +152,7 @@ public:
             if (std::none_of(unlike.begin(), unlike.end(), [&](const MarkShape* one) { return same_mark(*one, piece.shape); }))
                 unlike.push_back(&piece.shape);
         }
-        return unlike.empty() ? !upright || !in_line_[line] : drawn && unlike.size() < kShapesOfWords;
+        return unlike.empty() ? !in_line_[line] || !(upright || likely_[line]) : drawn && unlike.size() < kShapesOfWords;
     }
 
     // A letter of each group of letters that follow each other on a slope or a curve, so that they make no line.
@@ -190,8 +193,11 @@ private:
                 is_letter_like(shape) && is_bent_band(ink)};
     }
 
+    // Like one that is there several times: pixels may make a mark a little unlike the third.
     bool is_repeated(const Piece& piece) const {
-        return are_several([&](const Piece& other) { return same_mark(piece.shape, other.shape); });
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+            if (several_[i] && same_mark(piece.shape, pieces_[i].shape)) return true;
+        return false;
     }
 
     // The line of its middle letter, if that is a word: of at least four pieces at least two can only be letters.
@@ -299,8 +305,9 @@ private:
         return count > 2 && 2 * in_line <= count;
     }
 
-    std::vector<bool> in_line_;
+    std::vector<bool> in_line_, likely_;
     std::vector<Piece> pieces_;
+    std::vector<bool> several_;  // of each piece: there are several like it
 };
 
 // A word in line with print; its fractions and small letters are lower.
