@@ -15,7 +15,7 @@ constexpr double kMissing = 0.13;              // of a section without a height:
 constexpr double kOfAll = 0.1, kOfOwn = 0.15;  // of the heights: less is level
 constexpr double kAbrupt = 0.25;               // of a section, within which a step rises
 
-// Up and down from one turn to the next, where it comes back by at least `least`: the sections's own ends and its turns.
+// Up and down from one turn to the next, where it comes back by at least `least`: the section's own ends and its turns.
 std::vector<double> turns_of(const std::vector<Point>& heights, double least) {
     std::vector<double> turns = {heights.front().y};
     double low = turns[0], high = turns[0];

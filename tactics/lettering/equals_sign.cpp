@@ -8,14 +8,13 @@ namespace tactics {
 
 namespace {
 
-constexpr int kLeastStroke = 5, kMostStroke = 100;  // pixels, as long as letters are high
-constexpr double kSignGap = 1.5;                    // of the height; the room around the sign is wider than a word space
+constexpr double kSignGap = 1.5;  // of the height; the room around the sign is wider than a word space
 
 // An equals sign: two strokes as long as each other, one above the other. Together they stand in line with letters.
 bool are_equals_sign(const PixelBox& upper, const PixelBox& lower) {
     const int width = std::max(upper.width(), lower.width());
     return upper.bottom < lower.top && lower.bottom - upper.top <= 0.8 * width && 3 * upper.height() <= width &&
-           3 * lower.height() <= width && width >= kLeastStroke && width <= kMostStroke &&
+           3 * lower.height() <= width && width >= kLeastInkHeight && width <= kMostInkHeight &&
            std::abs(upper.left - lower.left) <= 1 && std::abs(upper.right - lower.right) <= 1;
 }
 
@@ -25,7 +24,8 @@ bool stands_beside(const PixelBox& letter, const PixelBox& upper, const PixelBox
     const PixelBox sign = around(upper, lower);
     const int gap = std::max(letter.left - sign.right, sign.left - letter.right);
     const double reach = kSignGap * std::max(letter.height(), sign.height());
-    return letter.height() >= kLeastStroke && gap >= 0 && gap <= reach && letter.top < upper.bottom && letter.bottom > lower.top;
+    return letter.height() >= kLeastInkHeight && gap >= 0 && gap <= reach && letter.top < upper.bottom &&
+           letter.bottom > lower.top;
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ bool stands_beside(const PixelBox& letter, const PixelBox& upper, const PixelBox
 void join_equals_signs(std::vector<InkPiece>& pieces) {
     std::vector<std::size_t> strokes;
     for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (pieces[i].box.width() >= 3 * pieces[i].box.height() && pieces[i].box.width() <= kMostStroke) strokes.push_back(i);
+        if (pieces[i].box.width() >= 3 * pieces[i].box.height() && pieces[i].box.width() <= kMostInkHeight) strokes.push_back(i);
     std::stable_sort(strokes.begin(), strokes.end(),
                      [&](std::size_t a, std::size_t b) { return pieces[a].box.left < pieces[b].box.left; });
     const auto in_line = [&](const PixelBox& upper, const PixelBox& lower) {

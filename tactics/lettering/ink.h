@@ -13,6 +13,9 @@ struct InkRun {
     int y = 0, left = 0, right = 0;
 };
 
+/// Pixels that letters are high: below they cannot be told apart; above, the ink is a drawn thing.
+inline constexpr int kLeastInkHeight = 5, kMostInkHeight = 100;
+
 struct InkPiece {
     PixelBox box;
     std::vector<InkRun> runs;

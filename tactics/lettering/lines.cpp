@@ -16,9 +16,6 @@ namespace tactics {
 
 namespace {
 
-// Below this many pixels letters cannot be distinguished; above, the ink is a drawn thing.
-constexpr int kLeastInkHeight = 5;
-constexpr int kMostHeight = 100;
 constexpr int kLeastTallest = 7;  // of a line: an x of 5 pixels stands beside capitals of 7
 // Of the height of the taller of two letters, which may both be small ones (0.52 em): a word space is 0.25 to 0.33 em and its
 // letters' side bearings.
@@ -36,7 +33,7 @@ constexpr std::size_t kMostPieces = 4'000;  // at one level; more is texture, no
 PixelBox turned(const PixelBox& box, int height) { return {height - box.bottom, box.left, height - box.top, box.right}; }
 
 bool is_letter(const PixelBox& box) {
-    return box.height() >= kLeastInkHeight && box.height() <= kMostHeight && box.width() <= 3 * box.height();
+    return box.height() >= kLeastInkHeight && box.height() <= kMostInkHeight && box.width() <= 3 * box.height();
 }
 
 bool is_mark(const PixelBox& box, int letter_height) {
@@ -72,7 +69,7 @@ std::vector<Group> group(const std::vector<PixelBox>& boxes, const std::vector<b
         const PixelBox& one = boxes[order[i]];
         for (std::size_t k = i + 1; k < order.size(); ++k) {
             const PixelBox& other = boxes[order[k]];
-            if (other.left - one.right > kWordGap * std::min(kMostHeight, static_cast<int>(kUnlike * one.height()) + 1)) break;
+            if (other.left - one.right > kWordGap * std::min(kMostInkHeight, static_cast<int>(kUnlike * one.height()) + 1)) break;
             if (stand_in_line(one, other)) parent[std::max(root(i), root(k))] = std::min(root(i), root(k));
         }
     }
@@ -245,7 +242,7 @@ private:
     }
 
     void look(int level, bool light) {
-        std::vector<InkPiece> pieces = pieces_of(grey_, level, light, 2 * kMostHeight);
+        std::vector<InkPiece> pieces = pieces_of(grey_, level, light, 2 * kMostInkHeight);
         if (pieces.empty() || pieces.size() > kMostPieces) return;
         join_equals_signs(pieces);
         std::vector<PixelBox> upright, turned_boxes;
