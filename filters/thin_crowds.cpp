@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "tactics/filter.h"
 #include "tactics/geometry/evidence.h"
+#include "tactics/text/phrase.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -129,6 +132,10 @@ Artwork apply_thin_crowds(Artwork artwork, const Settings& settings) {
         goes[i] = true;
         --left;
     });
+    const std::size_t all = drawing.strokes.size();
+    if (left < all)
+        drawing.remarks.push_back(phrases(all - left, "Of {1} edges, {0} short one in a crowd is left out.",
+                                          "Of {1} edges, {0} short ones in crowds are left out.", std::to_string(all)));
     std::size_t at = 0;
     std::erase_if(drawing.strokes, [&](const Stroke&) { return goes[at++]; });
     return artwork;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include "tests/filters/shapes.h"
 
@@ -51,6 +52,9 @@ TEST(ThinCrowds, LeavesTheOutlineAndRoomForIt) {
     ASSERT_EQ(after.strokes.back().points.size(), 3u);
     EXPECT_EQ(after.strokes.back().points[1].y, 40);
     EXPECT_LT(after.strokes.size(), before.strokes.size() / 2);
+    ASSERT_EQ(after.remarks.size(), 1u);
+    EXPECT_NE(after.remarks[0].english().find("Of 1501 edges, " + std::to_string(1501 - after.strokes.size()) + " short ones"),
+              std::string::npos);
     double most = 0, all = 0;
     for (const Stroke& stroke : after.strokes) {
         const double ground = ground_round(after, stroke.points[0]);
