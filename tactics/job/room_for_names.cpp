@@ -4,35 +4,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "tactics/error.h"
 #include "tactics/layout/label.h"
 #include "tactics/layout/lay_out.h"
-#include "tactics/layout/naming.h"
 #include "tactics/layout/room.h"
 
 namespace tactics {
 
 namespace {
 
-// Costs for a hand, as settings: a key must be looked up, a lead line followed; a drawing smaller by a tenth is less bad than one
-// lead line.
-constexpr double kLeftOut = 6, kKeyed = 3, kLed = 1.5, kTenthSmaller = 1;
-constexpr double kRounded = 0.01;  // mm
+constexpr double kTenthSmaller = 1;  // a drawing smaller by a tenth is less bad than one lead line
 constexpr std::array<double, 5> kShares{1, 0.9, 0.8, 0.7, 0.6};
 constexpr std::size_t kHopeless = 100;  // names left out on a page: no other width has room for so many. A setting
 constexpr double kSmallest = 0.4;       // of the widest: where names beside it would leave less, they have leads or a key
-
-double cost_of(const Page& page) {
-    double cost = kLeftOut * static_cast<double>(page.left_out.size());
-    for (const PageName& name : page.names) {
-        if (!name.key.empty())
-            cost += kKeyed;
-        else if (distance(nearest_of(name.place, name.thing), name.thing) > kBesideThing + kRounded)
-            cost += kLed;  // with or without a lead line
-    }
-    return cost;
-}
 
 double cost_of_size(double share) { return kTenthSmaller * 10 * (1 - share); }
 
@@ -192,12 +178,13 @@ std::optional<RoomFound> place_with_room(const Sheet& sheet, double aspect, cons
         if (best && smaller >= least) continue;  // it cannot be better
         try {
             const Arrangement arrangement = trial.way->with(trial.width);
-            const Page page = lay_out(drawing.draw(trial.width), trial.way->sheet(), arrangement);
-            const double cost = cost_of(page) + smaller;
-            if (best && cost >= least) continue;
-            best = {arrangement, page.left_out.size()};
-            least = cost;
-            if (page.left_out.size() > kHopeless) break;
+            // A little more, for what rounds otherwise than below.
+            const double most = best ? least - smaller + 1e-9 : std::numeric_limits<double>::infinity();
+            const auto names = cost_of_names(drawing.draw(trial.width), trial.way->sheet(), arrangement, most);
+            if (!names || (best && names->cost + smaller >= least)) continue;
+            best = {arrangement, names->left_out};
+            least = names->cost + smaller;
+            if (names->left_out > kHopeless) break;
         } catch (const Error&) {
             continue;  // no room for some name: a smaller drawing leaves more
         }

@@ -2,6 +2,7 @@
 #include "tactics/layout/key.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "tactics/error.h"
@@ -29,6 +30,11 @@ constexpr KeyTitle kTitles[] = {
 #include "tactics/layout/key_titles.inc"
 #undef KEY
 };
+
+bool has_low_dot(const std::string& key) {
+    constexpr std::uint8_t kLow = 0b100100;  // dots 3 and 6
+    return ((letter_cell(key[0]) | letter_cell(key[1])) & kLow) != 0;
+}
 
 // "Map of Lisbon, key"
 std::string key_title(const Page& drawn) {
@@ -139,6 +145,35 @@ private:
 };
 
 }  // namespace
+
+std::string key_for(const std::string& text, const std::set<std::string>& taken) {
+    std::string letters;
+    bool fresh = true;
+    std::string initials;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80 && std::isalpha(byte) != 0) {
+            letters += static_cast<char>(std::tolower(byte));
+            if (fresh) initials += letters.back();
+        }
+        fresh = byte < 0x80 && std::isalnum(byte) == 0;
+    }
+    const auto is_good = [&](const std::string& key) { return has_low_dot(key) && !taken.contains(key); };
+    if (initials.size() > 1 && is_good(initials.substr(0, 2))) return initials.substr(0, 2);
+    for (std::size_t i = 1; i < letters.size(); ++i)
+        if (const std::string key{letters[0], letters[i]}; is_good(key)) return key;
+    for (char a = 'a'; a <= 'z'; ++a)
+        for (char b = 'a'; b <= 'z'; ++b)
+            if (const std::string key{a, b}; is_good(key)) return key;
+    return {};
+}
+
+std::size_t count_of_keys() {
+    std::size_t count = 0;
+    for (char a = 'a'; a <= 'z'; ++a)
+        for (char b = 'a'; b <= 'z'; ++b) count += has_low_dot({a, b}) ? 1 : 0;
+    return count;
+}
 
 std::uint8_t letter_cell(char letter) {
     constexpr std::uint8_t kLetters[] = {1,  3,  9,  25, 17, 11, 27, 19, 10, 26, 5,  7,  13,

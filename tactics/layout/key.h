@@ -2,7 +2,9 @@
 // The key, which explains the two letters beside things.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,13 @@ struct KeyEntry {
 
 /// The letters a to z have the same dots in the braille of every language that uses them.
 std::uint8_t letter_cell(char letter);
+
+/// Two unused letters, if possible from the words themselves, preferably their first letters; empty if all are taken. One of the
+/// two has dot 3 or 6, so that a finger feels where the cell is (NBA).
+std::string key_for(const std::string& text, const std::set<std::string>& taken);
+
+/// All that there are.
+std::size_t count_of_keys();
 
 /// Pages with only the key, to follow `drawn`, in the same size: the title and the word for "key" in its language, then the
 /// entries one below the other, in as many columns and pages as they need.

@@ -10,7 +10,6 @@
 #include "tactics/layout/dot_grid.h"
 #include "tactics/layout/facing.h"
 #include "tactics/layout/label.h"
-#include "tactics/layout/naming.h"
 #include "tactics/layout/pattern.h"
 #include "tactics/layout/scale_bar.h"
 #include "tactics/text/utf8.h"
@@ -57,7 +56,8 @@ PageStroke on_page(const Stroke& stroke, const Mover& mover, const Medium& mediu
     return {mover.moved(stroke.points), stroke.closed, width_of(stroke.line, medium), stroke.role, is_inner(stroke)};
 }
 
-Drawn draw(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) {
+// A page with everything but names and what gives way to them.
+Page inked(const Drawing& drawing, const Sheet& sheet, Arrangement& arrangement) {
     const Place& place = arrangement.place;
     Page page;
     page.width = place.page_width;
@@ -107,14 +107,27 @@ Drawn draw(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) 
                                                       : to_bitmap(to_grey(*drawing.picture), place.drawing);
     if (sheet.real_width) set_scale_bar(page, arrangement.scale_bar, place.drawing.width / *sheet.real_width, sheet);
     put_on_dots(page);
+    return page;
+}
+
+std::vector<Name> names_on_page(const Drawing& drawing, const Arrangement& arrangement) {
+    const Mover mover(arrangement.place, drawing.width);
     std::vector<Name> names = drawing.names;
     for (Name& name : names) name.at = mover.moved(name.at);
-    const std::vector<Rect> windows = arrangement.cut ? windows_of(*arrangement.cut, sheet) : std::vector<Rect>();
-    std::vector<KeyEntry> key = set_names(page, std::move(names), sheet, windows);
+    return names;
+}
+
+std::vector<Rect> windows_for(const Arrangement& arrangement, const Sheet& sheet) {
+    return arrangement.cut ? windows_of(*arrangement.cut, sheet) : std::vector<Rect>();
+}
+
+Drawn draw(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement) {
+    Page page = inked(drawing, sheet, arrangement);
+    std::vector<KeyEntry> key = set_names(page, names_on_page(drawing, arrangement), sheet, windows_for(arrangement, sheet));
     draw_patterns(page, *sheet.medium,
                   arrangement.cut ? arrangement.cut->live : page.live);  // last: they give way to all that is there
     drop_unset_words(page);
-    return {std::move(page), std::move(key), arrangement.cut, place};
+    return {std::move(page), std::move(key), arrangement.cut, arrangement.place};
 }
 
 }  // namespace
@@ -125,6 +138,11 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement
     put_on_steps(pages.all.front());
     choose_heights(pages, sheet.heights);
     return std::move(pages.all.front());
+}
+
+std::optional<NamesCost> cost_of_names(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement, double most) {
+    Page page = inked(drawing, sheet, arrangement);
+    return cost_of_names(std::move(page), names_on_page(drawing, arrangement), sheet, windows_for(arrangement, sheet), most);
 }
 
 Page lay_out(const Drawing& drawing, const Sheet& sheet) {

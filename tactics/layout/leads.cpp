@@ -153,22 +153,27 @@ std::vector<Point> Leads::ends_for(Point thing) const {
 }
 
 bool Leads::is_clear(const Lead& lead, bool across) const {
+    if (in_way_ < chains_.size() && !is_clear_of(chains_[in_way_], lead, across)) return false;
     // On a full page the first piece of the line meets something, so only the chains near it are examined.
     const double length = distance(lead.from, lead.to);
     const int pieces = 1 + static_cast<int>(length / kPiece);
-    std::unordered_set<std::size_t> clear;
+    std::unordered_set<std::size_t> clear{in_way_};
+    const auto meets = [&](std::size_t chain) {
+        if (is_clear_of(chains_[chain], lead, across)) return false;
+        in_way_ = chain;
+        return true;
+    };
     const auto on_way = [&](int piece) {
         const double t = static_cast<double>(piece) / pieces;
         return Point{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};
     };
     for (int piece = 0; piece < pieces; ++piece) {
         const Box box = box_of(Segment{on_way(piece), on_way(piece + 1)}, half_ + clear_ + kLeadRounding);
-        if (grid_.any_near(
-                box, [&](std::size_t chain) { return clear.insert(chain).second && !is_clear_of(chains_[chain], lead, across); }))
-            return false;
+        if (grid_.any_near(box, [&](std::size_t chain) { return clear.insert(chain).second && meets(chain); })) return false;
     }
-    return std::all_of(chains_.begin() + static_cast<std::ptrdiff_t>(in_grid_), chains_.end(),
-                       [&](const Chain& chain) { return is_clear_of(chain, lead, across); });
+    for (std::size_t chain = in_grid_; chain < chains_.size(); ++chain)
+        if (meets(chain)) return false;
+    return true;
 }
 
 bool Leads::is_clear_of(const Chain& chain, const Lead& lead, bool across) const {

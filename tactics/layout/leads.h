@@ -62,7 +62,8 @@ private:
 
     double half_, clear_;
     std::vector<Chain> chains_;
-    std::size_t in_grid_ = 0;  // number of chains that were on the page; lead lines follow them
+    std::size_t in_grid_ = 0;         // number of chains that were on the page; lead lines follow them
+    mutable std::size_t in_way_ = 0;  // the chain that the last line met, which the next one often meets, too
     Grid grid_;
     std::vector<InkedArea> areas_;  // for points inside an area
 };

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
+#include <functional>
 #include <iterator>
-#include <map>
+#include <limits>
 #include <set>
+#include <unordered_map>
+#include <utility>
 
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
@@ -32,6 +34,9 @@ constexpr std::size_t kMostLeads =
 constexpr std::size_t kMostLeadsOfPage =
     500'000;                         // for all of its names: where 200 found none, thousands more are not looked for in vain
 constexpr double kShortestLead = 3;  // mm; own choice: anything shorter is a dot
+// Costs for a hand, as settings: a key must be looked up, a lead line followed.
+constexpr double kLeftOut = 6, kKeyed = 3, kLed = 1.5;
+constexpr double kOnePlace = 0.01;  // mm
 
 struct Piece {
     LabelBlock block;
@@ -43,43 +48,6 @@ bool reads_before(const PageName& a, const PageName& b) {
     constexpr double kLine = 10;  // mm: about one line of braille
     const double row_a = std::floor(a.place.top / kLine), row_b = std::floor(b.place.top / kLine);
     return row_a != row_b ? row_a < row_b : a.place.left < b.place.left;
-}
-
-bool has_low_dot(const std::string& key) {
-    constexpr std::uint8_t kLow = 0b100100;  // dots 3 and 6
-    return ((letter_cell(key[0]) | letter_cell(key[1])) & kLow) != 0;
-}
-
-// All that there are.
-std::size_t count_of_keys() {
-    std::size_t count = 0;
-    for (char a = 'a'; a <= 'z'; ++a)
-        for (char b = 'a'; b <= 'z'; ++b) count += has_low_dot({a, b}) ? 1 : 0;
-    return count;
-}
-
-// Two unused letters, if possible from the words themselves, preferably their first letters. One of the two has dot 3 or 6, so
-// that a finger feels where the cell is (NBA).
-std::string key_for(const std::string& text, const std::set<std::string>& taken) {
-    std::string letters;
-    bool fresh = true;
-    std::string initials;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x80 && std::isalpha(byte) != 0) {
-            letters += static_cast<char>(std::tolower(byte));
-            if (fresh) initials += letters.back();
-        }
-        fresh = byte < 0x80 && std::isalnum(byte) == 0;
-    }
-    const auto is_good = [&](const std::string& key) { return has_low_dot(key) && !taken.contains(key); };
-    if (initials.size() > 1 && is_good(initials.substr(0, 2))) return initials.substr(0, 2);
-    for (std::size_t i = 1; i < letters.size(); ++i)
-        if (const std::string key{letters[0], letters[i]}; is_good(key)) return key;
-    for (char a = 'a'; a <= 'z'; ++a)
-        for (char b = 'a'; b <= 'z'; ++b)
-            if (const std::string key{a, b}; is_good(key)) return key;
-    return {};
 }
 
 double dots_width(std::size_t cells, const Page& page) {
@@ -113,6 +81,14 @@ Lead lead_of(const Rect& place, Point thing, double gap) {
     return {{near.x + begin * (thing.x - near.x), near.y + begin * (thing.y - near.y)}, thing};
 }
 
+// Where a lead line begins.
+using Beginning = std::pair<double, double>;
+struct BeginningHash {
+    std::size_t operator()(const Beginning& at) const {
+        return std::hash<double>()(at.first) * 1'000'003 + std::hash<double>()(at.second);
+    }
+};
+
 class Naming {
 public:
     Naming(Page& page, const Sheet& sheet, std::span<const Rect> windows)
@@ -125,7 +101,8 @@ public:
             if (!line.cells.empty()) words_.push_back(extent_of(line, page.cell, page.braille_dot));
     }
 
-    std::vector<KeyEntry> run(std::vector<Name> names) {
+    // With costs of `most` it goes no further, and the page is not complete.
+    std::vector<KeyEntry> run(std::vector<Name> names, double most = std::numeric_limits<double>::infinity()) {
         std::vector<Piece> pieces;
         for (Name& name : names) {
             name.text = to_line(name.text);
@@ -138,21 +115,24 @@ public:
             return a.name.within != b.name.within ? a.name.within < b.name.within : a.block.width > b.block.width;
         });
         std::vector<Piece> keyed;
-        const std::size_t most = count_of_keys();
+        const std::size_t keys = count_of_keys();
         for (Piece& piece : pieces) {
+            if (cost_ >= most) return {};
             if (stands_beside(piece) || stands_beside_shape(piece) || stands_apart(piece, Way::open)) continue;
             // Whatever the others find, not all will have a key: of thousands of names each would be looked for in vain.
-            if (keyed.size() == most && !sheet_.braille_table.empty())
+            if (keyed.size() == keys && !sheet_.braille_table.empty())
                 leave_out(piece, phrase("a key"));
             else
                 keyed.push_back(std::move(piece));
         }
         std::stable_sort(keyed.begin(), keyed.end(), [](const Piece& a, const Piece& b) { return a.name.text < b.name.text; });
         std::vector<KeyEntry> key;
-        if (!keyed.empty()) key = set_key(keyed);
+        if (!keyed.empty()) key = set_key(keyed, most);
         std::stable_sort(page_.names.begin(), page_.names.end(), reads_before);
         return key;
     }
+
+    double cost() const { return cost_; }
 
 private:
     bool stands_beside(Piece& piece) {
@@ -204,16 +184,17 @@ private:
     bool is_led_to(Piece& piece, Point end, Way way) {
         const double gap = lead_gap();
         // Many places share a lead line: words above a thing may stand farther left or right.
-        std::map<std::pair<double, double>, bool> known;
+        std::unordered_map<Beginning, bool, BeginningHash> known;
         const auto leads_there = [&](const Rect& rect) {
             if (!is_whole(rect)) return false;
             const Lead lead = lead_of(rect, end, gap);
-            if (const auto same = known.find({lead.from.x, lead.from.y}); same != known.end()) return same->second;
+            const Beginning begins{lead.from.x, lead.from.y};
+            if (const auto same = known.find(begins); same != known.end()) return same->second;
             if (known.size() >= kMostLeads || leads_tried_ >= kMostLeadsOfPage) return false;
             ++leads_tried_;
             const double length = distance(lead.from, lead.to);
-            return known[{lead.from.x, lead.from.y}] = length <= kLongestLead && length >= kShortestLead &&
-                                                       leads_.is_clear(lead, way == Way::across) && !meets_words(lead);
+            return known[begins] = length <= kLongestLead && length >= kShortestLead && !meets_words(lead) &&
+                                   leads_.is_clear(lead, way == Way::across);
         };
         const auto place = room_.nearest(end, piece.block.width, piece.block.height, kLongestLead + gap, leads_there);
         if (!place) return false;
@@ -310,10 +291,15 @@ private:
         std::move(block.print.begin(), block.print.end(), std::back_inserter(page_.print));
         std::move(block.braille.begin(), block.braille.end(), std::back_inserter(page_.braille));
         page_.names.push_back({piece.name.text, piece.key, piece.name.at, place, static_cast<int>(page_.words.size()) - 1});
+        if (!words)
+            cost_ += kKeyed;
+        else if (distance(nearest_of(place, piece.name.at), piece.name.at) > kBesideThing + kOnePlace)
+            cost_ += kLed;  // with or without a lead line
     }
 
     void leave_out(const Piece& piece, const Phrase& what) {
         if (piece.name.optional) {
+            cost_ += kLeftOut;
             page_.left_out.push_back(piece.name);
             return;
         }
@@ -324,7 +310,7 @@ private:
     }
 
     // The key, if it has no room.
-    std::vector<KeyEntry> set_key(std::vector<Piece>& keyed) {
+    std::vector<KeyEntry> set_key(std::vector<Piece>& keyed, double most) {
         // Print has no two letters: it is small, and a sheet without braille is for eyes.
         if (sheet_.braille_table.empty()) {
             for (const Piece& piece : keyed) leave_out(piece, phrase("the words"));
@@ -334,6 +320,7 @@ private:
         std::vector<KeyEntry> key;
         std::size_t longest = 0;
         for (Piece& piece : keyed) {
+            if (cost_ >= most) return {};
             piece.key = key_for(piece.name.text, taken);
             if (piece.key.empty()) {
                 leave_out(piece, phrase("a key"));
@@ -376,6 +363,7 @@ private:
     Room room_;
     Leads leads_;
     std::size_t leads_tried_ = 0, places_tried_ = 0;
+    double cost_ = 0;
     std::vector<Rect> words_;
 };
 
@@ -384,6 +372,14 @@ private:
 std::vector<KeyEntry> set_names(Page& page, std::vector<Name> names, const Sheet& sheet, std::span<const Rect> windows) {
     if (names.empty()) return {};
     return Naming(page, sheet, windows).run(std::move(names));
+}
+
+std::optional<NamesCost> cost_of_names(Page page, std::vector<Name> names, const Sheet& sheet, std::span<const Rect> windows,
+                                       double most) {
+    Naming naming(page, sheet, windows);
+    naming.run(std::move(names), most);
+    if (naming.cost() >= most) return std::nullopt;
+    return NamesCost{naming.cost(), page.left_out.size()};
 }
 
 }  // namespace tactics

@@ -2,6 +2,7 @@
 // Places the names of things beside the things.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,5 +22,16 @@ inline constexpr double kBesideThing = 6.4;
 /// Returns the key if it has no room on the page, else nothing. Throws Error(usage) at the name's origin as to_braille does, and
 /// if not even two letters have room.
 std::vector<KeyEntry> set_names(Page& page, std::vector<Name> names, const Sheet& sheet, std::span<const Rect> windows = {});
+
+/// What the names of a page cost a hand: nothing beside the thing, more if they are led to it, have a key, or are left out.
+struct NamesCost {
+    double cost = 0;
+    std::size_t left_out = 0;
+};
+
+/// What they cost when `set_names` sets them; nothing if that is `most` or more, which is often known after a few of them.
+/// Throws as set_names does.
+std::optional<NamesCost> cost_of_names(Page page, std::vector<Name> names, const Sheet& sheet, std::span<const Rect> windows,
+                                       double most);
 
 }  // namespace tactics
