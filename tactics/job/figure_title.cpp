@@ -13,15 +13,22 @@ namespace {
 // Settings.
 constexpr double kTop = 20, kMiddle = 25;  // percent: not farther below what is highest, and its middle not nearer to a side
 constexpr double kNextLine = 2.6;          // heights of capitals from line to line
-constexpr double kSameMiddle = 3;          // percent; lines of a title are centred
+constexpr double kSameMiddle = 3;          // percent; lines of a centred title have one
+constexpr double kAtLeft = 1.3;            // times as high as other words: a title that begins at the left, as many tools set it
+
+double median_of(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), half, values.end());
+    return *half;
+}
+
+bool is_next_line(const ToldWords& line, const ToldWords& next, double height) { return next.y - line.y < kNextLine * height; }
 
 // A name of something right below it is short and as high as other names; a title is larger, says more, or stands free.
 bool may_be_title(const std::string& title, double height, double gap, const std::vector<double>& other_heights) {
     constexpr double kLarger = 1.1, kFree = 1.5;  // settings, relative to other words and to its own height
-    std::vector<double> others = other_heights;
-    const auto half = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
-    if (!others.empty()) std::nth_element(others.begin(), half, others.end());
-    const bool larger = !others.empty() && height >= kLarger * *half;
+    const bool larger = !other_heights.empty() && height >= kLarger * median_of(other_heights);
     std::size_t long_words = 0;
     for (std::size_t at = 0; at < title.size();) {
         const std::size_t end = std::min(title.find(' ', at), title.size());
@@ -43,13 +50,23 @@ std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlac
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return told[a].y < told[b].y; });
     double highest = first_ink;
     for (const std::size_t i : order) highest = std::min(highest, told[i].y - places[i].height / 2);
+    std::vector<double> heights;
+    for (const PrintPlace& place : places) heights.push_back(place.height);
+    const double usual = median_of(heights);
     std::vector<std::size_t> lines;
     for (const std::size_t i : order) {
         const ToldWords& one = told[i];
-        const bool begins = lines.empty() && one.y - highest < kTop && one.x > kMiddle && one.x < 100 - kMiddle;
+        const bool in_middle = one.x > kMiddle && one.x < 100 - kMiddle;
+        const bool at_left = one.x <= kMiddle && places[i].height >= kAtLeft * usual;
+        const bool begins = lines.empty() && one.y - highest < kTop && (in_middle || at_left);
         const bool goes_on = !lines.empty() && std::abs(one.x - told[lines.front()].x) < kSameMiddle &&
-                             one.y - told[lines.back()].y < kNextLine * std::max(places[i].height, places[lines.back()].height);
-        if (!begins && !goes_on) break;
+                             is_next_line(told[lines.back()], one, std::max(places[i].height, places[lines.back()].height));
+        if (!begins && !goes_on) {
+            // Of a longer title that is not centred this would be a part.
+            if (!lines.empty() && places[i].height >= kAtLeft * usual && is_next_line(told[lines.back()], one, places[i].height))
+                return "";
+            break;
+        }
         if (!one.set) return "";  // not sure, or without braille: a person must look
         lines.push_back(i);
     }

@@ -36,6 +36,22 @@ TEST(FigureTitle, IsWhatStandsAboveAllInLinesOrAtLength) {
     EXPECT_EQ(take_title(lengthy.told, lengthy.places, 8), "How many pupils came to the school by bus in May");
 }
 
+TEST(FigureTitle, AtTheLeftIsMuchLargerThanOtherWords) {
+    const auto title_of = [](const std::string& text, double height, const std::string& next = {}) {
+        Words words = chart();
+        words.add(text, 9, 4);
+        words.places.back().height = height;
+        if (!next.empty()) {
+            words.add(next, 14, 4 + 1.5 * height);
+            words.places.back().height = height;
+        }
+        return take_title(words.told, words.places, 12);
+    };
+    EXPECT_EQ(title_of("stack up", 4), "stack up");
+    EXPECT_EQ(title_of("Euros", 3), "") << "the name of the upright axis";
+    EXPECT_EQ(title_of("Bus riders", 4, "by age and town"), "") << "half of a title is none";
+}
+
 TEST(FigureTitle, AShortOneStandsAboveAllLines) {
     Words brief = chart();
     brief.add("Prices of food", 50, 4);
