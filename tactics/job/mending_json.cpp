@@ -12,6 +12,8 @@ std::string_view name_of(Mend::Kind kind) {
         case Mend::Kind::joined: return "joined";
         case Mend::Kind::moved: return "moved";
         case Mend::Kind::shifted: return "shifted";
+        case Mend::Kind::shrunk: return "shrunk";
+        case Mend::Kind::enlarged: return "enlarged";
         case Mend::Kind::outlined: return "outlined";
         case Mend::Kind::broken: return "broken";
         case Mend::Kind::shortened: return "shortened";

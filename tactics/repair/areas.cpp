@@ -29,9 +29,6 @@ constexpr double kNoticed = 0.1;  // mm: less is not worth a word
 
 bool is_small(const Area& area) { return area.texture == 0 && !area.rings.empty() && extent_of(area) < kRecognised; }
 
-// To this much less than the limit, in percent of the paper; then it is measured again.
-constexpr double kInkToSpare = 1;
-
 double size_of(const Area& area) {  // square mm, holes taken off by the even-odd rule where they lie in their ring
     double most = 0, sum = 0;
     for (const auto& ring : area.rings) {
@@ -45,6 +42,41 @@ double size_of(const Area& area) {  // square mm, holes taken off by the even-od
     }
     return std::max(0.0, 2 * most - sum);
 }
+
+// As points of a chart are; an arrow head belongs to its line.
+bool is_compact(const Area& area, double extent) {
+    constexpr double kCompact = 0.4;  // of the square of its extent: a disc has 0.79, a square 0.5, a sliver nothing
+    return area.role != Role::arrow && is_small(area) && extent > 0 && size_of(area) >= kCompact * extent * extent;
+}
+
+// The extents of areas that are compact and, so that they are points rather than parts of a thing, as large as two others; 0 for
+// the rest.
+std::vector<double> extents_of_points(const Drawing& drawing) {
+    constexpr double kSame = 1.1;
+    std::vector<double> extents, sorted;
+    for (const Area& area : drawing.areas) {
+        const double extent = is_small(area) ? extent_of(area) : 0;
+        extents.push_back(is_compact(area, extent) ? extent : 0);
+        if (extents.back() > 0) sorted.push_back(extents.back());
+    }
+    std::sort(sorted.begin(), sorted.end());
+    for (double& extent : extents) {
+        const auto from = std::lower_bound(sorted.begin(), sorted.end(), extent / kSame),
+                   to = std::upper_bound(sorted.begin(), sorted.end(), extent * kSame);
+        if (to - from < 3) extent = 0;
+    }
+    return extents;
+}
+
+void scale_about_middle(Area& area, double by) {
+    const Box box = box_of(area.rings[0]);
+    const Point middle{(box.left + box.right) / 2, (box.top + box.bottom) / 2};
+    for (auto& ring : area.rings)
+        for (Point& p : ring) p = {middle.x + by * (p.x - middle.x), middle.y + by * (p.y - middle.y)};
+}
+
+// To this much less than the limit, in percent of the paper; then it is measured again.
+constexpr double kInkToSpare = 1;
 
 Point first_point(const Area& area) {
     for (const auto& ring : area.rings)
@@ -206,6 +238,78 @@ Mends move_areas_apart(Drawing& drawing, const Medium& medium, Seen& seen) {
         if (shifts.size_at(i) >= kNoticed)
             changes.push_back({Mend::Kind::shifted, first_point(drawing.areas[i]), shifts.size_at(i)});
     drawing = std::move(shifted);
+    return changes;
+}
+
+namespace {
+
+// The scale that leaves gaps between close areas of these extents, where none becomes too small; 1: nothing helps.
+double scale_for(const std::map<std::pair<std::size_t, std::size_t>, NearPair>& close, const std::vector<double>& extents) {
+    double scale = 1;
+    for (const auto& [areas, pair] : close) {
+        const double one = extents[areas.first], other = extents[areas.second];
+        if (one == 0 && other == 0) continue;
+        const double needed = 1 - 2 * (pair.lacks + kPushed) / (one + other);
+        const double smaller = one == 0 ? other : other == 0 ? one : std::min(one, other);
+        if (needed * smaller >= kFoundPoint) scale = std::min(scale, needed);
+    }
+    return scale;
+}
+
+}  // namespace
+
+Mends shrink_areas(Drawing& drawing, const Medium& medium, Seen& seen) {
+    std::vector<double> extents = extents_of_points(drawing);
+    const std::vector<double> before = extents;
+    auto close = close_areas(seen);
+    const std::size_t first = close.size();
+    Drawing shrunk = drawing;
+    // What touched becomes near when it is smaller, and may need more.
+    for (int round = 0; round < kPushes; ++round) {
+        const double scale = scale_for(close, extents);
+        if (scale == 1) break;
+        for (std::size_t i = 0; i < extents.size(); ++i) {
+            const double extent = std::max(scale * extents[i], std::min(extents[i], kFoundPoint));
+            if (extent == extents[i]) continue;
+            scale_about_middle(shrunk.areas[i], extent / extents[i]);
+            extents[i] = extent;
+        }
+        Seen anew(shrunk, medium);
+        close = close_areas(anew);
+    }
+    Mends changes;
+    if (close.size() >= first) return changes;
+    for (std::size_t i = 0; i < extents.size(); ++i)
+        if (extents[i] < before[i])
+            changes.push_back({Mend::Kind::shrunk, first_point(drawing.areas[i]), before[i] - extents[i]});
+    drawing = std::move(shrunk);
+    return changes;
+}
+
+Mends enlarge_specks(Drawing& drawing, const Medium& medium) {
+    constexpr double kDot = 1.5;  // mm: the base of a braille dot
+    if (has_fixed_dots(medium)) return {};
+    std::map<std::size_t, double> specks;
+    for (std::size_t i = 0; i < drawing.areas.size(); ++i) {
+        const double extent = is_small(drawing.areas[i]) ? extent_of(drawing.areas[i]) : kDot;
+        if (extent < kDot && is_compact(drawing.areas[i], extent)) specks[i] = extent;
+    }
+    if (specks.empty()) return {};
+    Drawing enlarged = drawing;
+    for (const auto& [i, extent] : specks) scale_about_middle(enlarged.areas[i], kDot / extent);
+    Seen anew(enlarged, medium);
+    for (std::size_t k = 0; k < anew.near.size(); ++k) {
+        if (!anew.near.is_too_close(k)) continue;
+        for (const std::uint32_t piece : {anew.near[k].one, anew.near[k].other}) {
+            const Chain& chain = anew.geometry.chains[anew.geometry.pieces[piece].chain];
+            if (chain.ring) specks.erase(chain.owner);
+        }
+    }
+    Mends changes;
+    for (const auto& [i, extent] : specks) {
+        changes.push_back({Mend::Kind::enlarged, first_point(drawing.areas[i]), kDot - extent});
+        drawing.areas[i] = std::move(enlarged.areas[i]);
+    }
     return changes;
 }
 

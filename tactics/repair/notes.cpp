@@ -50,6 +50,14 @@ std::vector<Phrase> notes_of(const Repaired& repaired) {
         return phrases(s.count, "{0} point or small area was moved away from another that was too close, by {1}.",
                        "{0} points or small areas were moved away from others that were too close, by up to {1}.", s.most);
     });
+    tell(Kind::shrunk, [](const Sum& s) {
+        return phrases(s.count, "{0} point or small area was drawn smaller, as others were too close, by {1}.",
+                       "{0} points or small areas were drawn smaller, as they were too close, by up to {1}.", s.most);
+    });
+    tell(Kind::enlarged, [](const Sum& s) {
+        return phrases(s.count, "{0} point or small area was drawn larger, as large as a braille dot.",
+                       "{0} points or small areas were drawn larger, as large as a braille dot.");
+    });
     tell(Kind::outlined, [](const Sum& s) {
         return phrases(s.count, "{0} area is drawn as its outline, being too close to another or too black.",
                        "{0} areas are drawn as their outlines, being too close to others or too black.");

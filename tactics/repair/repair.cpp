@@ -108,6 +108,26 @@ public:
         if (!all && !drawing_.areas.empty()) seen_.reset();
     }
 
+    // True: some were.
+    bool part_areas() {
+        bool parted = !moved_ && use([this](Seen& seen) { return move_areas_apart(drawing_, medium_, seen); });
+        moved_ = moved_ || parted;
+        const double length = length_of_all(drawing_);
+        if (!shrunk_ && use([this](Seen& seen) { return shrink_areas(drawing_, medium_, seen); })) {
+            parted = shrunk_ = true;
+            shrunk_by_ = length - length_of_all(drawing_);
+        }
+        int round = 0;
+        while (round++ < kMostRounds && use([this](Seen& seen) { return outline_areas(drawing_, seen); })) parted = true;
+        return parted;
+    }
+    // Of lengths, which is no loss.
+    double shrunk_by() const { return shrunk_by_; }
+
+    void enlarge_specks() {
+        if (add(tactics::enlarge_specks(drawing_, medium_))) seen_.reset();
+    }
+
     void look_again() {
         seen_.reset();
         changed_ = true;
@@ -133,6 +153,8 @@ private:
     std::unique_ptr<Seen> seen_;
     Mends changes_;
     bool changed_ = false;
+    bool moved_ = false, shrunk_ = false;  // areas move once, so that none goes farther than kFarthestMove
+    double shrunk_by_ = 0;
 };
 
 }  // namespace
@@ -144,7 +166,8 @@ Repaired repair(Drawing drawing, const Medium& medium) {
     double length_before = length_of_all(mended);
     const auto finish = [&] {
         repaired.changes = repairing.take_changes();
-        repaired.kept = length_before > 0 ? std::min(1.0, length_of_all(mended) / length_before) : 1;
+        const double of = length_before - repairing.shrunk_by();
+        repaired.kept = of > 0 ? std::min(1.0, length_of_all(mended) / of) : 1;
     };
     repairing.thin(kMostLine);
     if (!repairing.seen().near.complete()) repairing.thin(kMostLine / 2);
@@ -157,15 +180,6 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         finish();
         return repaired;
     }
-    bool moved = false;  // areas move once, so that none goes farther than kFarthestMove
-    const auto part_areas = [&] {
-        const auto move = [&](Seen& seen) { return move_areas_apart(mended, medium, seen); };
-        bool parted = !moved && repairing.use(move);
-        moved = moved || parted;
-        int round = 0;
-        while (round++ < kMostRounds && repairing.use([&](Seen& seen) { return outline_areas(mended, seen); })) parted = true;
-        return parted;
-    };
     if (before.places > 0) {
         repairing.use([&](Seen& seen) { return join_ends(mended, medium, seen); });
         if (!mended.areas.empty()) {
@@ -174,7 +188,7 @@ Repaired repair(Drawing drawing, const Medium& medium) {
                 length_before = length_of_all(mended);
             }
             repairing.use([&](Seen&) { return lighten(mended, medium); });
-            part_areas();
+            repairing.part_areas();
         }
         repairing.cut_hopeless();
         repairing.bend();
@@ -182,8 +196,10 @@ Repaired repair(Drawing drawing, const Medium& medium) {
     repairing.break_crossings();
     repairing.cut();
     // Lines that joined areas, or stood between them, may be gone.
-    for (int round = 0; round < kMostRounds && !mended.areas.empty() && repairing.has_changed() && part_areas(); ++round)
+    for (int round = 0; round < kMostRounds && !mended.areas.empty() && repairing.has_changed() && repairing.part_areas();
+         ++round)
         repairing.cut();
+    repairing.enlarge_specks();
     finish();  // gaps between dashes are no loss
     if (cut_dashes(mended, medium)) {
         put_on_steps(mended);

@@ -23,6 +23,8 @@ struct Mend {
         joined,     ///< an end was led onto the line that it nearly met
         moved,      ///< `mm`: how far at most
         shifted,    ///< a small area, as it is; `mm`: how far
+        shrunk,     ///< a small area, so that a gap is beside it; `mm`: by how much
+        enlarged,   ///< a small area, so that a finger finds it; `mm`: by how much
         outlined,   ///< an area is drawn as its outline
         broken,     ///< a gap was left in a line, at a crossing or where another comes near; `mm`: how much of it went
         shortened,  ///< the end of a line went
