@@ -16,14 +16,15 @@ struct Section {
     std::vector<double> bare;    ///< shares where there is no ground
 };
 
-/// "level", "slope" (either way), "step" (most of the way within a quarter of the section), "hump", "dip", "waves" (it turns more
-/// than once) or "hole"; empty: unknown, as a stretch is missing. What is lower than a tenth of `whole`, the range of all
-/// heights, is level, and so is what is lower than a seventh of the section's own range: it turns only where it comes back that
-/// far. Both shares are ours. The outer tenths are left out, as a hand slips off the sides of a solid.
+/// "level", "slope" (either way), "step" (most of the way at one edge, or within a quarter of the section and with as much level
+/// ground on either side), "steps" (most of the way at two or three edges), "hump", "dip", "waves" (it turns more than once) or
+/// "hole"; empty: unknown, as a stretch is missing. What is lower than a tenth of `whole`, the range of all heights, is level,
+/// and so is what is lower than a seventh of the section's own range: it turns only where it comes back that far. Both shares are
+/// ours. The outer tenths are left out, as a hand slips off the sides of a solid.
 std::string_view course_of(const Section& section, double whole);
 
-/// "level", "slope", "step", "waves", "hole", "hill", "bowl", "saddle", "ridge" or "valley"; empty: two courses that no one word
-/// has.
+/// "level", "slope", "step", "steps", "waves", "hole", "hill", "bowl", "saddle", "ridge" or "valley"; empty: two courses that no
+/// one word has.
 std::string_view shape_of(std::string_view across, std::string_view down);
 
 /// "a slope", "level ground".

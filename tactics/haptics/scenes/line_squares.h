@@ -62,41 +62,87 @@ public:
         : segments_(segments), squares_(squares), far_(far), around_(whole ? 1 : 0), square_(square) {}
 
     void run() {
-        std::size_t size = 1, depth = 2;
+        std::size_t size = 2, depth = 2;
         for (; size < std::max(squares_.columns, squares_.rows); size *= 2) ++depth;
-        found_.resize(depth);
-        for (std::uint32_t i = 0; i < segments_.size(); ++i) found_[depth - 1].push_back({i, 0});
-        descend(0, 0, size, depth - 2);
+        levels_.resize(depth);
+        std::vector<FoundSegment>& all = levels_[depth - 1].found;
+        for (std::uint32_t i = 0; i < segments_.size(); ++i) all.push_back({i, 0});
+        descend(0, 0, size, depth - 1);
     }
 
 private:
+    // Numbers for two places side by side.
+    using Two = double __attribute__((vector_size(16)));
+    struct Level {
+        std::vector<FoundSegment> found;
+        struct Squared {
+            Two upper, lower;
+            double of(std::size_t quarter) const noexcept { return (quarter < 2 ? upper : lower)[quarter % 2]; }
+        };
+        std::vector<Squared> squared;  // from the middles of the four quarters
+    };
+
+    // Most of the time goes here, so the four quarters of a square are measured at once.
     void descend(std::size_t column, std::size_t row, std::size_t size, std::size_t depth) {
-        if (column >= squares_.columns || row >= squares_.rows) return;
-        const auto across = static_cast<double>(size);
-        const Point middle = squares_.middle(static_cast<double>(column), static_cast<double>(row), across);
-        const double half = (across - 1 + around_) * squares_.side * std::sqrt(0.5);  // to the farthest that counts
-        const std::vector<FoundSegment>& given = found_[depth + 1];
-        std::vector<FoundSegment>& found = found_[depth];
-        const bool middle_only = size == 1 && around_ == 0;
-        found.resize(middle_only ? 0 : given.size());
-        double least = std::numeric_limits<double>::infinity();  // squared, as all are until they are chosen
-        for (std::size_t i = 0; i < given.size(); ++i) {
-            const LineSegment& segment = segments_[given[i].segment];
-            const Point place = place_on(segment, nearest_along(segment, middle));
-            const double x = middle.x - place.x, y = middle.y - place.y, squared = x * x + y * y;
-            if (!middle_only) found[i] = {given[i].segment, squared};
-            least = std::min(least, squared);
-        }
-        const double nearest = std::sqrt(least), most = (nearest + 2 * half) * (nearest + 2 * half) * (1 + 1e-12);
-        if (!(nearest - half < far_)) return;
-        std::erase_if(found, [&](const FoundSegment& one) { return one.distance > most; });
-        if (size == 1) {
-            for (FoundSegment& one : found) one.distance = std::sqrt(one.distance);
-            return square_(column, row, nearest, found);
-        }
         const std::size_t quarter = size / 2;
-        for (const std::size_t down : {std::size_t{0}, quarter})
-            for (const std::size_t right : {std::size_t{0}, quarter}) descend(column + right, row + down, quarter, depth - 1);
+        const auto across = static_cast<double>(quarter);
+        const auto middle = [&](std::size_t right, std::size_t down) {
+            return squares_.middle(static_cast<double>(column + right), static_cast<double>(row + down), across);
+        };
+        Level& level = levels_[depth];
+        const auto least = measure(level, middle(0, 0), middle(quarter, quarter));
+        const double half = (across - 1 + around_) * squares_.side * std::sqrt(0.5);  // to the farthest that counts
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::size_t there = column + k % 2 * quarter, down = row + k / 2 * quarter;
+            if (there >= squares_.columns || down >= squares_.rows) continue;
+            const double nearest = std::sqrt(least.of(k)), most = (nearest + 2 * half) * (nearest + 2 * half) * (1 + 1e-12);
+            if (!(nearest - half < far_)) continue;
+            std::vector<FoundSegment>& found = levels_[depth - 1].found;
+            if (quarter > 1 || around_ > 0) take_near(level, k, most, found);
+            if (quarter > 1) {
+                descend(there, down, quarter, depth - 1);
+            } else {
+                for (FoundSegment& one : found) one.distance = std::sqrt(one.distance);
+                square_(there, down, nearest, found);
+            }
+        }
+    }
+
+    // The least for each of the four quarters, squared as all are until they are chosen.
+    typename Level::Squared measure(Level& level, Point upper_left, Point lower_right) const {
+        const Two x = {upper_left.x, lower_right.x};
+        constexpr double kNone = std::numeric_limits<double>::infinity();
+        typename Level::Squared least{{kNone, kNone}, {kNone, kNone}};
+        level.squared.resize(level.found.size());
+        for (std::size_t i = 0; i < level.found.size(); ++i) {
+            const LineSegment& segment = segments_[level.found[i].segment];
+            const Two across = (x - segment.from.x) * segment.way.x;
+            const auto squared = [&](double y) {
+                Two along = across + (y - segment.from.y) * segment.way.y;
+                const Two none{}, end = none + segment.length;
+                along = along < none ? none : along;
+                along = end < along ? end : along;
+                const Two right = x - (segment.from.x + along * segment.way.x),
+                          down = y - (segment.from.y + along * segment.way.y);
+                return right * right + down * down;
+            };
+            const Two upper = squared(upper_left.y), lower = squared(lower_right.y);
+            level.squared[i] = {upper, lower};
+            least.upper = upper < least.upper ? upper : least.upper;
+            least.lower = lower < least.lower ? lower : least.lower;
+        }
+        return least;
+    }
+
+    static void take_near(const Level& level, std::size_t quarter, double most, std::vector<FoundSegment>& found) {
+        found.resize(level.found.size());
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < level.found.size(); ++i) {
+            const double squared = level.squared[i].of(quarter);
+            found[count] = {level.found[i].segment, squared};
+            count += squared > most ? 0 : 1;
+        }
+        found.resize(count);
     }
 
     const std::vector<LineSegment>& segments_;
@@ -104,7 +150,7 @@ private:
     double far_;
     double around_;  // squares, round each middle
     Square square_;
-    std::vector<std::vector<FoundSegment>> found_;  // at each depth, the smallest squares first
+    std::vector<Level> levels_;  // at each depth, the smallest squares first
 };
 
 }  // namespace tactics

@@ -13,10 +13,12 @@ namespace {
 
 // Turns to try at a corner, degrees: the slightest first, to either side.
 constexpr double kTurnsToTry[] = {60, -60, 110, -110, 150, -150};
-constexpr double kApart = 1;        // mm between places that it remembers
-constexpr double kAway = 16;        // mm from a corner: it has gone round it, or back
+constexpr double kApart = 1;            // mm between places that it remembers
+constexpr double kAway = 16;            // mm from a corner: it has gone round it, or back
 constexpr double kSamePlace = 2.5;  // mm
-constexpr double kCornerNear = 4;   // mm: still at that corner
+constexpr double kBeside = 3.2;     // mm: may be the same place, as a finger is on either side of a line, or one beside a needle
+constexpr double kCornerNear = 4;       // mm: still at that corner
+constexpr std::size_t kNearStart = 20;  // places: hardly farther than kAway
 
 Point3 turned_by(const Point3& way, double degrees) {
     const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
@@ -46,9 +48,14 @@ LineWalk::State LineWalk::go(const Point3& finger, const Point3& force, double d
         return try_next() ? State::walks : State::ended;
     }
     push_on(force, dt, at);
-    if (trying_ && length_of(finger_ - corner_) > kAway) {
-        if (was_here()) return returns_ = 3, State::walks;
-        trying_ = false;
+    // So near its beginning it comes past that on the way back, where it knows no places.
+    past_start_ = past_start_ || (trying_ && placed_at_corner_ < kNearStart && length_of(corner_ - start_) > 2 * kSamePlace &&
+                                  length_of(finger_ - start_) < kSamePlace);
+    if (const double away = length_of(finger_ - corner_); trying_ && away > kAway) {
+        // Where it is not sure, it goes as far again.
+        const bool far = away > 2 * kAway;
+        if (was_here(far ? kBeside : kSamePlace)) return returns_ = 3, State::walks;
+        trying_ = !far && was_here(kBeside);
     }
     if (!trying_) remember();
     if (is_back()) return State::closed;
@@ -86,7 +93,7 @@ void LineWalk::remember() noexcept {
 LineWalk::State LineWalk::stop() noexcept {
     stalled_ = 0;
     if (trying_ && length_of(finger_ - corner_) > kCornerNear) {
-        if (was_here()) return returns_ = 3, State::walks;
+        if (was_here(kSamePlace)) return returns_ = 3, State::walks;
         trying_ = false;
     }
     if (!trying_) {
@@ -120,14 +127,16 @@ bool LineWalk::try_next() noexcept {
     way_ = turned_by(came_by_, kTurnsToTry[tries_++]);
     velocity_ = speed_ / 2 * way_;  // it means to go there
     stalled_ = free_ = 0;
+    past_start_ = false;
     return true;
 }
 
 // On the way by which it came to the corner.
-bool LineWalk::was_here() const noexcept {
+bool LineWalk::was_here(double within) const noexcept {
+    if (past_start_) return true;
     const std::size_t known = std::min(placed_at_corner_, places_.size());
     for (std::size_t back = 3; back <= known; ++back)
-        if (length_of(places_[(placed_at_corner_ - back) % places_.size()] - finger_) < kSamePlace) return true;
+        if (length_of(places_[(placed_at_corner_ - back) % places_.size()] - finger_) < within) return true;
     return false;
 }
 

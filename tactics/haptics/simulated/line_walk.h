@@ -33,14 +33,14 @@ private:
     void remember() noexcept;
     State stop() noexcept;
     bool try_next() noexcept;
-    bool was_here() const noexcept;
+    bool was_here(double within) const noexcept;
     Point3 way_back() const noexcept;
     bool is_back() noexcept;
     bool is_to_and_fro() noexcept;
 
     Point3 finger_, before_, way_, velocity_, start_, start_way_, corner_, came_by_;
     double speed_ = 0, stalled_ = 0, free_ = 0, returns_ = 0;
-    bool trying_ = false, left_ = false;
+    bool trying_ = false, left_ = false, past_start_ = false;
     std::size_t tries_ = 0;
     std::array<Point3, 64> places_{};  // that it came by, a millimetre apart; a ring
     std::size_t placed_ = 0, placed_at_corner_ = 0;

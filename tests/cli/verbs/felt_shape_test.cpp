@@ -34,6 +34,9 @@ TEST(FeltShape, CoursesOfKnownSections) {
                   {"slope", [](double x) { return -(x - 1.1) * (x - 1.1); }},
                   {"step", [](double x) { return x < 0.7 ? 0.0 : 1.0; }},
                   {"step", [](double x) { return std::atan(30 * (x - 0.4)) / 3; }},
+                  {"step", [](double x) { return (x < 0.6 ? 0.0 : 1.0) + 0.4 * x; }},
+                  {"steps", [](double x) { return (x < 0.3 ? 0.0 : 1.0) + (x < 0.65 ? 0.0 : 1.6); }},
+                  {"steps", [](double x) { return std::floor(4 * x + 0.1) / 3; }},
                   {"hump", [](double x) { return -std::abs(x - 0.5); }},
                   {"hump", [](double x) { return std::exp(-30 * (x - 0.7) * (x - 0.7)); }},
                   {"hump", [](double x) { return x > 0.45 && x < 0.5 ? 1.0 : 0.0; }},
@@ -51,6 +54,22 @@ TEST(FeltShape, CoursesOfKnownSections) {
     }
 }
 
+// However narrow it is, half of a hill that a border cuts off at its top or before it is smooth, and so is what becomes ever
+// steeper; between level grounds the same rise is a step where it is narrow enough.
+TEST(FeltShape, HalfAHillIsNoStep) {
+    for (const double width : {0.07, 0.1, 0.14, 0.2, 0.3, 0.5}) {
+        for (const double top : {0.9, 0.95, 1.0, 1.1}) {
+            const auto hill = [&](double x) { return std::exp(-(x - top) * (x - top) / (2 * width * width)); };
+            EXPECT_EQ(course_of(section_of(hill), hill(0.9)), "slope") << width << " " << top;
+            EXPECT_EQ(course_of(section_of([&](double x) { return hill(1 - x); }), hill(0.9)), "slope") << width << " " << top;
+        }
+        const auto ever_steeper = [&](double x) { return std::exp((x - 1) / width); };
+        EXPECT_EQ(course_of(section_of(ever_steeper), ever_steeper(0.9)), "slope") << width;
+        const auto between = [&](double x) { return std::tanh((x - 0.5) / width); };
+        EXPECT_EQ(course_of(section_of(between), 2), width < 0.12 ? "step" : "slope") << width;
+    }
+}
+
 // What nobody has felt is no height of 0.
 TEST(FeltShape, AMissingStretchIsUnknown) {
     for (const double missing : {0.1, 0.4, 0.75}) {
@@ -64,12 +83,14 @@ TEST(FeltShape, AMissingStretchIsUnknown) {
 }
 
 TEST(FeltShape, EitherSectionMayBeTheOneAcross) {
-    const char* const kCourses[] = {"level", "slope", "step", "hump", "dip", "waves", "hole", ""};
+    const char* const kCourses[] = {"level", "slope", "step", "steps", "hump", "dip", "waves", "hole", ""};
     for (const char* a : kCourses)
         for (const char* b : kCourses) EXPECT_EQ(shape_of(a, b), shape_of(b, a)) << a << b;
     EXPECT_EQ(shape_of("hump", "dip"), "saddle");
     EXPECT_EQ(shape_of("slope", "dip"), "valley");
     EXPECT_EQ(shape_of("waves", "hump"), "");  // two hills
+    EXPECT_EQ(shape_of("steps", "level"), "steps");
+    EXPECT_EQ(shape_of("steps", "step"), "");
 }
 
 class FeltSections : public Convert {
@@ -96,6 +117,8 @@ TEST_F(FeltSections, AHandTellsShapesThatItGetsThrough) {
         {"hill", [](double x, double y) { return -std::hypot(x, y); }},
         {"bowl", [](double x, double y) { return std::pow(x, 4) + std::pow(y, 4); }},
         {"step", [](double x, double) { return x > 0 ? 1.0 : 0.0; }},
+        {"steps", [](double, double y) { return (y > -0.4 ? 1.0 : 0.0) + (y > 0.3 ? 1.5 : 0.0); }},
+        {"slope", [](double x, double) { return std::exp(-6 * (x - 0.95) * (x - 0.95)); }},
         {"waves", [](double, double y) { return std::sin(9 * y); }},
         {"slope", [](double x, double) { return std::exp(x); }},
         {"level", [](double x, double y) { return x > 0.95 && y > 0.95 ? 1.0 : 0.0; }},

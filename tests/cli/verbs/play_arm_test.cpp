@@ -98,6 +98,25 @@ TEST_F(PlayArm, AHandTakesNothingElseForATick) {
         }
 }
 
+// Where a curve comes down at each tick, or lies on half of the axis, it still knows a tick by its sides; without axes there is
+// none.
+TEST_F(PlayArm, AHandFindsATickBesideACurve) {
+    double (*const curves[])(double) = {[](double x) { return std::abs(std::fmod(x, 2) - 1) < 0.5 ? 0.0 : 3.0; },
+                                        [](double x) { return 3 - 3 * std::abs(std::fmod(x, 2) - 1); },
+                                        [](double x) { return std::max(0.0, std::abs(x - 5) - 2.5); },
+                                        [](double x) { return std::max(0.0, 0.4 * (x - 5)); }};
+    for (const auto& curve : curves)
+        for (const char* arm : {"omni", "phantom"}) {
+            std::string csv = "x,y\n";
+            for (int i = 0; i <= 40; ++i) csv += std::to_string(i * 0.25) + "," + std::to_string(curve(i * 0.25)) + "\n";
+            write_bytes(folder / "data.csv", csv);
+            const Ending ending = play({"--hand", "trace", "--arm", arm, "--seconds", "400", "--json"});
+            EXPECT_LT(number(ending.out, "tick_off_mm"), 0.3) << arm << ending.out;
+            const Ending without = play({"--hand", "trace", "--arm", arm, "--seconds", "400", "--feel", "wall,curves", "--json"});
+            EXPECT_TRUE(std::isnan(number(without.out, "tick_off_mm"))) << arm << without.out;
+        }
+}
+
 // An upright line between the ways on which the hand looks, or none that is felt, and a walk that is cut short.
 TEST_F(PlayArm, SaysWhatItHasNotFoundOrEnded) {
     EXPECT_TRUE(holds(play({"--hand", "trace", "--feel", "wall,axes"}).err, "the hand found no curve"));
