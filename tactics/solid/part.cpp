@@ -283,7 +283,8 @@ std::vector<ModelPart> parts_of(const Model& whole, const PartWish& wish, const 
                                      path_of(model, place), std::to_string(shells.size())));
     }
     if (dropped > 0)
-        notes.push_back(phrase("{0} faces without area, or that were there twice, are left out", std::to_string(dropped)));
+        notes.push_back(phrases(dropped, "{0} face without area, or that was there twice, is left out",
+                                "{0} faces without area, or that were there twice, are left out"));
     return parts;
 }
 

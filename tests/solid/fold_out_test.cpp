@@ -321,6 +321,11 @@ TEST(FoldOut, BadFacesAreLeftOutAndTold) {
     EXPECT_FALSE(made.drawing.strokes.empty());
     ASSERT_FALSE(notes.empty());
     EXPECT_NE(notes.front().english().find("faces without area"), std::string::npos) << notes.front().english();
+    model.objects.back().count = 2;  // without the one that has no area
+    notes.clear();
+    fold_out(model, 170, 240, find_medium("swell", ""), {}, notes);
+    ASSERT_FALSE(notes.empty());
+    EXPECT_EQ(notes.front().english(), "1 face without area, or that was there twice, is left out");
     Model none;
     add_object(none, "None");
     add_face(none, {{0, 0, 0}, {50, 0, 0}, {100, 0, 0}});
