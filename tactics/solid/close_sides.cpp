@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tactics/geometry/vectors.h"
+#include "tactics/solid/largest_first.h"
 
 namespace tactics {
 
@@ -15,6 +16,7 @@ constexpr double kSideBySide = 0.05;  // sine: 3 degrees
 constexpr double kAcross = 0.1;       // cosine up to which a move does not leave the line that an end must stay on
 constexpr double kLong = 3;           // times the least distance: a strip is as long; what is shorter is a shape of its own
 constexpr double kSame = 1 - 1e-9;    // of a cosine
+constexpr double kAsLong = 1e-3;      // of a length, up to which another is the same, however the file was written
 constexpr double kFarthest = 1.5;     // times the least distance that an end may move in all
 constexpr std::size_t kMostCloseSides = 3000;  // every pair is looked at; a page with more is for no finger
 
@@ -43,7 +45,8 @@ std::optional<double> beside(const DrawnSide& line, const DrawnSide& other, doub
     if (!(last - first >= kLong * apart)) return std::nullopt;
     const auto off = [&](double at) { return off_from + (off_end - off_from) * (at - from) / (end - from); };
     const double a = off(first), b = off(last);
-    return a * b < 0 ? std::nullopt : std::optional(std::max(std::abs(a), std::abs(b)));
+    const bool crosses = a * b < 0 && std::min(std::abs(a), std::abs(b)) > kAsLong * apart;
+    return crosses ? std::nullopt : std::optional(std::max(std::abs(a), std::abs(b)));
 }
 
 class Uniting {
@@ -61,16 +64,30 @@ public:
     }
 
 private:
-    // The closest first. Of two the longer is kept, and one that is drawn whole rather than one that is dashed.
+    // The closest first. Of two the longer is kept, and one that is drawn whole rather than one that is dashed; of two as long
+    // that one which fewer others are close to, so that they need not move, too; else the first.
     std::vector<Pair> pairs() const {
         std::vector<Pair> found;
+        std::vector<std::size_t> close(sides_.size(), 0);
+        std::vector<double> distances;
         for (std::size_t i = 0; i < sides_.size(); ++i)
             for (std::size_t j = i + 1; j < sides_.size(); ++j) {
                 const bool first = weight(i) >= weight(j);
-                const std::size_t kept = first ? i : j, moved = first ? j : i;
-                const auto off = beside(sides_[kept], sides_[moved], apart_);
-                if (off && *off > 2 * touching_ && *off < apart_) found.push_back({*off, kept, moved});
+                const auto off = beside(sides_[first ? i : j], sides_[first ? j : i], apart_);
+                if (!off || !(*off > 2 * touching_ && *off < apart_)) continue;
+                found.push_back({*off, i, j});
+                distances.push_back(*off);
+                ++close[i];
+                ++close[j];
             }
+        make_alike(distances, 0, kAsLong * apart_);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            Pair& pair = found[i];
+            pair.apart = distances[i];
+            const double one = weight(pair.kept), two = weight(pair.moved);
+            const bool as_long = std::abs(one - two) <= kAsLong * std::max(one, two);
+            if (as_long ? close[pair.kept] > close[pair.moved] : one < two) std::swap(pair.kept, pair.moved);
+        }
         std::stable_sort(found.begin(), found.end(), [](const Pair& a, const Pair& b) { return a.apart < b.apart; });
         return found;
     }

@@ -52,6 +52,7 @@ Growth::Growth(const std::vector<ModelPart>& parts, const Panels& panels, const 
       thing_(thing),
       view_(view),
       wish_(wish),
+      worth_(parts, panels, view),
       hinges_(panels.panels.size()),
       has_kept_(parts.size(), 0),
       kept_boxes_(room_of(panels, view), panels.panels.size()),
@@ -199,37 +200,22 @@ PlacedPanel Growth::folded(const State& state, const Hinge& hinge, bool other_wa
 
 void Growth::grow(State& state, Strategy strategy, const std::vector<double>& favour) const {
     struct Next {
-        double worth;  // of those that are worth nearly the same the first in the list goes first, however the file was written
+        double worth;  // of those that are worth the same the first in the list goes first
         std::uint32_t hinge;
         bool other_way;
         bool operator<(const Next& than) const { return worth != than.worth ? worth < than.worth : hinge > than.hinge; }
     };
     std::priority_queue<Next> waiting;
-    const auto worth_of = [&](const Hinge& hinge, std::uint32_t child, int folds) {
-        const Panel& panel = panels_.panels[child];
-        const double share = length_of(hinge.one_to - hinge.one_from) / std::sqrt(panel.area + touching_ * touching_);
-        // By its own sides, if they have room.
-        if (panel.kind == PanelKind::hanging) return 1e-9 * share;
-        const double front = 1 + 0.3 * dot(panel.normal, view_.down);
-        switch (strategy) {
-            case Strategy::longest: return front * share;
-            case Strategy::broadest: return 10.0 / (1 + folds) + front * share / (1 + share);
-            case Strategy::largest: return front * panel.area;
-            case Strategy::nearest: return 1e6 + dot(middles_[child], view_.toward) + 2 * dot(middles_[child], view_.down);
-            case Strategy::deepest: return folds + front * share / (1 + share);
-        }
-        return 0.0;
-    };
     const auto open = [&](std::uint32_t panel) {
         const int folds = state.layout.panels[static_cast<std::size_t>(state.place[panel])].folds;
         // A fold that costs the reader more than a face is worth is not made.
         if (wish_.reader.fold + folds * wish_.reader.fold_again >= 1) return;
         for (const std::uint32_t number : hinges_[panel]) {
             const Hinge& hinge = panels_.hinges[number];
-            const std::uint32_t child = hinge.one == panel ? hinge.other : hinge.one;
+            const bool other_way = hinge.other == panel;
+            const std::uint32_t child = other_way ? hinge.one : hinge.other;
             if (may_add(state, child))
-                waiting.push({std::round(1000 * std::log(std::max(1e-300, favour[child] * worth_of(hinge, child, folds))) + 0.3),
-                              number, hinge.other == panel});
+                waiting.push({favour[child] * worth_.of(strategy, number, child, folds), number, other_way});
         }
     };
     for (std::size_t i = 0; i < state.layout.panels.size(); ++i) open(state.layout.panels[i].panel);

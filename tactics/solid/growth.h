@@ -5,18 +5,10 @@
 #include <vector>
 
 #include "tactics/geometry/growing_grid.h"
+#include "tactics/solid/fold_worth.h"
 #include "tactics/solid/layout.h"
 
 namespace tactics {
-
-/// Which of the possible folds is next.
-enum class Strategy : std::uint8_t {
-    longest,   ///< about the side that is longest against the panel's border
-    broadest,  ///< the fewest folds from what lies where it is
-    largest,   ///< of the largest panel
-    nearest,   ///< of the panel nearest to the reader
-    deepest,   ///< the most folds: strips
-};
 
 class Growth {
 public:
@@ -54,6 +46,7 @@ private:
     const std::vector<std::uint32_t>& thing_;
     ViewPlane view_;
     LayoutWish wish_;
+    FoldWorth worth_;
     double touching_ = 0;                             // mm
     std::vector<std::vector<std::uint32_t>> hinges_;  // of each panel
     std::vector<Point3> middles_;                     // of each panel

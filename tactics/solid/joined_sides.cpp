@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "tactics/solid/largest_first.h"
+
 namespace tactics {
 
 namespace {
@@ -30,11 +32,16 @@ double angle_of(const DrawnSide& side) {
     return angle >= std::numbers::pi - kAlike ? angle - std::numbers::pi : angle;
 }
 
-std::vector<SideStretch> put_together(std::vector<SideStretch> stretches, double touching) {
-    std::stable_sort(stretches.begin(), stretches.end(),
-                     [](const SideStretch& a, const SideStretch& b) { return a.from < b.from; });
+std::vector<SideStretch> put_together(const std::vector<SideStretch>& stretches, double touching) {
+    std::vector<double> begins;
+    for (const SideStretch& one : stretches) begins.push_back(one.from);
+    make_alike(begins, 0, touching);
+    std::vector<std::size_t> order(stretches.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return begins[a] < begins[b]; });
     std::vector<SideStretch> whole;
-    for (SideStretch one : stretches) {
+    for (const std::size_t next : order) {
+        SideStretch one = stretches[next];
         if (whole.empty() || one.from > whole.back().to + touching) {
             whole.push_back(one);
             continue;
@@ -47,6 +54,7 @@ std::vector<SideStretch> put_together(std::vector<SideStretch> stretches, double
             one.from = last.to;
             whole.push_back(one);
         } else {
+            last.from = std::min(last.from, one.from);
             last.to = std::max(last.to, one.to);
             last.twice = last.twice && one.twice;
             last.line = std::max(last.line, one.line);
@@ -163,27 +171,29 @@ std::vector<DrawnSide> merged(const std::vector<DrawnSide>& sides, double touchi
     constexpr double kAlike = 1e-4;  // radians
     std::vector<DrawnSide> result;
     std::vector<char> done(sides.size(), 0);
-    // By direction, so that only neighbours are compared.
+    // By direction, so that only neighbours are compared; of one direction in their order.
+    std::vector<double> angles;
+    for (const DrawnSide& side : sides) angles.push_back(angle_of(side));
+    make_alike(angles, 0, kAlike / 10);
     std::vector<std::size_t> order(sides.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return angle_of(sides[a]) < angle_of(sides[b]); });
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return angles[a] < angles[b]; });
     for (std::size_t i = 0; i < order.size(); ++i) {
         if (done[order[i]] != 0) continue;
         const DrawnSide& first = sides[order[i]];
-        const double length = distance(first.from, first.to), angle = angle_of(first);
+        const double length = distance(first.from, first.to);
         const Point along{(first.to.x - first.from.x) / length, (first.to.y - first.from.y) / length};
         const auto off = [&](Point at) { return std::abs((at.x - first.from.x) * along.y - (at.y - first.from.y) * along.x); };
         const auto on = [&](Point at) { return (at.x - first.from.x) * along.x + (at.y - first.from.y) * along.y; };
         std::vector<SideStretch> stretches;
-        for (std::size_t j = i; j < order.size() && angle_of(sides[order[j]]) <= angle + kAlike; ++j) {
+        for (std::size_t j = i; j < order.size() && angles[order[j]] <= angles[order[i]] + kAlike; ++j) {
             const DrawnSide& other = sides[order[j]];
             if (done[order[j]] != 0 || off(other.from) > 2 * touching || off(other.to) > 2 * touching) continue;
             done[order[j]] = 1;
             const auto [from, to] = std::minmax({on(other.from), on(other.to)});
             stretches.push_back({from, to, other.line, other.twice});
         }
-        for (const SideStretch& one : put_together(std::move(stretches), touching)) {
+        for (const SideStretch& one : put_together(stretches, touching)) {
             const auto at = [&](double t) { return Point{first.from.x + t * along.x, first.from.y + t * along.y}; };
             result.push_back({at(one.from), at(one.to), one.line, one.twice});
         }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -20,6 +21,25 @@ inline std::vector<std::size_t> largest_first(const std::vector<double>& sizes, 
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank[a] < rank[b]; });
     return order;
+}
+
+/// Numbers that differ from the next one by no more than the share `same`, or by `least_apart`, become one number, so that
+/// nothing else tells them apart.
+inline void make_alike(std::vector<double>& numbers, double same, double least_apart = 0) {
+    constexpr double kWidest = 10;  // times that: a row of numbers so close to each other is no single one
+    std::vector<std::size_t> order(numbers.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        const double least = numbers[order[begin]], margin = std::max(same * std::abs(least), least_apart);
+        double most = least;
+        for (end = begin + 1; end < order.size(); ++end) {
+            const double next = numbers[order[end]];
+            if (next > most + margin || next > least + kWidest * margin) break;
+            most = next;
+        }
+        for (std::size_t i = begin; i < end; ++i) numbers[order[i]] = least + (most - least) / 2;
+    }
 }
 
 }  // namespace tactics

@@ -11,6 +11,7 @@
 #include "tactics/solid/largest_first.h"
 #include "tactics/solid/named_part.h"
 #include "tactics/solid/ranks.h"
+#include "tactics/solid/settled.h"
 #include "tactics/solid/space_box.h"
 
 namespace tactics {
@@ -247,8 +248,7 @@ std::string_view name_of(PartForm form) {
 std::vector<ModelPart> parts_of(const Model& whole, const PartWish& wish, const std::vector<ObjectWish>& objects,
                                 std::vector<Phrase>& notes) {
     const bool has_many = corners_of(whole) > kMostWorkedCorners;
-    const Model fewer = has_many ? coarse(whole, notes) : Model{};
-    const Model& model = has_many ? fewer : whole;
+    const Model model = settled(has_many ? coarse(whole, notes) : whole);
     const double tolerance = kWeld * extent_of(model);
     const std::vector<PartWish> wishes = wishes_of(model, wish, objects);
     std::vector<ModelPart> parts;
@@ -283,7 +283,8 @@ std::vector<ModelPart> parts_of(const Model& whole, const PartWish& wish, const 
                                      path_of(model, place), std::to_string(shells.size())));
     }
     if (dropped > 0)
-        notes.push_back(phrase("{0} faces without area, or that were there twice, are left out", std::to_string(dropped)));
+        notes.push_back(phrases(dropped, "{0} face without area, or that was there twice, is left out",
+                                "{0} faces without area, or that were there twice, are left out"));
     return parts;
 }
 

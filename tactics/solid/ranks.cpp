@@ -24,6 +24,17 @@ std::vector<std::array<std::uint32_t, 3>> ranks_of(const std::vector<Point3>& pl
     return ranks;
 }
 
+std::vector<std::uint32_t> by_area_and_place(const std::vector<Point3>& areas, double same, const std::vector<Point3>& places,
+                                             double grain) {
+    const auto large = ranks_of(areas, same), where = ranks_of(places, grain);
+    std::vector<std::uint32_t> order(areas.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return large[a] != large[b] ? large[a] > large[b] : where[a] < where[b];
+    });
+    return order;
+}
+
 std::vector<Point3>::iterator first_corner(std::vector<Point3>& ring, double grain) {
     std::vector<std::size_t> left(ring.size());
     std::iota(left.begin(), left.end(), std::size_t{0});

@@ -13,7 +13,9 @@ namespace tactics {
 namespace {
 
 constexpr double kReachedShare = 0.5;  // of the places on a face that a hand comes to
-constexpr double kBehind = 1e-3;       // share of the room for a hand: a thing no farther behind a place lies on it
+constexpr double kSameWay = 0.99;      // cosine
+constexpr double kBent = 1e-3;         // of the extent, by which the corners of a face may be off one plane, and more
+constexpr double kBehind = 1.03e-3;    // share of the room for a hand: a thing no farther behind a place lies on it
 
 // Possible obstacles for a hand: all patches of a model.
 class Obstacles {
@@ -21,6 +23,7 @@ public:
     explicit Obstacles(const std::vector<ModelPart>& parts) : near_(boxes_of(parts)) {
         for (std::uint32_t part = 0; part < parts.size(); ++part) {
             extents_.push_back(space_of(parts[part]));
+            extent_ = std::max(extent_, extent_of(parts[part]));
             for (const Patch& patch : parts[part].solid.patches) patches_.push_back({part, &patch});
         }
     }
@@ -35,7 +38,8 @@ public:
             const double toward = dot(patch->normal, normal);
             if (std::abs(toward) < 1e-9 || apart(ray, extents_[part]) > 0) return false;
             const double along = dot(patch->normal, patch->rings.front().front() - at) / toward;
-            return along > (part == own ? kBehind : -kBehind) * hand && along < hand &&
+            if (part == own && toward > kSameWay && std::abs(along) < kBent * extent_) return false;  // it is the face itself
+            return along > (part == own ? kBehind : -kBehind) * hand && along < (1 - kBehind) * hand &&
                    is_over(at + along * normal, patch->normal, patch->rings);
         });
     }
@@ -54,6 +58,7 @@ private:
         return boxes;
     }
 
+    double extent_ = 0;                                            // mm, the longest of a part
     std::vector<SpaceBox> extents_;                                // of parts
     std::vector<std::pair<std::uint32_t, const Patch*>> patches_;  // and their parts
     SpaceGrid near_;
@@ -67,12 +72,15 @@ void find_reached(Panels& made, const std::vector<ModelPart>& parts, const Reach
     for (Panel& panel : made.panels) {
         panel.reached = false;
         if (panel.rings.empty()) continue;
-        std::vector<Point3> places = {middle_of(panel)};
-        for (const Point3& corner : panel.rings.front()) places.push_back(places.front() + 0.6 * (corner - places.front()));
+        // Shares that nobody builds by, so that no place lies just below the border of something else.
+        const Point3 middle = middle_of(panel);
+        std::vector<Point3> places = {middle + 0.0173 * (panel.rings.front().front() - middle)};
+        for (const Point3& corner : panel.rings.front()) places.push_back(middle + 0.6127 * (corner - middle));
         std::erase_if(places, [&](const Point3& at) { return !is_over(at, panel.normal, panel.rings); });
         std::size_t free = 0;
         for (const Point3& at : places) {
-            const bool grounded = wish.floor && panel.normal.z < -0.5 && at.z + wish.hand * panel.normal.z < floor;
+            const bool grounded =
+                wish.floor && panel.normal.z < -0.5 && at.z + wish.hand * panel.normal.z < floor - kBehind * wish.hand;
             free += !grounded && !obstacles.cover(at, panel.normal, panel.part, wish.hand);
         }
         panel.reached = places.empty() || static_cast<double>(free) >= kReachedShare * static_cast<double>(places.size());

@@ -285,7 +285,21 @@ std::vector<Seam> whole_seams(std::vector<Seam> seams, double tolerance) {
     return whole;
 }
 
-// The first corner of each ring, and the order of patches, do not depend on the order of the faces.
+// The first corner of each ring, and the order of holes of one size.
+void put_rings_in_order(Patch& patch, double grain) {
+    std::vector<Point3> begins, areas;
+    for (auto& ring : patch.rings) {
+        std::rotate(ring.begin(), first_corner(ring, grain), ring.end());
+        begins.push_back(ring.front());
+        areas.push_back({dot(patch.normal, doubled(ring)), 0, 0});
+    }
+    std::vector<std::vector<Point3>> rings;
+    for (const std::uint32_t i : by_area_and_place(areas, 1e-4 * std::abs(areas.front().x), begins, grain))
+        rings.push_back(std::move(patch.rings[i]));
+    patch.rings = std::move(rings);
+}
+
+// That, and the order of patches, do not depend on the order of the faces.
 void put_in_order(Solid& solid, double tolerance) {
     const double grain = kCertain * tolerance;
     double largest = 0;
@@ -294,14 +308,10 @@ void put_in_order(Solid& solid, double tolerance) {
         largest = std::max(largest, patch.area);
         middles.push_back(middle_of(patch));
         areas.push_back({patch.area, 0, 0});
-        for (auto& ring : patch.rings) std::rotate(ring.begin(), first_corner(ring, grain), ring.end());
+        put_rings_in_order(patch, grain);
     }
-    const auto where = ranks_of(middles, grain), large = ranks_of(areas, 1e-4 * largest);
-    std::vector<std::uint32_t> order(solid.patches.size()), place(order.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return large[a] != large[b] ? large[a] > large[b] : where[a] < where[b];
-    });
+    const std::vector<std::uint32_t> order = by_area_and_place(areas, 1e-4 * largest, middles, grain);
+    std::vector<std::uint32_t> place(order.size());
     std::vector<Patch> patches;
     for (std::uint32_t i = 0; i < order.size(); ++i) {
         place[order[i]] = i;

@@ -2,13 +2,17 @@
 // Whether a model gives the same drawing however its file was written: corners off by a millionth of its extent, faces and their
 // corners in another order, lengths in another unit, faces cut into triangles with corners of some on the sides of others.
 //
-//   fold_stability MODEL...   a line a model, and how many of them stay the same; ends with 1 if any does not
+//   fold_stability MODEL...   two lines a model, and how many of them stay the same; ends with 1 if any does not
 //
-// The same: what was done with each object, and each place of a line within 0.5 mm of a line of the other drawing.
+// The drawing is the same: what was done with each object, and each place of a line within 0.5 mm of a line of the other.
+// The page is the same: its lines likewise, on a sheet of the same shape, and each name beside the same place, in the same words
+// or letters. It is laid out and mended as for `convert`, on swell paper that may be turned.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <random>
 #include <string>
 #include <tuple>
@@ -18,6 +22,10 @@
 #include "tactics/error.h"
 #include "tactics/geometry/course.h"
 #include "tactics/geometry/triangulate.h"
+#include "tactics/job/mending.h"
+#include "tactics/job/model_drawing.h"
+#include "tactics/job/wishes.h"
+#include "tactics/layout/lay_out.h"
 #include "tactics/readers/model.h"
 #include "tactics/solid/fold_out.h"
 
@@ -117,25 +125,40 @@ Model split(const Model& model) {
     return made;
 }
 
-FoldOut drawn(const Model& model, double unit = 1) {
+FoldOut drawn(const Model& model, double unit) {
     std::vector<Phrase> notes;
     FoldWish wish;
     wish.reach.hand *= unit;
     return fold_out(model, kWidth, kHeight, find_medium("swell", ""), wish, notes);
 }
 
+Page page_of(const Model& model, double unit) {
+    const Wishes wishes;
+    const Output output = output_to("page.svg");
+    const Sheet sheet = sheet_for(wishes, *output.format, {"model", {output}});
+    ModelDrawingWish wish;
+    wish.fold.reach.hand *= unit;
+    ModelDrawing drawing(std::make_shared<const Model>(model), wish);
+    const Drawing& made = drawing.on(sheet).drawing;
+    const Arrangement first = arrange(sheet, made.width / made.height);
+    const double width = first.place.drawing.width;
+    const Mended mended = mend_for(*sheet.medium, width, scaled_to(made, width), false);
+    return lay_out(mended.drawing, sheet, arrange(sheet, mended.drawing.width / mended.drawing.height));
+}
+
 // The share of a drawing's lines that lie on no line of the other.
-double elsewhere(const Drawing& one, const Drawing& other) {
+template <typename Lines>
+double elsewhere(const Lines& one, const Lines& other) {
     constexpr double kStep = 1;
     std::size_t all = 0, off = 0;
     const auto is_on = [&](Point at) {
-        for (const Stroke& stroke : other.strokes)
+        for (const auto& stroke : other.strokes)
             for (std::size_t i = 0; i + (stroke.closed ? 0 : 1) < stroke.points.size(); ++i)
                 if (distance_to_segment(at, stroke.points[i], stroke.points[(i + 1) % stroke.points.size()]) <= kSame)
                     return true;
         return false;
     };
-    for (const Stroke& stroke : one.strokes)
+    for (const auto& stroke : one.strokes)
         for (std::size_t i = 0; i + (stroke.closed ? 0 : 1) < stroke.points.size(); ++i) {
             const Point a = stroke.points[i], b = stroke.points[(i + 1) % stroke.points.size()];
             const int steps = 1 + static_cast<int>(distance(a, b) / kStep);
@@ -161,32 +184,66 @@ std::size_t otherwise(const FoldOut& one, const FoldOut& other) {
     return count;
 }
 
+// Names that are not there on the other page, or name another place or in another way.
+std::size_t named_otherwise(const Page& one, const Page& other) {
+    std::size_t count = std::max(one.names.size(), other.names.size());
+    std::vector<char> taken(other.names.size(), 0);
+    for (const PageName& name : one.names)
+        for (std::size_t i = 0; i < other.names.size(); ++i) {
+            const PageName& its = other.names[i];
+            if (taken[i] != 0 || its.text != name.text || its.key != name.key || distance(its.thing, name.thing) > kSame ||
+                distance(its.place.middle(), name.place.middle()) > kSame)
+                continue;
+            taken[i] = 1;
+            --count;
+            break;
+        }
+    return count;
+}
+
+bool is_told_same(const char* way, std::size_t others, const char* what, double lines) {
+    const bool is_same = others == 0 && lines == 0;
+    if (is_same)
+        std::printf(" %s same;", way);
+    else
+        std::printf(" %s: %zu %s otherwise, %.1f %% of the lines elsewhere;", way, others, what, 100 * lines);
+    return is_same;
+}
+
+template <typename Lines>
+double either_elsewhere(const Lines& one, const Lines& other) {
+    return std::max(elsewhere(one, other), elsewhere(other, one));
+}
+
 }  // namespace
 
 int main(int count, char** words) {
     const std::pair<const char*, std::function<Model(const Model&)>> ways[] = {
         {"trembling", trembling}, {"reordered", reordered}, {"another unit", in_another_unit}, {"split", split}};
-    std::size_t models = 0, same[std::size(ways)] = {};
+    constexpr double kUnits[] = {1, 1, 10, 1};
+    std::size_t models = 0, same[std::size(ways)] = {}, same_pages[std::size(ways)] = {};
     for (int i = 1; i < count; ++i) {
         const std::string path = words[i];
         try {
             std::vector<Phrase> notes;
             Source source = open_source(path);
             const Model model = read_model(source, notes);
-            const FoldOut first = drawn(model);
+            const FoldOut first = drawn(model, 1);
+            const Page page = page_of(model, 1);
             ++models;
-            std::printf("%s:", path.substr(path.find_last_of('/') + 1).c_str());
+            const std::string name = path.substr(path.find_last_of('/') + 1);
+            std::printf("%s: drawing", name.c_str());
             for (std::size_t way = 0; way < std::size(ways); ++way) {
-                const FoldOut other = drawn(ways[way].second(model), way == 2 ? 10 : 1);
-                const std::size_t objects = otherwise(first, other);
-                const double lines = std::max(elsewhere(first.drawing, other.drawing), elsewhere(other.drawing, first.drawing));
-                const bool is_same = objects == 0 && lines == 0;
-                same[way] += is_same;
-                if (is_same)
-                    std::printf(" %s same;", ways[way].first);
-                else
-                    std::printf(" %s: %zu objects otherwise, %.1f %% of the lines elsewhere;", ways[way].first, objects,
-                                100 * lines);
+                const FoldOut other = drawn(ways[way].second(model), kUnits[way]);
+                same[way] += is_told_same(ways[way].first, otherwise(first, other), "objects",
+                                          either_elsewhere(first.drawing, other.drawing));
+            }
+            std::printf("\n%s: page", name.c_str());
+            for (std::size_t way = 0; way < std::size(ways); ++way) {
+                const Page other = page_of(ways[way].second(model), kUnits[way]);
+                const bool turned = std::abs(page.width - other.width) > kSame;
+                same_pages[way] += is_told_same(ways[way].first, named_otherwise(page, other), "names",
+                                                turned ? 1 : either_elsewhere(page, other));
             }
             std::printf("\n");
             std::fflush(stdout);
@@ -196,8 +253,8 @@ int main(int count, char** words) {
     }
     bool all = true;
     for (std::size_t way = 0; way < std::size(ways); ++way) {
-        std::printf("%s: %zu of %zu the same\n", ways[way].first, same[way], models);
-        all = all && same[way] == models;
+        std::printf("%s: %zu drawings and %zu pages of %zu the same\n", ways[way].first, same[way], same_pages[way], models);
+        all = all && same[way] == models && same_pages[way] == models;
     }
     return all ? 0 : 1;
 }

@@ -105,5 +105,26 @@ TEST(CloseSides, OfManyBoxesInARowKeepTheirDistanceAndTheirConnections) {
     }
 }
 
+// A board before a strip: if its own two edges became one on the side of the strip, the strip would be lost, too.
+TEST(CloseSides, OfTwoAsLongTheOneMovesThatOthersAreCloseTo) {
+    for (const bool turned : {false, true})
+        for (const double noise : {-1e-9, 0.0, 1e-9}) {
+            std::vector<DrawnSide> sides = {side({60, 0}, {60, 40}), side({62, 0}, {62, 40 + noise}),
+                                            side({63.2, 0}, {63.2, 40})};
+            if (turned) std::reverse(sides.begin(), sides.end());
+            EXPECT_EQ(unite_close(sides, kTouching, kApart), 1u);
+            ASSERT_EQ(sides.size(), 2u);
+            EXPECT_NEAR(least_distance(sides), 3.2, 0.01);
+        }
+}
+
+// It begins on the other, or before it by the last digit of a file.
+TEST(CloseSides, AWedgeIsTheSameWhereverItsTipEnds) {
+    for (const double noise : {-1e-9, 0.0, 1e-9}) {
+        std::vector<DrawnSide> sides = {side({0, 0}, {60, 0}), side({0, noise}, {60, 1.5})};
+        EXPECT_EQ(unite_close(sides, kTouching, kApart), 1u) << noise;
+    }
+}
+
 }  // namespace
 }  // namespace tactics::close_sides_test

@@ -94,6 +94,19 @@ TEST(FoldOut, AStoveBetweenCupboardsShowsItsTopAndItsFront) {
     EXPECT_EQ(shown, 2);
 }
 
+// Its corners are a millimetre off one plane, which is nothing in twenty metres: the face does not lie on itself.
+TEST(FoldOut, ABentFaceIsReached) {
+    Model hall;
+    add_box(hall, "Hall", -1, {0, 0, 2500}, {20000, 12000, 5000});
+    for (Point3& at : hall.vertices)
+        if (at.z > 4000 && at.x * at.y > 0) at.z += 1.5;
+    const Folded made = folded(hall);
+    int reached = 0;
+    for (const Panel& panel : made.panels.panels) reached += panel.reached;
+    EXPECT_EQ(reached, 5);
+    EXPECT_EQ(made.layout.panels.size(), 5u);
+}
+
 TEST(FoldOut, APyramidOnItsBaseOpensAsAStar) {
     Model model;
     add_object(model, "Pyramid");
@@ -308,6 +321,11 @@ TEST(FoldOut, BadFacesAreLeftOutAndTold) {
     EXPECT_FALSE(made.drawing.strokes.empty());
     ASSERT_FALSE(notes.empty());
     EXPECT_NE(notes.front().english().find("faces without area"), std::string::npos) << notes.front().english();
+    model.objects.back().count = 2;  // without the one that has no area
+    notes.clear();
+    fold_out(model, 170, 240, find_medium("swell", ""), {}, notes);
+    ASSERT_FALSE(notes.empty());
+    EXPECT_EQ(notes.front().english(), "1 face without area, or that was there twice, is left out");
     Model none;
     add_object(none, "None");
     add_face(none, {{0, 0, 0}, {50, 0, 0}, {100, 0, 0}});
