@@ -16,6 +16,7 @@
 #include "filters/edge_noise.h"
 #include "filters/map_choice.h"
 #include "filters/plain_contours.h"
+#include "filters/thick_lines.h"
 #include "filters/thin_lines.h"
 #include "tactics/filter.h"
 #include "tactics/units.h"
@@ -100,6 +101,10 @@ void leave_the_border(EdgeMap& map, double sigma) {
         }
 }
 
+// The two edges of what is narrower have no room beside each other: 3.2 mm of ground (filters/separate.cpp) and the lines
+// themselves. What is wider may be a bar; if it is bent it is a line of a very broad pen.
+constexpr double kNoRoom = 4.2, kWidestPen = 7;  // mm
+
 // What is stronger is no noise, however much of it is taken off as texture, if half of that is left.
 constexpr double kLeft = 0.5;
 
@@ -145,7 +150,14 @@ Artwork apply_contours(Artwork artwork, const Settings& settings) {
     leave_the_border(thin, sigma);
     drop_below(thin, static_cast<float>(kLeft * map.noise));
     // The edges beside a line stand a blur away from it, and no more than half of one farther.
-    add_thin_lines(thin, picture, settings.number("lines") / mm, 1.5 * sigma);
+    const double lines = settings.number("lines") / mm;
+    add_thin_lines(thin, picture, lines, 1.5 * sigma);
+    if (lines > 0) {
+        // What is narrower is a thin line. Of three pixels that are as coarse as the blur both edges are one.
+        const double narrowest = 2 * std::ceil(lines / 2) + (lines < 3 ? 1.5 : 0.5);
+        add_thick_lines(thin, picture, {narrowest, kNoRoom / mm, false}, 1.5 * sigma);
+        add_thick_lines(thin, picture, {std::max(narrowest, kNoRoom / mm), kWidestPen / mm, true}, 1.5 * sigma);
+    }
     return thin;
 }
 

@@ -18,30 +18,6 @@ namespace {
 
 using Colour = std::array<int, 3>;
 
-// The commonest colour, within an eighth of the range: grain spreads a ground over some levels.
-Colour ground_of(const Image& image) {
-    constexpr int kShift = 5, kCells = 8;
-    struct Cell {
-        std::size_t count = 0;
-        std::array<std::size_t, 3> sum{};
-    };
-    std::vector<Cell> cells(kCells * kCells * kCells);
-    const auto channels = static_cast<std::size_t>(image.channels);
-    for (std::size_t i = 0; i + channels <= image.pixels.size(); i += channels) {
-        const std::uint8_t* pixel = &image.pixels[i];
-        const std::array<int, 3> colour{pixel[0], pixel[channels == 3 ? 1 : 0], pixel[channels == 3 ? 2 : 0]};
-        Cell& cell = cells[static_cast<std::size_t>(((colour[0] >> kShift) * kCells + (colour[1] >> kShift)) * kCells +
-                                                    (colour[2] >> kShift))];
-        ++cell.count;
-        for (std::size_t c = 0; c < 3; ++c) cell.sum[c] += static_cast<std::size_t>(colour[c]);
-    }
-    const Cell& most =
-        *std::max_element(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.count < b.count; });
-    Colour ground{};
-    for (std::size_t c = 0; c < 3; ++c) ground[c] = static_cast<int>(most.sum[c] / std::max<std::size_t>(1, most.count));
-    return ground;
-}
-
 // 1: ink is darker than the ground, -1: lighter. It begins sharply, which paper that is lit unevenly does not.
 int sign_of_ink(const Image& image, const Colour& ground) {
     constexpr int kInk = 48, kGround = 24;  // grey levels off the ground
@@ -67,6 +43,30 @@ int sign_of_ink(const Image& image, const Colour& ground) {
 }
 
 }  // namespace
+
+// The commonest colour, within an eighth of the range: grain spreads a ground over some levels.
+std::array<int, 3> ground_of(const Image& image) {
+    constexpr int kShift = 5, kCells = 8;
+    struct Cell {
+        std::size_t count = 0;
+        std::array<std::size_t, 3> sum{};
+    };
+    std::vector<Cell> cells(kCells * kCells * kCells);
+    const auto channels = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; i + channels <= image.pixels.size(); i += channels) {
+        const std::uint8_t* pixel = &image.pixels[i];
+        const std::array<int, 3> colour{pixel[0], pixel[channels == 3 ? 1 : 0], pixel[channels == 3 ? 2 : 0]};
+        Cell& cell = cells[static_cast<std::size_t>(((colour[0] >> kShift) * kCells + (colour[1] >> kShift)) * kCells +
+                                                    (colour[2] >> kShift))];
+        ++cell.count;
+        for (std::size_t c = 0; c < 3; ++c) cell.sum[c] += static_cast<std::size_t>(colour[c]);
+    }
+    const Cell& most =
+        *std::max_element(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.count < b.count; });
+    Colour ground{};
+    for (std::size_t c = 0; c < 3; ++c) ground[c] = static_cast<int>(most.sum[c] / std::max<std::size_t>(1, most.count));
+    return ground;
+}
 
 Image ink_on_white(const Image& image) {
     const Colour ground = ground_of(image);

@@ -2,6 +2,8 @@
 // Ink of any colour on a background of any colour.
 #pragma once
 
+#include <array>
+
 #include "tactics/image.h"
 
 namespace tactics {
@@ -9,5 +11,8 @@ namespace tactics {
 /// A grey picture: white where the picture has its commonest colour, and darker the more a colour differs from it in one channel.
 /// On a light background only darker colours count, on a dark one only lighter colours.
 Image ink_on_white(const Image& picture);
+
+/// The commonest colour; of a grey picture the same three times.
+std::array<int, 3> ground_of(const Image& picture);
 
 }  // namespace tactics

@@ -14,8 +14,11 @@
 #include "filters/dash_rows.h"
 #include "filters/inked_fills.h"
 #include "filters/inked_points.h"
+#include "filters/noisy_curves.h"
 #include "filters/opencv.h"
+#include "filters/pale_fills.h"
 #include "filters/plot_symbols.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -194,6 +197,23 @@ void take_dashes(Image& picture, const std::vector<DashRow>& rows, KnownParts& p
     if (!ink_of_all.empty()) paint_over(picture, ink, ink_of_all);
 }
 
+void take_noisy_curves(Image& picture, KnownParts& parts) {
+    const Image ink = ink_of_dashes(picture);
+    const double mm = picture.mm_per_pixel;
+    std::vector<Run> all;
+    for (const NoisyCurve& curve : noisy_curves_in(picture)) {
+        Stroke stroke{{}, false, LineClass::normal, kStrength, Role::line};
+        for (const Point& p : curve.course) stroke.points.push_back({p.x * mm, p.y * mm});
+        parts.strokes.push_back(std::move(stroke));
+        ++parts.noisy;
+        for (const auto& [foot, tip] : curve.spikes)
+            parts.strokes.push_back(
+                {{{foot.x * mm, foot.y * mm}, {tip.x * mm, tip.y * mm}}, false, LineClass::normal, kStrength});
+        all.insert(all.end(), curve.ink.begin(), curve.ink.end());
+    }
+    if (!all.empty()) paint_over(picture, ink, all);
+}
+
 }  // namespace
 
 void KnownParts::add_to(Drawing& drawing) && {
@@ -204,10 +224,24 @@ void KnownParts::add_to(Drawing& drawing) && {
     std::move(areas.begin(), areas.end(), std::back_inserter(drawing.areas));
 }
 
+std::vector<Phrase> KnownParts::told() const {
+    std::vector<Phrase> told;
+    if (left_out > 0)
+        told.push_back(phrases(left_out, "{0} pale surface is left out, as a curve runs along its border.",
+                               "{0} pale surfaces are left out, as curves run along their borders."));
+    if (noisy > 0)
+        told.push_back(
+            phrases(noisy, "{0} curve goes up and down faster than a finger can follow, and is drawn through the middle of that.",
+                    "{0} curves go up and down faster than a finger can follow, and are drawn through the middle of that."));
+    return told;
+}
+
 KnownParts take_known_parts(Image& picture, bool fills) {
     KnownParts parts;
     if (fills) parts.areas = take_fills(picture);
+    if (fills && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
     const double mm = picture.mm_per_pixel;
+    take_noisy_curves(picture, parts);
     // On a dark ground of its own a head is only seen by how black it is, on white a pale one by its colour.
     KnownRows rows;
     for (const bool by_colour : {true, false}) {

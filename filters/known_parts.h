@@ -3,19 +3,24 @@
 // knows them by that form, so they are looked for first and drawn as such; what is left is drawn by the recipe.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "tactics/drawing.h"
 #include "tactics/image.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
 /// In mm, from the picture's left and top.
 struct KnownParts {
     std::vector<Stroke> strokes;  ///< Role::arrow: a head, from barb to tip to barb; Role::dash, Role::dots: such a line, whole
+    std::size_t noisy = 0;        ///< of the strokes: curves through the middle of their noise (noisy_curves.h)
+    std::size_t left_out = 0;     ///< colours of pale surfaces behind curves (pale_fills.h)
     std::vector<Area> areas;      ///< Role::symbol: a point; with a texture: a surface
 
     void add_to(Drawing& drawing) &&;
+    std::vector<Phrase> told() const;  ///< what a reader of the picture would not expect
 };
 
 /// Takes them out of the picture, which has its size in mm; the lines that heads and points were on stay whole. With `fills`

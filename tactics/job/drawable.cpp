@@ -83,7 +83,11 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
         if (chooses) way.detail = choose_detail(fitting, picture, on, place, as_drawn);
         KnownParts parts = known_parts_of(picture, recipe);
         Drawing drawing = drawing_of(run_settling(fitting, std::move(picture), way.chosen));
-        if (!drawing.picture) std::move(parts).add_to(drawing);
+        if (!drawing.picture) {
+            way.told = parts.told();
+            drawing.remarks.insert(drawing.remarks.end(), way.told.begin(), way.told.end());
+            std::move(parts).add_to(drawing);
+        }
         if (way.detail) drawing.remarks.push_back(remark_on(*way.detail));
         way.steps = steps_of(fitting);
         return drawing;

@@ -24,6 +24,7 @@ struct DrawingWay {
     std::vector<ChosenSetting> chosen;        ///< what they chose for the picture, and why
     std::string chart_json = {};              ///< of a chart, if requested
     std::optional<DetailChoice> detail = {};  ///< if the wishes leave it to the medium
+    std::vector<Phrase> told = {};            ///< of parts that are drawn otherwise than in the picture
     bool finer = false;                       ///< the picture has more pixels than were used: a larger sheet shows more
 };
 

@@ -187,8 +187,8 @@ private:
             begin(JobStep::drawing);
             DrawingWay way;
             Drawing drawing = from_.draw(sheet, place, from_.part, from_.words, way);
-            finer_ = way.finer;
-            detail_ = std::move(way.detail);
+            finer_ = way.finer, detail_ = std::move(way.detail);
+            for (const Phrase& told : way.told) tell_once(to_act_on(told));
             fit_shape(sheet, drawing, arrangement);
             mended_ = mend_for(*sheet.medium, arrangement.place.drawing.width, std::move(drawing),
                                job_.chain.as_drawn || from_.made_for_sheet);
