@@ -107,6 +107,7 @@ std::string words_json(const ToldWords& words) {
     json.add("text", words.text);
     json.add("sureness", words.sureness);
     json.add_raw("set", words.set ? "true" : "false");
+    if (words.out) json.add_raw("left_out", "true");
     json.add("x_percent", words.x);
     json.add("y_percent", words.y);
     return json.text();

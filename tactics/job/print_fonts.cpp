@@ -35,15 +35,31 @@ FontShape shape_of(const Letter& letter) {
     return shape;
 }
 
+FontShapes shapes_of(const FontLetters& font, const std::vector<char32_t>& codes, Hinting hinting, double em) {
+    FontShapes shapes;
+    for (const auto& [code, letter] : font(codes, hinting, em))
+        if (FontShape shape = shape_of(letter); !shape.rings.empty()) shapes.emplace(code, std::move(shape));
+    return shapes;
+}
+
+// Of the font with that number. Plotting programs bend letters upwards and downwards, and leave their widths.
+FontShapes bent_shapes(std::size_t number, const std::vector<char32_t>& codes, double em) {
+    FontShapes shapes;
+    each_font([&](const FontLetters& font) {
+        if (number-- > 0) return true;
+        shapes = shapes_of(font, codes, Hinting::light, em);
+        return false;
+    });
+    return shapes;
+}
+
 }  // namespace
 
-void each_print_font(const std::vector<char32_t>& codes, const std::function<bool(FontShapes)>& goes_on) {
+void each_print_font(const std::vector<char32_t>& codes, const std::function<bool(PrintFont)>& goes_on) {
     std::size_t number = 0;
     each_font([&](const FontLetters& font) {
-        FontShapes shapes;
-        for (const auto& [code, letter] : font(codes, Hinting::none, 0))
-            if (FontShape shape = shape_of(letter); !shape.rings.empty()) shapes.emplace(code, std::move(shape));
-        return goes_on(std::move(shapes)) && ++number < kMostFonts;
+        const auto bent = [number, codes](double em) { return bent_shapes(number, codes, em); };
+        return goes_on({shapes_of(font, codes, Hinting::none, 0), bent}) && ++number < kMostFonts;
     });
 }
 

@@ -7,6 +7,6 @@
 namespace tactics {
 
 /// The fonts that drawing and plotting programs use, some dozens.
-void each_print_font(const std::vector<char32_t>& codes, const std::function<bool(FontShapes)>& goes_on);
+void each_print_font(const std::vector<char32_t>& codes, const std::function<bool(PrintFont)>& goes_on);
 
 }  // namespace tactics

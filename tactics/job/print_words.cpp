@@ -212,16 +212,24 @@ double first_ink(Reading& reading, const Lettering& lettering) {
 
 // A person must look at each, but of many pictures a line for each picture is enough to send them there.
 void add_unsure(Notes& notes, const PrintWords& words) {
-    std::vector<const ToldWords*> left;
-    for (std::size_t i = 0; i < words.told.size(); ++i)
-        if (!words.told[i].set && !(words.remove_all && words.lettering.words[i].print)) left.push_back(&words.told[i]);
-    const std::size_t count = left.size();
-    if (count > 1)
-        notes.push_back(
-            to_act_on(phrase("print at {0} places was not read for sure and is left in the lines; look it over, and give "
+    for (const bool out : {false, true}) {
+        std::vector<const ToldWords*> left;
+        for (std::size_t i = 0; i < words.told.size(); ++i)
+            if (const ToldWords& one = words.told[i];
+                one.out == out && !one.set && !(words.remove_all && words.lettering.words[i].print))
+                left.push_back(&one);
+        const std::string count = std::to_string(left.size());
+        if (left.size() > 1)
+            notes.push_back(to_act_on(
+                out ? phrase("print at {0} places was not read for sure and is left out of the lines; look it over, and give "
                              "what is words with {1}",
-                             std::to_string(count), spelled("label"))));
-    for (const ToldWords* one : left) notes.push_back({unsure_line(*one), count > 1 ? Note::Kind::know : Note::Kind::act});
+                             count, spelled("label"))
+                    : phrase("print at {0} places was not read for sure and is left in the lines; look it over, and give "
+                             "what is words with {1}",
+                             count, spelled("label"))));
+        for (const ToldWords* one : left)
+            notes.push_back({unsure_line(*one), left.size() > 1 ? Note::Kind::know : Note::Kind::act});
+    }
 }
 
 // Words of a legend stand at what their samples show.
@@ -296,7 +304,12 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
     want_places(words.told, std::move(places));
     place_legend(words, reading);
     // What stays in the lines stays there as a whole.
-    for (std::size_t i = 0; i < words.told.size(); ++i) lettering.words[i].sure = words.told[i].set;
+    for (std::size_t i = 0; i < words.told.size(); ++i) {
+        PrintedWords& one = lettering.words[i];
+        one.out = !words.told[i].set && (one.out || one.sure);
+        one.sure = words.told[i].set;
+        words.told[i].out = one.out;
+    }
     const auto set = std::count_if(words.told.begin(), words.told.end(), [](const ToldWords& one) { return one.set; });
     if (set > 0)
         words.notes.push_back(
@@ -309,19 +322,36 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
 }
 
 Phrase unsure_line(const ToldWords& words) {
+    const std::string x = tenths(words.x), y = tenths(words.y), sureness = to_text(std::round(words.sureness));
+    const auto label = spelled("label");
+    const bool faint = words.sureness < kSureEnough;
+    if (words.out && words.text.empty())
+        return phrase(
+            "print at {0} %, {1} % was not read and is left out of the lines; give its words with {2} \"{0}%,{1}%=...\"", x, y,
+            label);
+    if (words.out && !faint)
+        return phrase(
+            "print at {0} %, {1} % was read as \"{2}\", which a second look did not confirm, and is left out of the lines; give "
+            "its words with {3} \"{0}%,{1}%=...\"",
+            x, y, words.text, label);
+    if (words.out)
+        return phrase(
+            "print at {0} %, {1} % was read as \"{2}\" with little sureness ({3} of 100) and is left out of the lines; give its "
+            "words with {4} \"{0}%,{1}%=...\"",
+            x, y, words.text, sureness, label);
     if (words.text.empty())
         return phrase(
-            "print at {0} %, {1} % was not read and is left in the lines; if it is words, give it with {2} \"{0}%,{1}%=...\"",
-            tenths(words.x), tenths(words.y), spelled("label"));
-    if (words.sureness >= kSureEnough)
+            "print at {0} %, {1} % was not read and is left in the lines; if it is words, give it with {2} \"{0}%,{1}%=...\"", x,
+            y, label);
+    if (!faint)
         return phrase(
             "print at {0} %, {1} % was read as \"{2}\", which a second look did not confirm, and is left in the lines; if it is "
             "words, give it with {3} \"{0}%,{1}%=...\"",
-            tenths(words.x), tenths(words.y), words.text, spelled("label"));
+            x, y, words.text, label);
     return phrase(
         "print at {0} %, {1} % was read as \"{2}\" with little sureness ({3} of 100) and is left in the lines; if it is "
         "words, give it with {4} \"{0}%,{1}%=...\"",
-        tenths(words.x), tenths(words.y), words.text, to_text(std::round(words.sureness)), spelled("label"));
+        x, y, words.text, sureness, label);
 }
 
 }  // namespace tactics

@@ -28,6 +28,7 @@ struct ToldWords {
     Point wanted = {};   ///< preferred place of the braille, also in percent
     bool loose = false;  ///< anywhere near that place
     bool title = false;  ///< it is part of the page's title, and no name in the drawing
+    bool out = false;    ///< it is not set, and taken out of the lines all the same, as no finger reads print
 };
 
 /// The print in one picture.
@@ -39,7 +40,7 @@ struct PrintWords {
     std::vector<Rect> samples = {};  ///< of a legend whose words stand at the things themselves, in percent
     std::string title = {};          ///< title of the figure, if it has a long one; empty: none, or the user gave one
 
-    /// Paints over the print that does not stay in the drawing. Uncertain print stays, because nothing replaces it.
+    /// Paints over the print that does not stay in the drawing. What may be drawn stays, and is reported.
     void take_from(Image& picture) const;
     bool any_set() const;
     /// On a drawing of that part of the picture (in shares of its sides); names may lie outside of it.

@@ -15,8 +15,10 @@ struct Likely {
     double mean, least;
     bool holds(const FormReading& reading) const { return reading.mean >= mean && reading.least >= least; }
 };
-constexpr Likely kBothSay{0.8, 0.7}, kBothSayOfFew{0.84, 0.78}, kOfKnownSize{0.85, 0.74}, kOfItself{0.93, 0.85},
-    kAlone{0.86, 0.86}, kTold{0.75, 0.6};
+constexpr Likely kBothSay{0.8, 0.7}, kBothSayOfFew{0.84, 0.78}, kOfKnownSize{0.85, 0.74}, kOfItself{0.93, 0.85}, kTold{0.75, 0.6};
+// Print of few pixels is less like its letters, and still unlike all others: by these margins each letter must beat the next.
+constexpr Likely kSmallBothSay{0.72, 0.62}, kSmallOfKnownSize{0.8, 0.7};
+constexpr double kMargin = 0.03, kClearMargin = 0.07, kAgainstOther = 0.1;
 constexpr std::size_t kLetters = 4;  // that many are no accident
 constexpr double kSureWords = 88;    // of 100: leaves and stones are read as words with less
 constexpr double kBearsOut = 0.72;   // of a letter
@@ -28,7 +30,8 @@ bool is_word_letter(char32_t code) {
 // The pieces that are like letters are letters of that text, in its order, and what is left of it are letters, too: a figure or a
 // point may be anything.
 bool bears_out(const FormReading& reading, std::string_view text) {
-    constexpr double kShare = 0.6;
+    constexpr double kShare = 0.7;
+    constexpr std::string_view kConfused = "gqlIO";  // which other readers take for each other
     std::vector<char32_t> letters;
     while (!text.empty())
         if (const char32_t letter = take_letter(text); letter != ' ') letters.push_back(letter);
@@ -36,7 +39,8 @@ bool bears_out(const FormReading& reading, std::string_view text) {
     bool plain = true;
     const auto pass = [&] {
         ++passed;
-        plain = plain && (letters[at] | 32) >= 'a' && (letters[at] | 32) <= 'z';
+        const bool is_letter = (letters[at] | 32) >= 'a' && (letters[at] | 32) <= 'z';
+        plain = plain && is_letter && kConfused.find(static_cast<char>(letters[at])) == kConfused.npos;
         ++at;
     };
     for (const FormLetter& letter : reading.letters) {
@@ -60,10 +64,15 @@ bool bears_out(const FormReading& reading, std::string_view text) {
 
 }  // namespace
 
+bool is_alone_alike(const FormReading& reading) {
+    constexpr double kAlike = 0.86, kSmallAlike = 0.76, kUnlikeOthers = 0.1;  // settings
+    return reading.mean >= kAlike || (reading.mean >= kSmallAlike && reading.margin >= kUnlikeOthers);
+}
+
 Belief believe(const FormWords& words, const ReadWords& other) {
     const FormReading& reading = words.reading;
     if (words.text.empty()) {
-        const bool borne_out = bears_out(reading, other.text);
+        const bool borne_out = other.sureness >= kSureWords && bears_out(reading, other.text);
         return {other.text, other.sureness, other.sure && borne_out, other.sure};
     }
     Belief belief{words.text, 100 * reading.mean, false, false};
@@ -72,16 +81,25 @@ Belief believe(const FormWords& words, const ReadWords& other) {
         return is_word_letter(one.code) && !may_be_drawn(one.code);
     }));
     if (letters.size() < 2) {
-        belief.sure = telling > 0 && words.sized && words.settled && !reading.either && kAlone.holds(reading);
-        belief.tell = telling > 0 && words.sized && kAlone.holds(reading);
+        constexpr char32_t kGreek = 0x370, kAfterGreek = 0x400;
+        constexpr double kSureGreek = 0.9;  // bent to few pixels, a Y is a γ
+        const bool greek = letters.front().code >= kGreek && letters.front().code < kAfterGreek;
+        const bool alike = telling > 0 && words.sized && is_alone_alike(reading) && (!greek || reading.mean >= kSureGreek);
+        belief.sure = alike && words.settled && !reading.either;
+        belief.tell = alike;
         return belief;
     }
-    const bool clear = words.settled && !reading.either;
-    belief.sure = words.agreed && words.settled && (letters.size() > 2 ? kBothSay : kBothSayOfFew).holds(reading);
-    belief.sure = belief.sure || (words.agreed && words.settled && other.sure && other.sureness >= kSureWords &&
-                                  reading.mean >= kBothSay.mean && letters.size() > 2);
-    belief.sure = belief.sure || (clear && words.sized && telling > 0 && kOfKnownSize.holds(reading));
-    belief.sure = belief.sure || (clear && telling >= kLetters && kOfItself.holds(reading));
+    const bool clear = words.settled && !reading.either, few = letters.size() <= 2;
+    const bool denied = other.sure && !words.agreed;  // other letters were read, twice alike
+    const bool both = words.agreed && words.settled;
+    belief.sure = both && (few ? kBothSayOfFew : kBothSay).holds(reading);
+    belief.sure = belief.sure || (both && other.sure && other.sureness >= kSureWords && reading.mean >= kBothSay.mean && !few);
+    belief.sure = belief.sure || (both && words.sized && kSmallBothSay.holds(reading) && reading.margin >= kMargin);
+    const double margin = denied ? kAgainstOther : kMargin;
+    belief.sure = belief.sure || (clear && words.sized && telling > 0 && kOfKnownSize.holds(reading) && reading.margin >= margin);
+    belief.sure = belief.sure || (clear && words.sized && telling > 0 && !denied && kSmallOfKnownSize.holds(reading) &&
+                                  reading.margin >= kClearMargin);
+    belief.sure = belief.sure || (clear && telling >= kLetters && kOfItself.holds(reading) && reading.margin >= margin);
     belief.tell = telling > 0 && kTold.holds(reading);
     return belief;
 }

@@ -68,7 +68,7 @@ void take_out(Image& picture, const Lettering& lettering, bool only_sure) {
     const Scale scale{static_cast<double>(picture.width) / lettering.width,
                       static_cast<double>(picture.height) / lettering.height};
     for (const PrintedWords& words : lettering.words)
-        if (words.sure || (!only_sure && words.print)) paint(picture, words, scale);
+        if (words.sure || words.out || (!only_sure && words.print)) paint(picture, words, scale);
 }
 
 }  // namespace tactics

@@ -13,20 +13,23 @@ namespace tactics {
 
 namespace {
 
-// Settings. Similarity: of a possible letter, of a certain letter, and of one that determines the size of the others.
-constexpr double kMayBe = 0.6, kIs = 0.75, kTells = 0.8;
+// Settings. Similarity: of a possible letter, of one of a size that is known, and of one that determines the size of the others.
+constexpr double kMayBe = 0.6, kIsOfKnown = 0.7, kTells = 0.8;
 constexpr double kAsAlike = 0.03;     // what is less likely than another by no more may be either
 constexpr double kAccent = 0.12;      // in small print a letter with an accent and one without hardly differ
 constexpr double kWordSpace = 0.14;   // em
 constexpr double kKnownBonus = 1.03;  // of the value in a size that other words have
 constexpr double kNeutral = 0.5;      // likeness that speaks neither for nor against a letter
 constexpr double kOffLine = 0.05;     // by so much must a raised letter be more likely than one on the line
+constexpr double kOffPixels = 1.3;    // a point of less than a pixel lies on two
 constexpr std::size_t kMostSizes = 6, kMostFeet = 5, kMostUnits = 120, kMostLetterPieces = 4;
 
-// Pieces side by side that may be one letter.
-constexpr std::u32string_view kWide = U"%\u2030\u00bd\u00bc\u00be\"\u201c\u201d\u2033\u2026";
+// Pieces side by side that may be one letter; and a stem, with or without a dot.
+constexpr std::u32string_view kWide = U"%\u2030\u00bd\u00bc\u00be\"\u201c\u201d\u2033\u2026",
+                              kThin = U"ilI\u00cc\u00cd\u00ce\u00ec\u00ed\u00ee";
 
 bool is_accented(char32_t code) { return code >= 0xC0 && code <= 0xFF; }
+bool is_thin(char32_t code) { return kThin.find(code) != kThin.npos; }
 bool is_minus(char32_t code) { return code == '-' || code == 0x2212 || code == 0x2013; }
 bool may_be_off_line(char32_t code) {
     return is_digit(code) || is_minus(code) || code == '+' || (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z');
@@ -146,7 +149,7 @@ private:
         const bool upright = form.height() >= form.width();
         const double size = upright ? box.height() / form.height() : box.width() / form.width();
         const double small = upright ? box.width() : box.height(), wanted = size * (upright ? form.width() : form.height());
-        if (std::abs(small - wanted) > 1.1 + 0.08 * wanted) return;
+        if (std::abs(small - wanted) > kOffPixels + 0.08 * wanted) return;
         const double likeness = strip_.likeness(first, last, box, font_.drawn(code));
         if (likeness >= kMayBe) span.choices.push_back({code, likeness, size, &form});
     }
@@ -162,16 +165,23 @@ private:
         }
         std::vector<double> found = best_of(votes, 0.05, 0, kMostSizes);
         for (const double one : known)
-            if (std::any_of(votes.begin(), votes.end(), [&](const auto& vote) { return std::abs(vote.first - one) < 0.1 * one; }))
-                found.push_back(one);
+            if (may_be_of(one)) found.push_back(one);
         return found;
+    }
+
+    // Bent to few pixels, a letter may be less than certain of itself; of a size that other words have it counts all the same.
+    bool may_be_of(double em) const {
+        for (std::size_t i = 0; i < count_; ++i)
+            for (const Choice& choice : span(i, i).choices)
+                if (choice.likeness >= kIsOfKnown && has_size(choice, em)) return true;
+        return false;
     }
 
     std::vector<double> feet(double em) const {
         std::vector<std::pair<double, double>> votes;
         for (std::size_t i = 0; i < count_; ++i)
             for (const Choice& choice : span(i, i).choices)
-                if (choice.likeness >= kIs && has_size(choice, em))
+                if (choice.likeness >= kIsOfKnown && has_size(choice, em))
                     votes.push_back({foot_of(span(i, i).box, choice, em), choice.likeness * span(i, i).box.width()});
         return best_of(votes, 0, 0.7, kMostFeet);
     }
@@ -215,6 +225,7 @@ private:
         if (ratio < 0.5 || ratio > 0.87 || !may_be_off_line(choice.code)) return std::nullopt;
         const double foot = foot_of(box, choice, choice.size) - rule.foot;
         if (foot < -0.2 * rule.em && foot > -0.7 * rule.em) return FormLetter::Place::raised;
+        if (is_minus(choice.code)) return std::nullopt;  // it would be a point
         if (foot > 0.08 * rule.em && foot < 0.4 * rule.em) return FormLetter::Place::lowered;
         return std::nullopt;
     }
@@ -235,9 +246,13 @@ private:
             }
         }
         for (const Choice& choice : one.choices) {
-            const double off = is_accented(letter.code) && choice.code < 0x80 ? kAccent : kAsAlike;
-            if (choice.code != letter.code && choice.likeness >= letter.likeness - off && place_of(one.box, choice, rule))
+            const bool thin = rule.em < kSmallPrint && is_thin(letter.code) && is_thin(choice.code);
+            const double off = thin || (is_accented(letter.code) && choice.code < 0x80) ? kAccent : kAsAlike;
+            if (choice.code == letter.code || !place_of(one.box, choice, rule)) continue;
+            if (choice.likeness >= letter.likeness - off)
                 letter.alike.push_back(choice.code);
+            else if (!is_accented(choice.code))
+                letter.margin = std::min(letter.margin, letter.likeness - choice.likeness);
         }
         return letter;
     }
@@ -291,7 +306,8 @@ private:
                 const LetterForm& form = font_.form(code);
                 FormLetter part = letter;
                 part.code = code;
-                part.alike.clear();
+                part.alike.clear();  // but for these, it was looked for as the guess has it
+                if (code == 'I' || code == 'l') part.alike.push_back(code == 'I' ? U'l' : U'I');
                 const auto at = [&](double x) {
                     return letter.box.left + (start + x - whole.left()) / whole.width() * letter.box.width();
                 };
@@ -306,10 +322,11 @@ private:
 
     void finish(FormReading& reading) const {
         double width = 0;
-        reading.least = 1;
+        reading.least = reading.margin = 1;
         bool all = true;
         for (const FormLetter& letter : reading.letters) {
             reading.least = std::min(reading.least, letter.likeness);
+            reading.margin = std::min(reading.margin, letter.margin);
             reading.mean += letter.likeness * letter.box.width();
             width += letter.box.width();
             all = all && letter.code != 0;

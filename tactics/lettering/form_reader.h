@@ -11,11 +11,15 @@
 
 namespace tactics {
 
+/// Pixels for an em: in smaller print an l is hardly higher than an I, and the dot of an i may be pale. A setting.
+inline constexpr double kSmallPrint = 16;
+
 /// The reading of a piece of ink.
 struct FormLetter {
     enum class Place { on_line, raised, lowered };
     char32_t code = 0;  ///< 0: like no letter of the font
     double likeness = 0;
+    double margin = 1;  ///< by so much it is more likely than what is not alike and could stand there
     Place place = Place::on_line;
     std::vector<char32_t> alike;  ///< others that it may be as well, by its looks, its size and where it stands
     InkBox box;
@@ -28,6 +32,7 @@ struct FormReading {
     double foot = 0;      ///< where the line is that letters stand on, pixels of the strip
     double value = 0;     ///< pixels of width, weighed by likeness: the more the better
     double least = 0;     ///< likeness of the least likely letter
+    double margin = 1;    ///< of the letter with the smallest one
     double mean = 0;      ///< of all, by their width
     bool either = false;  ///< another size of letters, with other letters, would do as well: "cos" or "COS"
 };

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostFonts = 4, kMostSamples = 8;
 constexpr double kLeastFit = 0.76, kBetter = 0.04, kFitsAlone = 0.92;
 constexpr double kSureAccent = 0.88;  // likeness of a letter with one
-constexpr double kLeastLone = 0.86;   // of a letter that stands alone
+constexpr double kLeastLone = 0.86;   // of a letter of a font that is chosen by its looks
 constexpr double kSameSize = 0.06;    // of an em
 
 constexpr std::string_view kPlainLetters =
@@ -73,11 +73,44 @@ char32_t fitting(const std::vector<char32_t>& choices, char32_t before, char32_t
     return 0;
 }
 
+// I and l look the same in many fonts, and other readers guess. A word begins with a vowel or goes on with one: "Income" and
+// "level"; before an o it may be either, as in "Iowa" and "low", and short words are "ln" and "lbs", too. 0: there is no telling.
+char32_t first_of_word(char32_t told, char32_t next, bool is_long) {
+    constexpr std::u32string_view kVowels = U"aeiuy";
+    if (kVowels.find(next) != kVowels.npos) return told == 'l' ? 'l' : 0;
+    return next != 'o' && is_long && told == 'I' ? 'I' : 0;
+}
+
+// Which of its letters begin a word.
+std::vector<bool> beginnings_of(const FormReading& reading) {
+    std::vector<bool> begins;
+    std::string_view text = reading.text;
+    bool next = true;
+    while (!text.empty()) {
+        const bool space = take_letter(text) == ' ';
+        if (!space) begins.push_back(next);
+        next = space;
+    }
+    begins.resize(reading.letters.size(), false);
+    return begins;
+}
+
+// What is raised follows something, and a raised minus sign stands before a raised figure; else it is something that is drawn.
+bool is_raised_astray(const std::vector<FormLetter>& letters) {
+    if (!letters.empty() && letters.front().place != FormLetter::Place::on_line) return true;
+    for (std::size_t i = 0; i < letters.size(); ++i)
+        if (is_dash(letters[i].code) && letters[i].place == FormLetter::Place::raised &&
+            (i + 1 == letters.size() || letters[i + 1].place != FormLetter::Place::raised))
+            return true;
+    return false;
+}
+
 // Puts in the letters that are meant.
 void settle(FormWords& words, const OtherReading& other) {
     std::vector<FormLetter>& letters = words.reading.letters;
-    words.settled = true;
+    words.settled = !is_raised_astray(letters);
     const std::vector<char32_t> told = bare_letters_of(other.text);
+    const std::vector<bool> begins = beginnings_of(words.reading);
     for (std::size_t i = 0; i < letters.size(); ++i) {
         FormLetter& letter = letters[i];
         std::vector<char32_t> choices = letter.alike;
@@ -86,7 +119,8 @@ void settle(FormWords& words, const OtherReading& other) {
         const bool plain = std::any_of(choices.begin(), choices.end(), [](char32_t code) { return code < 0x80; });
         if (plain) std::erase_if(choices, [](char32_t code) { return code >= 0xC0 && code < 0x100; });
         const bool dashes = std::all_of(choices.begin(), choices.end(), is_dash);
-        if (choices.size() < 2 || dashes) {
+        const bool thin = letter.code == 'I' || letter.code == 'l';
+        if ((choices.size() < 2 && !thin) || dashes) {
             letter.code = choices.front();
             // In small print an accent is a speck, and the dot of an i may be one: two must have seen it.
             const bool same_place = told.size() == letters.size();
@@ -99,8 +133,23 @@ void settle(FormWords& words, const OtherReading& other) {
         const auto in = [&](char32_t code) { return std::find(choices.begin(), choices.end(), code) != choices.end(); };
         const char32_t before = i > 0 ? letters[i - 1].code : 0;
         const char32_t after = i + 1 < letters.size() && letters[i + 1].alike.empty() ? letters[i + 1].code : 0;
-        if (told.size() == letters.size() && in(told[i]))
-            letter.code = told[i];
+        const bool in_step = told.size() == letters.size();
+        const auto code_at = [&](std::size_t k) {
+            return k >= letters.size() || begins[k] ? char32_t{0} : in_step ? told[k] : letters[k].code;
+        };
+        const char32_t said = in_step && in(told[i]) ? told[i] : char32_t{0};
+        const auto is_either = [](char32_t code) { return code == 'I' || code == 'l'; };
+        const bool small = words.reading.em < kSmallPrint && (is_either(letter.code) || is_either(said));
+        if (begins[i] && small && is_lower(code_at(i + 1))) {
+            const bool is_long = is_lower(code_at(i + 2)) && is_lower(code_at(i + 3));
+            if (const char32_t first = first_of_word(said, code_at(i + 1), is_long); first != 0)
+                letter.code = first;
+            else
+                words.settled = false;
+        } else if (choices.size() < 2)
+            letter.code = choices.front();
+        else if (said != 0)
+            letter.code = said;
         else if (const char32_t meant = fitting(choices, before, after); meant != 0)
             letter.code = meant;
         else
@@ -115,8 +164,10 @@ public:
 
     // False: there is none.
     bool choose(const PrintFonts& fonts) {
-        fonts(letters_of_figures(), [&](FontShapes shapes) {
-            fonts_.emplace_back(std::move(shapes));
+        fonts(letters_of_figures(), [&](PrintFont font) {
+            base_.push_back(fonts_.size());
+            fonts_.emplace_back(std::move(font.shapes));
+            bent_.push_back(std::move(font.bent));
             return true;
         });
         std::vector<std::size_t> lines;
@@ -133,14 +184,16 @@ public:
     FormWords read(std::size_t line) {
         FormWords best;
         for (const std::size_t font : chosen_) {
-            FormReading reading = read_by_forms(strips_[line], fonts_[font], sizes_[font], others_[line].text);
+            FormReading reading = read_by_forms(strips_[line], fonts_[font], sizes_[base_[font]], others_[line].text);
             if (reading.letters.empty() || (best.font >= 0 && reading.value <= best.reading.value)) continue;
             best.reading = std::move(reading);
             best.font = static_cast<int>(font);
         }
-        if (best.font < 0 || best.reading.text.empty()) return best;
+        if (best.font < 0) return best;
+        const std::size_t font = std::exchange(best.font, static_cast<int>(base_[static_cast<std::size_t>(best.font)]));
+        if (best.reading.text.empty()) return best;
         settle(best, others_[line]);
-        best.text = text_of(best.reading, fonts_[static_cast<std::size_t>(best.font)]);
+        best.text = text_of(best.reading, fonts_[font]);
         best.agreed = others_[line].alike && same_letters(best.text, others_[line].text);
         return best;
     }
@@ -152,14 +205,30 @@ public:
         return std::any_of(sizes.begin(), sizes.end(), [&](double one) { return std::abs(one - em) <= kSameSize * em + 0.3; });
     }
 
+    // Small letters that were bent to the pixels are like themselves only when bent in the same way.
+    void bend() {
+        constexpr double kMostBent = 20, kOneSize = 0.05;  // pixels for an em; of that
+        const std::vector<std::size_t> chosen = chosen_;
+        for (const std::size_t font : chosen) {
+            if (base_[font] != font || !bent_[font]) continue;
+            std::vector<double> sizes = sizes_[font];
+            std::sort(sizes.begin(), sizes.end());
+            for (std::size_t i = 0, end = 0; i < sizes.size() && sizes[i] < kMostBent; i = end) {
+                double sum = 0;
+                for (; end < sizes.size() && sizes[end] <= (1 + kOneSize) * sizes[i]; ++end) sum += sizes[end];
+                add_bent(font, sum / static_cast<double>(end - i));
+            }
+        }
+    }
+
     // Single letters of unknown size, such as the numbers of an axis in a font that no words have: they belong to a font that
     // three of them match, in one size.
     bool choose_by_letters(const std::vector<std::size_t>& lines) {
         constexpr std::size_t kLeast = 3;
         const std::vector<std::size_t> samples = samples_of(lines);
         double most = 0, size = 0;
-        std::size_t found = fonts_.size();
-        for (std::size_t f = 0; f < fonts_.size() && samples.size() >= kLeast; ++f) {
+        std::size_t found = bent_.size();
+        for (std::size_t f = 0; f < bent_.size() && samples.size() >= kLeast; ++f) {
             std::vector<FormReading> readings;
             for (const std::size_t i : samples) {
                 FormReading reading = read_by_forms(strips_[i], fonts_[f], {}, kPlainLetters, true);
@@ -176,13 +245,23 @@ public:
                 found = f;
             }
         }
-        if (found == fonts_.size()) return false;
+        if (found == bent_.size()) return false;
         if (std::find(chosen_.begin(), chosen_.end(), found) == chosen_.end()) chosen_.push_back(found);
         sizes_[found].push_back(size);
         return true;
     }
 
 private:
+    void add_bent(std::size_t font, double em) {
+        em = std::round(10 * em) / 10;
+        if (!bends_.insert({font, em}).second) return;
+        FontShapes shapes = bent_[font](em);
+        if (shapes.empty()) return;
+        chosen_.push_back(fonts_.size());
+        base_.push_back(font);
+        fonts_.emplace_back(std::move(shapes));
+    }
+
     // The font that fits the words best; then fonts that fit some of them much better.
     void choose_by_words(const std::vector<std::size_t>& lines) {
         std::vector<std::vector<double>> fit(fonts_.size(), std::vector<double>(lines.size(), 0));
@@ -263,7 +342,10 @@ private:
 
     const std::vector<InkStrip>& strips_;
     const std::vector<OtherReading>& others_;
-    std::vector<FormFont> fonts_;
+    std::vector<FormFont> fonts_;    // as they are, then bent ones
+    std::vector<std::size_t> base_;  // of each the one that it is, unbent
+    std::vector<std::function<FontShapes(double)>> bent_;
+    std::set<std::pair<std::size_t, double>> bends_;  // font and size
     std::vector<std::size_t> chosen_;
     std::vector<std::vector<double>> sizes_;  // known sizes of each font, pixels per em
 };
@@ -290,13 +372,15 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
         if (one.agreed && one.settled && !one.reading.either) picture.know(one);
     const auto read_again = [&](std::size_t i) {
         if (is_lone(i) || words[i].reading.either || !words[i].sized) words[i] = picture.read(i);
-        words[i].sized = words[i].font >= 0 && picture.knows(words[i]) && (!is_lone(i) || words[i].reading.mean >= kLeastLone);
+        words[i].sized = words[i].font >= 0 && picture.knows(words[i]) && (!is_lone(i) || is_alone_alike(words[i].reading));
     };
+    picture.bend();
     for (std::size_t i = 0; i < strips.size(); ++i) read_again(i);
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < strips.size(); ++i)
         if (is_lone(i) && !words[i].sized) left.push_back(i);
     if (!picture.choose_by_letters(left)) return words;
+    picture.bend();
     for (std::size_t i = 0; i < strips.size(); ++i)
         if (!words[i].sized) read_again(i);
     return words;

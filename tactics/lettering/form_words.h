@@ -25,6 +25,9 @@ struct FormWords {
     int font = -1;         ///< number of the font; -1: none
 };
 
+/// The letter, which stands alone, is like its ink, or less so and unlike all others: print of few pixels.
+bool is_alone_alike(const FormReading& reading);
+
 /// A single letter that could easily be a drawn thing: a circle, a stroke, a cross.
 bool may_be_drawn(char32_t code);
 

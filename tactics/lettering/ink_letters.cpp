@@ -16,6 +16,10 @@ namespace {
 // Anything lighter is noise of the background. A setting.
 constexpr double kFaint = 0.12;
 
+// A point of a pixel and a half lies on two, each of which is less than dark: its box is larger than it is. Pixels of such a box
+// at most, and the share of it that is ink at least. Settings.
+constexpr double kSpeck = 3, kLeastSpeck = 0.35;
+
 // The beginning of the ink, from the darkest pixel of each row or column: in one half as dark as the next, the ink fills half.
 // Thin serifs are pale throughout.
 template <typename Dark>
@@ -102,7 +106,7 @@ double InkStrip::likeness(std::size_t first, std::size_t last, const InkBox& box
     const auto at = [&](int x, int y) {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x);
     };
-    std::vector<double> apart(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    std::vector<double> apart(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)), wants(apart.size());
     std::vector<double> above(static_cast<std::size_t>(columns) + 1), below(above.size());
     const double area = box.width() * box.height();
     const auto corners = [&](int y, std::vector<double>& sums) {
@@ -110,7 +114,7 @@ double InkStrip::likeness(std::size_t first, std::size_t last, const InkBox& box
             sums[static_cast<std::size_t>(x)] =
                 area * form.ink_before((left + x - box.left) / box.width(), (top + y - box.top) / box.height());
     };
-    double all = 0;
+    double all = 0, is_ink = 0;
     corners(0, above);
     for (int y = 0; y < rows; ++y) {
         corners(y + 1, below);
@@ -119,11 +123,18 @@ double InkStrip::likeness(std::size_t first, std::size_t last, const InkBox& box
             const double wanted = below[i + 1] - below[i] - above[i + 1] + above[i];
             const double is = dark(left + x, top + y, {first, last});
             all += wanted + is;
+            is_ink += is;
             apart[at(x, y)] = is - wanted;
+            wants[at(x, y)] = wanted;
         }
         above.swap(below);
     }
     if (!(all > 0)) return 0;
+    if (box.width() <= kSpeck && box.height() <= kSpeck) {
+        const double share = std::clamp(is_ink / (all - is_ink), kLeastSpeck, 1.0);
+        for (std::size_t i = 0; i < apart.size(); ++i) apart[i] += (1 - share) * wants[i];
+        all -= (1 - share) * (all - is_ink);
+    }
     // Smoothed, for a stem that was moved by half a pixel is the same stem.
     double differs = 0;
     for (int y = 0; y < rows; ++y)

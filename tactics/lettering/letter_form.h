@@ -18,8 +18,14 @@ struct FontShape {
 };
 using FontShapes = std::map<char32_t, FontShape>;
 
+/// Those letters that a font has.
+struct PrintFont {
+    FontShapes shapes;
+    std::function<FontShapes(double em)> bent = {};  ///< as programs bend them to a grid of so many pixels for an em
+};
+
 /// Looks at one font after the other, the likely ones first, until `goes_on` says no: those of these letters that it has.
-using PrintFonts = std::function<void(const std::vector<char32_t>& codes, const std::function<bool(FontShapes)>& goes_on)>;
+using PrintFonts = std::function<void(const std::vector<char32_t>& codes, const std::function<bool(PrintFont)>& goes_on)>;
 
 /// A shape in its original size and, after drawing, as a grid of squares from which the ink in any part can be read at once.
 class LetterForm {

@@ -23,7 +23,7 @@ constexpr std::size_t kMostLines = 300;  // of a picture; more is a page of text
 
 // Pixels, of the tallest letter of a line. In smaller print a point is less than a pixel: at 72 dpi (8 pixels) "0.25" is read as
 // "025" with 96 of 100, twice alike. A setting.
-constexpr int kLeastHeight = 9;
+constexpr int kLeastHeight = 7;
 
 constexpr double kSureAlone = 80;  // for a single letter in line with words. A setting
 
@@ -178,12 +178,13 @@ Lettering read_lettering(const Image& picture, std::string_view language, double
     std::vector<ReadLine>& all = asked.all;
     if (!fonts || !hold_against_fonts(grey, all, std::move(climbing), fonts)) believe_lone_letters(all);
     for (ReadLine& one : all) one.likely = may_be_words(one, all);
-    const std::vector<bool> unread = unread_print(grey, all);
+    const std::vector<bool> unread = unread_print(grey, all), certain = certain_print(all);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i].words.sure && !all[i].tell && !unread[i]) continue;
         // Two marks of a plot are read as two letters, but seldom three as three.
         constexpr std::size_t kLetters = 3;
         all[i].words.print = all[i].words.sure || all[i].tell || (all[i].likely && all[i].line.letters.size() >= kLetters);
+        all[i].words.out = certain[i];
         if (unread[i] && !has_letter_or_digit(all[i].words.text)) all[i].words.text.clear();
         lettering.words.push_back(std::move(all[i].words));
     }

@@ -18,6 +18,7 @@ struct PrintedWords {
     double sureness = 0;   ///< 0 to 100
     bool sure = false;     ///< certain enough to be set in braille without a person's check
     bool print = false;    ///< certainly print, however it is read; else it may be a thing that is drawn
+    bool out = false;      ///< print beyond doubt that is not set: it is taken out of the lines, where no finger could read it
     bool upwards = false;  ///< it runs from the bottom to the top
     int letter_height = 0;
     PixelBox box;
@@ -46,8 +47,8 @@ Lettering read_lettering(const Image& picture, std::string_view language, double
 /// letters or more that is wrong reaches it twice alike. Shorter ones need more.
 inline constexpr double kSureEnough = 60;
 
-/// Paints the background over the ink of the sure words, or of all that is certainly print. `picture` shows the same as the
-/// examined one, at any size.
+/// Paints the background over the ink of the sure words and of those that are out, or of all that is certainly print. `picture`
+/// shows the same as the examined one, at any size.
 void take_out(Image& picture, const Lettering& lettering, bool only_sure);
 
 }  // namespace tactics

@@ -11,6 +11,7 @@
 
 #include "tactics/lettering/equals_sign.h"
 #include "tactics/lettering/found_boxes.h"
+#include "tactics/lettering/pale_ink.h"
 
 namespace tactics {
 
@@ -118,7 +119,10 @@ int off_middle(const Image& grey, const LetteringLine& line) {
     const int middle = middle_tone(ground);
     constexpr int kLeastContrast = 40;  // grey levels; print fainter than that is a watermark
     if (std::abs(middle - deepest) < kLeastContrast || (middle > deepest) == line.light) return 256;
-    return std::abs((middle + deepest) / 2 - line.level);
+    // Strokes of less than a pixel lie across two, both paler than half, and letters would come apart.
+    constexpr int kThinStrokes = 10;  // pixels of height of such letters; a setting, as these shares
+    const double share = line.letter_height <= kThinStrokes ? 0.4 : 0.5;
+    return static_cast<int>(std::abs(middle + share * (deepest - middle) - line.level));
 }
 
 // Smaller, and its foot above the middle of the letters that it follows: "10" with a small "2" above.
@@ -367,7 +371,11 @@ private:
 }  // namespace
 
 std::vector<LetteringLine> find_lettering(const Image& grey, std::vector<LetteringLine>* climbing) {
-    return Finder(grey).run(climbing);
+    std::vector<LetteringLine> lines = Finder(grey).run(climbing);
+    for (LetteringLine& line : lines) add_pale_ink(grey, line);
+    if (climbing != nullptr)
+        for (LetteringLine& line : *climbing) add_pale_ink(grey, line);
+    return lines;
 }
 
 }  // namespace tactics

@@ -32,4 +32,9 @@ bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::ve
 /// size and as wide as high, as marks of a plot are, and bent dashes among others, unless they stand in line with print.
 std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& lines);
 
+/// Which of the lines that are not sure are print beyond doubt, however they are read: words of the size of print that was read
+/// for sure, or read themselves with high sureness, and figures in line with such print. A lone mark
+/// that may be drawn is none.
+std::vector<bool> certain_print(const std::vector<ReadLine>& lines);
+
 }  // namespace tactics

@@ -13,34 +13,91 @@ namespace tactics {
 
 namespace {
 
-constexpr int kLeastPrint = 9;  // pixels, of the tallest letter of a line; smaller print is reported, not set. A setting
+constexpr int kLeastPrint = 7;  // pixels, of the tallest letter of a line; smaller print is reported, not set. A setting
 
 bool is_ink(const Image& grey, const LetteringLine& line, int x, int y) {
     return x >= 0 && y >= 0 && x < grey.width && y < grey.height && (grey.row(y)[x] < line.level) != line.light;
 }
 
-// Something that is none of the line stands right at one of its ends and is no straight line across: a letter that touches what
-// is drawn, and is part of that now.
-bool is_cut(const Image& grey, const LetteringLine& line) {
-    const int reach = std::max(4, line.letter_height / 4);
-    const int along = line.upwards ? line.box.height() : line.box.width(),
-              across = line.upwards ? line.box.width() : line.box.height();
-    for (const bool before : {true, false}) {
-        int nearest = reach + 2, farthest = 0;
-        for (int row = 0; row < across; ++row) {
+// What stands beyond one end of a line, row by row across it, from the end outwards.
+class BeyondEnd {
+public:
+    BeyondEnd(const Image& grey, const LetteringLine& line, bool before) : grey_(grey), line_(line), before_(before) {}
+
+    // Something that is none of the line stands right there and is no straight line across, or sticks out of such a line, or
+    // the picture ends: a letter that touches what is drawn, and is part of that now, or one that is cut off.
+    bool is_cut() const {
+        const int reach = std::max(4, line_.letter_height / 4);
+        if (is_out(std::max(1, line_.letter_height / 8))) return true;
+        int nearest = reach + 2, farthest = 0, thinnest = kThick, thickest = 0;
+        for (int row = 0; row < across(); ++row) {
             int step = 1;
-            for (; step < reach + 2; ++step) {
-                const int at = before ? -step : along - 1 + step;
-                const int x = line.upwards ? line.box.left + row : line.box.left + at;
-                const int y = line.upwards ? line.box.bottom - 1 - at : line.box.top + row;
-                if (is_ink(grey, line, x, y)) break;
-            }
+            while (step < reach + 2 && !has_ink(row, step)) ++step;
             nearest = std::min(nearest, step);
             farthest = std::max(farthest, step);
+            int end = step;
+            while (end < step + kThick && has_ink(row, end)) ++end;
+            thinnest = std::min(thinnest, end - step);
+            thickest = std::max(thickest, end - step);
         }
-        if (nearest <= reach && farthest > nearest + 1) return true;
+        if (nearest > reach) return false;
+        return farthest > nearest + 1 || (nearest <= kTouching + line_.letter_height / 8 && thickest > thinnest + 1);
     }
-    return false;
+
+private:
+    static constexpr int kThick = 6, kTouching = 1;  // pixels
+
+    int along() const { return line_.upwards ? line_.box.height() : line_.box.width(); }
+    int across() const { return line_.upwards ? line_.box.width() : line_.box.height(); }
+    Point at(int row, int step) const {
+        const int beyond = before_ ? -step : along() - 1 + step;
+        return line_.upwards ? Point{1.0 * line_.box.left + row, line_.box.bottom - 1.0 - beyond}
+                             : Point{1.0 * line_.box.left + beyond, 1.0 * line_.box.top + row};
+    }
+    bool has_ink(int row, int step) const {
+        const Point p = at(row, step);
+        return is_ink(grey_, line_, static_cast<int>(p.x), static_cast<int>(p.y));
+    }
+    bool is_out(int step) const {
+        const Point p = at(0, step);
+        return p.x < 0 || p.y < 0 || p.x >= grey_.width || p.y >= grey_.height;
+    }
+
+    const Image& grey_;
+    const LetteringLine& line_;
+    bool before_;
+};
+
+bool is_cut(const Image& grey, const LetteringLine& line) {
+    return BeyondEnd(grey, line, true).is_cut() || BeyondEnd(grey, line, false).is_cut();
+}
+
+// Something stands among its letters or below them that is none of them and ends there, such as the low line of "X_1", which is
+// thin, and paler than they are.
+bool has_strange_ink(const Image& grey, const LetteringLine& line) {
+    const int below = std::max(3, line.letter_height / 2);
+    PixelBox box = line.box;
+    (line.upwards ? box.right : box.bottom) += below;
+    box.right = std::min(box.right, grey.width);
+    box.bottom = std::min(box.bottom, grey.height);
+    constexpr int kPaler = 40;  // grey levels; a setting
+    const int level = line.light ? line.level - kPaler : line.level + kPaler;
+    Image part = make_image(box.width(), box.height(), 1, 0, 255);
+    for (int y = box.top; y < box.bottom; ++y)
+        for (int x = box.left; x < box.right; ++x)
+            if ((grey.row(y)[x] < level) != line.light) part.row(y - box.top)[x - box.left] = 0;
+    for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
+        for (const InkPiece& piece : *pieces)
+            for (const InkRun& run : piece.runs)
+                for (int y = std::max(box.top, run.y - 1); y <= std::min(box.bottom - 1, run.y + 1); ++y)
+                    std::fill(part.row(y - box.top) + (std::max(box.left, run.left - 1) - box.left),
+                              part.row(y - box.top) + (std::min(box.right, run.right + 1) - box.left), std::uint8_t{255});
+    const std::vector<InkPiece> strange = pieces_of(part, 128, false, kMostInkHeight);
+    return std::any_of(strange.begin(), strange.end(), [&](const InkPiece& piece) {
+        const PixelBox& own = piece.box;
+        return own.left > 0 && own.top > 0 && own.right < part.width && own.bottom < part.height &&
+               own.width() + own.height() > 2;
+    });
 }
 
 // A line with what fonts say of it.
@@ -55,7 +112,7 @@ struct Held {
 
 Held held(const Image& grey, ReadLine read, FormWords form) {
     Belief belief = believe(form, {read.words.text, read.words.sureness, read.alike, read.words.sure});
-    const bool cut = belief.sure && is_cut(grey, read.line);
+    const bool cut = belief.sure && (is_cut(grey, read.line) || has_strange_ink(grey, read.line));
     // If the readers divide words differently, or the gaps disagree, one may have missed a point.
     const auto parts = static_cast<std::size_t>(std::count(belief.text.begin(), belief.text.end(), ' ')) + 1;
     const WordCount count = words_in(read.line);
@@ -89,6 +146,8 @@ bool is_sign(std::string_view text) {
     constexpr std::string_view kSigns[] = {"=", "<", ">", "\u2248", "\u2264", "\u2265", "\u2260"};
     return std::find(std::begin(kSigns), std::end(kSigns), text) != std::end(kSigns);
 }
+// A minus sign that lies across two rows of pixels looks like "=" right before a figure.
+bool is_pale_minus(std::string_view text) { return text.size() > 1 && text[0] == '=' && text[1] != ' '; }
 bool ends_with_sign(std::string_view text) { return is_sign(text.substr(text.rfind(' ') + 1)); }
 bool begins_with_sign(std::string_view text) { return is_sign(text.substr(0, text.find(' '))) || text.starts_with("\u00b0"); }
 
@@ -167,7 +226,8 @@ void join_at_signs(std::vector<Held>& lines) {
         }
     // A sign that is left alone is none, or is not known to be one.
     for (Held& one : lines)
-        if (is_sign(one.form.text) || one.form.text.starts_with("\u00b0")) one.read.words.sure = false;
+        if (is_sign(one.form.text) || one.form.text.starts_with("\u00b0") || is_pale_minus(one.form.text))
+            one.read.words.sure = false;
 }
 
 }  // namespace

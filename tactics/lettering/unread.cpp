@@ -359,4 +359,27 @@ std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& l
     return unread;
 }
 
+std::vector<bool> certain_print(const std::vector<ReadLine>& lines) {
+    constexpr std::size_t kLetters = 3;          // two marks are read as two letters, but seldom three as three
+    constexpr double kLow = 0.75, kHigh = 1.35;  // of the height of print that was read; settings
+    KnownPrint sure;
+    for (const ReadLine& one : lines)
+        if (one.words.sure) sure.push_back(&one.line);
+    std::vector<bool> certain(lines.size(), false);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const ReadLine& one = lines[i];
+        const double height = one.line.letter_height;
+        const bool sized = std::any_of(sure.begin(), sure.end(), [&](const LetteringLine* other) {
+            return height >= kLow * other->letter_height && height <= kHigh * other->letter_height;
+        });
+        const bool word = (one.tell || one.likely) && one.line.letters.size() >= kLetters;
+        // By itself, a mark of a plot in line with print looks like a letter or an unread one: figures of a scale are none.
+        const bool figure = one.words.text.size() == 1 && one.words.text[0] >= '0' && one.words.text[0] <= '9';
+        const bool in_line =
+            sized && one.tell && (is_words(one.line) ? in_line_with_print(one.line, sure) : figure && is_on_scale(i, lines));
+        certain[i] = !one.words.sure && ((word && (sized || one.words.sureness >= kSurelyRead)) || in_line);
+    }
+    return certain;
+}
+
 }  // namespace tactics

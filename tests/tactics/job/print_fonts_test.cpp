@@ -21,7 +21,7 @@ struct Label {
 };
 
 // A page in grey, at 150 dpi as figures have it.
-Image picture_of(const std::vector<Label>& labels, const std::vector<PageStroke>& strokes = {}) {
+Image picture_of(const std::vector<Label>& labels, const std::vector<PageStroke>& strokes = {}, int width = 650) {
     Page page;
     page.width = 110;
     page.height = 70;
@@ -32,7 +32,7 @@ Image picture_of(const std::vector<Label>& labels, const std::vector<PageStroke>
     settings.set("dpi", "600", "test", "png");
     const std::string bytes = png.encode(page, settings);
     Source source = memory_source({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "page.png");
-    return read_picture(source, {650, false});  // made smaller, letters fade into the ground
+    return read_picture(source, {width, false});  // made smaller, letters fade into the ground
 }
 
 // What stands, and in brackets what is told.
@@ -51,8 +51,8 @@ class PrintFonts : public testing::Test {
 protected:
     void SetUp() override {
         bool any = false;
-        each_print_font({U'a'}, [&](FontShapes shapes) {
-            any = !shapes.empty();
+        each_print_font({U'a'}, [&](const PrintFont& font) {
+            any = !font.shapes.empty();
             return false;
         });
         if (!any) GTEST_SKIP() << "no font is installed";
@@ -129,6 +129,55 @@ TEST_F(PrintFonts, WhatIsReadAndLooksUnlikeTheInkIsNotSet) {
     const std::string reader = (folder / "reader").string();
     EXPECT_EQ(words_in(picture_of({{20, 20, 5, "Winter"}}), reader), (Expected{"Winter"}));
     EXPECT_EQ(words_in(picture_of({{20, 20, 5, "Summer"}}), reader), (Expected{"Summer"}));
+}
+
+// Figures of the web: 10 pt at 72 to 100 dpi, in which a point or a stem is less than a pixel. What is set is there, and most is
+// set.
+TEST_F(PrintFonts, OfSmallPrintMostIsSetAndNothingWrong) {
+    constexpr double kSize = 3.53;  // mm: 10 pt
+    const std::vector<std::string> texts{"Density", "Number of pupils", "0.00", "0.25", "0.50", "0.75", "1.00", "10",
+                                         "100",     "\u22125",          "1.0",  "-2.5"};
+    std::vector<Label> labels;
+    for (std::size_t i = 0; i < texts.size(); ++i)
+        labels.push_back({10.0 + 50.3 * static_cast<double>(i % 2), 8.0 + 10.7 * static_cast<double>(i / 2), kSize, texts[i]});
+    for (const int dpi : {72, 80, 90, 100}) {
+        std::size_t set = 0;
+        for (const std::string& one : words_in(picture_of(labels, {}, 110 * dpi / 254 * 10))) {
+            if (one.front() == '(') continue;
+            ++set;
+            const bool is_there = std::find(texts.begin(), texts.end(), one) != texts.end() || one == "\u22122.5";
+            EXPECT_TRUE(is_there) << dpi << " dpi: " << one;
+        }
+        EXPECT_GE(2 * set, texts.size()) << dpi;
+    }
+}
+
+// A word that runs out of the picture, and one with a sign that no font was asked for.
+TEST_F(PrintFonts, WhatIsCutOffOrHasAStrangeSignIsNotSet) {
+    const Image image = picture_of({{20, 12, 4.2, "Flow chart"}, {100.5, 30, 4.2, "Winter"}, {30, 50, 4.2, "speed_max"}});
+    for (const std::string& one : words_in(image))
+        EXPECT_TRUE(one == "Flow chart" || one.front() == '(' || one == "speed_max") << one;
+}
+
+// Print beyond doubt that is not set is taken out of the lines.
+TEST_F(PrintFonts, PrintThatIsNotSetLeavesTheLinesAndMarksStay) {
+    std::vector<PageStroke> marks;
+    for (const double x : {70.0, 80.0, 90.0}) marks.push_back({{{x, 40}, {x + 2, 43}, {x - 2, 43}}, true, 0.3});
+    marks.push_back({{{50.2, 20}, {50.2, 40}}, false, 0.3});  // through the first letter
+    const Image image = picture_of({{20, 12, 4.2, "Flow chart"}, {50, 30, 4.2, "takes"}}, marks);
+    const Lettering lettering = read_lettering(image, "en", kSureEnough, each_print_font);
+    Image left = image;
+    take_out(left, lettering, true);
+    EXPECT_TRUE(std::any_of(lettering.words.begin(), lettering.words.end(), [](const PrintedWords& one) { return one.out; }));
+    for (const PrintedWords& one : lettering.words)
+        if (one.out) {
+            EXPECT_FALSE(one.sure);
+            for (const InkRun& run : one.ink)
+                for (int x = run.left; x < run.right; ++x) EXPECT_GT(left.row(run.y)[x], 128);
+        }
+    const int top = 39 * 650 / 110, bottom = 44 * 650 / 110;
+    for (int y = top; y < bottom; ++y)
+        for (int x = 68 * 650 / 110; x < 93 * 650 / 110; ++x) EXPECT_EQ(left.row(y)[x], image.row(y)[x]);
 }
 
 }  // namespace

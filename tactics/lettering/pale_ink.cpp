@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/lettering/pale_ink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tactics {
+
+namespace {
+
+// Settings. Letters that high have no strokes of less than a pixel; darkness of pale ink, of that of letters; how much ink it is
+// at least, of the square of that height: a point of DejaVu Sans is 0.029.
+constexpr int kThinStrokes = 20;
+constexpr double kPale = 0.22, kFading = 0.08, kLeastInk = 0.01;
+constexpr double kReach = 0.5, kBelow = 0.35;  // beyond the ends of the line, and below it; of the height
+
+class PaleInk {
+public:
+    PaleInk(const Image& grey, const LetteringLine& line) : grey_(grey), line_(line) {
+        const int along = static_cast<int>(std::lround(kReach * line.letter_height)) + 2, across = line.letter_height / 2 + 2;
+        const PixelBox& box = line.box;
+        const int wide = line.upwards ? across : along, high = line.upwards ? along : across;
+        window_ = {std::max(0, box.left - wide), std::max(0, box.top - high), std::min(grey.width, box.right + wide),
+                   std::min(grey.height, box.bottom + high)};
+        measure_tones();
+    }
+
+    std::vector<InkPiece> pieces() const {
+        std::vector<InkPiece> found;
+        if (ground_ == deepest_) return found;
+        // Cut out as an image of its own: 0 is pale ink.
+        Image pale = make_image(window_.width(), window_.height(), 1, 0, 255);
+        for (int y = window_.top; y < window_.bottom; ++y)
+            for (int x = window_.left; x < window_.right; ++x)
+                if (darkness(x, y) >= kPale && !is_beside_dark(x, y)) pale.row(y - window_.top)[x - window_.left] = 0;
+        for (InkPiece& piece : pieces_of(pale, 128, false, kMostInkHeight)) {
+            const bool ends =
+                piece.box.left > 0 && piece.box.top > 0 && piece.box.right < pale.width && piece.box.bottom < pale.height;
+            if (!ends) continue;
+            for (InkRun& run : piece.runs) run = {run.y + window_.top, run.left + window_.left, run.right + window_.left};
+            piece.box = {piece.box.left + window_.left, piece.box.top + window_.top, piece.box.right + window_.left,
+                         piece.box.bottom + window_.top};
+            if (ink_on(piece.box) >= kLeastInk * line_.letter_height * line_.letter_height) found.push_back(std::move(piece));
+        }
+        return found;
+    }
+
+private:
+    void measure_tones() {
+        deepest_ = line_.light ? 0 : 255;
+        for (const InkPiece& piece : line_.letters)
+            for (const InkRun& run : piece.runs)
+                for (int x = run.left; x < run.right; ++x) {
+                    const int value = grey_.row(run.y)[x];
+                    deepest_ = line_.light ? std::max(deepest_, value) : std::min(deepest_, value);
+                }
+        std::vector<int> ground;
+        for (int y = window_.top; y < window_.bottom; ++y)
+            for (int x = window_.left; x < window_.right; ++x)
+                if (!is_dark(x, y)) ground.push_back(grey_.row(y)[x]);
+        const auto middle = ground.begin() + static_cast<std::ptrdiff_t>(ground.size() / 2);
+        std::nth_element(ground.begin(), middle, ground.end());
+        ground_ = ground.empty() ? deepest_ : *middle;
+    }
+
+    // With what fades from it into the ground, and without that of dark letters.
+    double ink_on(const PixelBox& box) const {
+        double ink = 0;
+        for (int y = box.top - 1; y <= box.bottom; ++y)
+            for (int x = box.left - 1; x <= box.right; ++x)
+                if (darkness(x, y) > kFading && !is_beside_dark(x, y)) ink += darkness(x, y);
+        return ink;
+    }
+
+    bool is_dark(int x, int y) const { return (grey_.row(y)[x] < line_.level) != line_.light; }
+    double darkness(int x, int y) const { return static_cast<double>(ground_ - grey_.row(y)[x]) / (ground_ - deepest_); }
+    bool is_beside_dark(int x, int y) const {
+        for (int v = std::max(0, y - 1); v <= std::min(grey_.height - 1, y + 1); ++v)
+            for (int u = std::max(0, x - 1); u <= std::min(grey_.width - 1, x + 1); ++u)
+                if (is_dark(u, v)) return true;
+        return false;
+    }
+
+    const Image& grey_;
+    const LetteringLine& line_;
+    PixelBox window_;
+    int ground_ = 255, deepest_ = 0;
+};
+
+}  // namespace
+
+void add_pale_ink(const Image& grey, LetteringLine& line) {
+    if (line.letter_height > kThinStrokes) return;
+    // As its reader sees it, x along the line and y down.
+    const auto seen = [&](const PixelBox& box) {
+        return line.upwards ? PixelBox{-box.bottom, box.left, -box.top, box.right} : box;
+    };
+    const PixelBox own = seen(line.box);
+    const double height = line.letter_height;
+    for (InkPiece& piece : PaleInk(grey, line).pieces()) {
+        const PixelBox box = seen(piece.box);
+        if (box.top < own.top - 1 || box.bottom > own.bottom + kBelow * height) continue;
+        const bool mark = box.height() < 0.6 * height;
+        if (box.width() > (mark ? 0.6 : 0.4) * height) continue;
+        line.box = around(line.box, piece.box);
+        std::vector<InkPiece>& to = mark ? line.marks : line.letters;
+        const auto after =
+            std::find_if(to.begin(), to.end(), [&](const InkPiece& other) { return seen(other.box).left > box.left; });
+        to.insert(mark ? to.end() : after, std::move(piece));
+    }
+}
+
+}  // namespace tactics
