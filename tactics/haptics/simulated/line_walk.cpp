@@ -13,11 +13,11 @@ namespace {
 
 // Turns to try at a corner, degrees: the slightest first, to either side.
 constexpr double kTurnsToTry[] = {60, -60, 110, -110, 150, -150};
-constexpr double kApart = 1;            // mm between places that it remembers
-constexpr double kAway = 16;            // mm from a corner: it has gone round it, or back
+constexpr double kApart = 1;        // mm between places that it remembers
+constexpr double kAway = 16;        // mm from a corner: it has gone round it, or back
 constexpr double kSamePlace = 2.5;  // mm
 constexpr double kBeside = 3.2;     // mm: may be the same place, as a finger is on either side of a line, or one beside a needle
-constexpr double kCornerNear = 4;       // mm: still at that corner
+constexpr double kCornerNear = 4;   // mm: still at that corner
 constexpr std::size_t kNearStart = 20;  // places: hardly farther than kAway
 
 Point3 turned_by(const Point3& way, double degrees) {
