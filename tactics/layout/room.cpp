@@ -19,10 +19,8 @@ double square_of(const Page& page) { return std::max(kFinest, std::sqrt(page.wid
 // Like std::hypot, which is much slower, for lengths on a page.
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
-double away_from(const Rect& rect, Point p) {
-    const Point nearest = nearest_of(rect, p);
-    return length_of(nearest.x - p.x, nearest.y - p.y);
-}
+// Of a place from what begins there and is that long.
+double away_from(double begin, double length, double place) { return std::clamp(place, begin, begin + length) - place; }
 
 }  // namespace
 
@@ -164,20 +162,22 @@ void Room::add_up(int top, int bottom) {
     }
 }
 
-bool Room::is_free(const Rect& rect) const {
-    const auto column = [this](double at) { return at / square_; };
-    const int left = static_cast<int>(std::floor(column(rect.left))),
-              right = static_cast<int>(std::ceil(column(rect.left + rect.width)));
-    const int top = static_cast<int>(std::floor(column(rect.top))),
-              bottom = static_cast<int>(std::ceil(column(rect.top + rect.height)));
-    if (left < 0 || top < 0 || right > columns_ || bottom > rows_) return false;
+Room::Span Room::span_of(double from, double length) const {
+    return {static_cast<int>(std::floor(from / square_)), static_cast<int>(std::ceil((from + length) / square_))};
+}
+
+bool Room::is_free(const Rect& rect) const { return is_free(span_of(rect.left, rect.width), span_of(rect.top, rect.height)); }
+
+bool Room::is_free(Span across, Span down) const {
+    const int top = down.begin, bottom = down.end;
+    if (across.begin < 0 || top < 0 || across.end > columns_ || bottom > rows_) return false;
     for (int strip = top / kStrip; strip * kStrip < bottom; ++strip) {
-        const auto sum = [&](int x, int y) {
+        const auto sum = [this, strip](int x, int y) {
             return sums_[static_cast<std::size_t>(y + strip) * (static_cast<std::size_t>(columns_) + 1) +
                          static_cast<std::size_t>(x)];
         };
         const int from = std::max(top, strip * kStrip), to = std::min(bottom, (strip + 1) * kStrip);
-        if (sum(right, to) + sum(left, from) != sum(left, to) + sum(right, from)) return false;
+        if (sum(across.end, to) + sum(across.begin, from) != sum(across.begin, to) + sum(across.end, from)) return false;
     }
     return true;
 }
@@ -193,14 +193,27 @@ std::vector<Rect> Room::around(Point to, double width, double height, double rea
     const double left = to.x - width / 2, top = to.y - height / 2;
     const double first_dx = across_.first ? across_.at_least(left - across) - left : -across;
     const double first_dy = down_.first ? down_.at_least(top - down) - top : -down;
-    for (double dy = first_dy; dy <= down; dy += down_.step)
-        for (double dx = first_dx; dx <= across; dx += across_.step) {
-            const Rect rect{to.x + dx - width / 2, to.y + dy - height / 2, width, height};
-            const double away = away_from(rect, to);
-            if (away > reach || !is_free(rect)) continue;
-            const double to_left = dx < 0 ? 1 : 0;
-            found.push_back({away + kOffAxis * std::min(std::abs(dx), std::abs(dy)) + 0.01 * length_of(dx, dy) + to_left, rect});
+    // What each place has in common with those above and below it is counted once.
+    struct Column {
+        double dx, left, away;
+        Span across;
+    };
+    std::vector<Column> columns;
+    for (double dx = first_dx; dx <= across; dx += across_.step) {
+        const double begin = to.x + dx - width / 2;
+        columns.push_back({dx, begin, away_from(begin, width, to.x), span_of(begin, width)});
+    }
+    for (double dy = first_dy; dy <= down; dy += down_.step) {
+        const double begin = to.y + dy - height / 2, away_down = away_from(begin, height, to.y);
+        const Span rows = span_of(begin, height);
+        for (const Column& column : columns) {
+            const double away = length_of(column.away, away_down);
+            if (away > reach || !is_free(column.across, rows)) continue;
+            const double dx = column.dx, to_left = dx < 0 ? 1 : 0;
+            found.push_back({away + kOffAxis * std::min(std::abs(dx), std::abs(dy)) + 0.01 * length_of(dx, dy) + to_left,
+                             {column.left, begin, width, height}});
         }
+    }
     std::stable_sort(found.begin(), found.end(), [](const Ranked& a, const Ranked& b) { return a.cost < b.cost; });
     std::vector<Rect> rects;
     for (const Ranked& each : found) rects.push_back(each.rect);

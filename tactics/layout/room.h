@@ -64,6 +64,11 @@ private:
         double at_most(double edge) const { return first ? *first + std::floor((edge - *first) / step + 1e-9) * step : edge; }
     };
 
+    struct Span {
+        int begin, end;  // of squares; exclusive
+    };
+    Span span_of(double from, double length) const;
+    bool is_free(Span across, Span down) const;
     std::vector<Rect> around(Point to, double width, double height, double reach) const;
     struct Squares {
         int left, top, right, bottom;  // right and bottom are exclusive
