@@ -24,6 +24,8 @@ constexpr double kMostColumns = 0.85;  // that have one value
 constexpr double kSpecks = 0.03;       // of the ink that may stand alone: more is a cloud of points
 constexpr double kMostOthers = 0.15;   // of the place that it takes, in other colours: more is a picture
 constexpr double kFringe = 0.7;        // of a piece that is near a curve: a mixture of its colour with what it crosses
+constexpr double kMostLost = 0.3;      // of the variance of a curve, which its course does not show; a setting
+constexpr double kOneSide = 0.4;       // of that, which is off on the same side a millimetre on; a setting
 
 // With what touches it above and below: one line along another hides a part of it here and there.
 std::vector<InkColumn> widened(std::vector<InkColumn> columns, const cv::Mat& others, double most) {
@@ -114,6 +116,38 @@ cv::Mat fringes(const cv::Mat& ink, const cv::Mat& taken) {
     return found;
 }
 
+// How far the middle of each column is off the course.
+std::vector<double> off_course(const std::vector<InkColumn>& columns, const std::vector<Point>& course) {
+    std::vector<double> off;
+    std::size_t at = 1;
+    for (const InkColumn& column : columns) {
+        const double x = column.x + 0.5;
+        while (at + 1 < course.size() && course[at].x < x) ++at;
+        const Point a = course[at - 1], b = course[at];
+        const double t = b.x > a.x ? std::clamp((x - a.x) / (b.x - a.x), 0.0, 1.0) : 0;
+        off.push_back((column.top + column.bottom + 1) / 2.0 - (a.y + t * (b.y - a.y)));
+    }
+    return off;
+}
+
+// Waves that are drawn through every other one of them are false: then much of the curve is off its course, and a millimetre on
+// it is off on the same side, as noise is not.
+bool loses_waves(const std::vector<InkColumn>& columns, const std::vector<Point>& course, double mm) {
+    const std::vector<double> off = off_course(columns, course);
+    const auto apart = static_cast<std::size_t>(std::max(1.0, std::round(1 / mm)));
+    if (off.size() <= 2 * apart) return false;
+    double sum = 0, squares = 0, lost = 0, alike = 0;
+    for (std::size_t i = 0; i < off.size(); ++i) {
+        const double y = (columns[i].top + columns[i].bottom) / 2.0;
+        sum += y;
+        squares += y * y;
+        lost += off[i] * off[i];
+        if (i >= apart) alike += off[i] * off[i - apart];
+    }
+    const double count = static_cast<double>(off.size()), variance = squares - sum * sum / count;
+    return lost > kMostLost * variance && alike > kOneSide * lost;
+}
+
 std::optional<NoisyCurve> curve_in(const cv::Mat& own, const cv::Mat& others, const cv::Mat& hued, const cv::Rect& box,
                                    double mm) {
     const std::vector<InkColumn> columns = columns_of(own, box);
@@ -129,6 +163,7 @@ std::optional<NoisyCurve> curve_in(const cv::Mat& own, const cv::Mat& others, co
     if (!is_noise(columns, mm) || !is_noise(widened(columns, others, kBreak / mm), mm)) return std::nullopt;
     if (share_alone(own(box), others(box), mm) > kSpecks) return std::nullopt;
     NoisyCurve curve{followable(columns, mm), {}, {}};
+    if (loses_waves(columns, curve.course, mm)) return std::nullopt;
     curve.spikes = spikes_of(columns, curve.course, mm);
     add_runs(own, curve.ink);
     return curve;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string_view>
 
 #include "tactics/text/utf8.h"
 
@@ -14,21 +16,25 @@ namespace {
 constexpr double kTop = 20, kMiddle = 25;  // percent: not farther below what is highest, and its middle not nearer to a side
 constexpr double kNextLine = 2.6;          // heights of capitals from line to line
 constexpr double kSameMiddle = 3;          // percent; lines of a centred title have one
-constexpr double kAtLeft = 1.3;            // times as high as other words: a title that begins at the left, as many tools set it
+constexpr double kAtLeft = 1.15;  // times as high as any other words: a title that begins at the left, as many tools set it
 
-double median_of(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), half, values.end());
-    return *half;
+constexpr std::string_view kUnitSigns[] = {"%", "°", "€", "$", "£"};
+
+// "Yield (t/ha)", as an axis is named, or a sign for money or shares.
+bool names_unit(const std::string& text) {
+    const std::size_t open = text.find_first_of("([");
+    if (open != text.npos && text.find(' ', open) == text.npos && text.find_last_of(")]") == text.size() - 1) return true;
+    return std::any_of(std::begin(kUnitSigns), std::end(kUnitSigns),
+                       [&](std::string_view unit) { return text.find(unit) != text.npos; });
 }
-
-bool is_next_line(const ToldWords& line, const ToldWords& next, double height) { return next.y - line.y < kNextLine * height; }
 
 // A name of something right below it is short and as high as other names; a title is larger, says more, or stands free.
 bool may_be_title(const std::string& title, double height, double gap, const std::vector<double>& other_heights) {
     constexpr double kLarger = 1.1, kFree = 1.5;  // settings, relative to other words and to its own height
-    const bool larger = !other_heights.empty() && height >= kLarger * median_of(other_heights);
+    std::vector<double> others = other_heights;
+    const auto half = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
+    if (!others.empty()) std::nth_element(others.begin(), half, others.end());
+    const bool larger = !others.empty() && height >= kLarger * *half;
     std::size_t long_words = 0;
     for (std::size_t at = 0; at < title.size();) {
         const std::size_t end = std::min(title.find(' ', at), title.size());
@@ -50,23 +56,20 @@ std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlac
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return told[a].y < told[b].y; });
     double highest = first_ink;
     for (const std::size_t i : order) highest = std::min(highest, told[i].y - places[i].height / 2);
-    std::vector<double> heights;
-    for (const PrintPlace& place : places) heights.push_back(place.height);
-    const double usual = median_of(heights);
+    const auto stands_out = [&](std::size_t i) {
+        for (std::size_t k = 0; k < places.size(); ++k)
+            if (k != i && places[i].height < kAtLeft * places[k].height) return false;
+        return !names_unit(told[i].text);
+    };
     std::vector<std::size_t> lines;
     for (const std::size_t i : order) {
         const ToldWords& one = told[i];
         const bool in_middle = one.x > kMiddle && one.x < 100 - kMiddle;
-        const bool at_left = one.x <= kMiddle && places[i].height >= kAtLeft * usual;
+        const bool at_left = one.x <= kMiddle && lines.empty() && stands_out(i);
         const bool begins = lines.empty() && one.y - highest < kTop && (in_middle || at_left);
         const bool goes_on = !lines.empty() && std::abs(one.x - told[lines.front()].x) < kSameMiddle &&
-                             is_next_line(told[lines.back()], one, std::max(places[i].height, places[lines.back()].height));
-        if (!begins && !goes_on) {
-            // Of a longer title that is not centred this would be a part.
-            if (!lines.empty() && places[i].height >= kAtLeft * usual && is_next_line(told[lines.back()], one, places[i].height))
-                return "";
-            break;
-        }
+                             one.y - told[lines.back()].y < kNextLine * std::max(places[i].height, places[lines.back()].height);
+        if (!begins && !goes_on) break;
         if (!one.set) return "";  // not sure, or without braille: a person must look
         lines.push_back(i);
     }

@@ -2,6 +2,7 @@
 #include "tactics/lettering/agreement.h"
 
 #include <algorithm>
+#include <string>
 
 #include "tactics/text/utf8.h"
 
@@ -31,7 +32,8 @@ bool is_word_letter(char32_t code) {
 // point may be anything.
 bool bears_out(const FormReading& reading, std::string_view text) {
     constexpr double kShare = 0.7;
-    constexpr std::string_view kConfused = "gqlIO";  // which other readers take for each other
+    // Which other readers take for each other, and in small print for two.
+    const std::string_view confused = reading.em < kSmallPrint ? "gqlIOmdnhwUCJjF" : "gqlIO";
     std::vector<char32_t> letters;
     while (!text.empty())
         if (const char32_t letter = take_letter(text); letter != ' ') letters.push_back(letter);
@@ -40,7 +42,7 @@ bool bears_out(const FormReading& reading, std::string_view text) {
     const auto pass = [&] {
         ++passed;
         const bool is_letter = (letters[at] | 32) >= 'a' && (letters[at] | 32) <= 'z';
-        plain = plain && is_letter && kConfused.find(static_cast<char>(letters[at])) == kConfused.npos;
+        plain = plain && is_letter && confused.find(static_cast<char>(letters[at])) == confused.npos;
         ++at;
     };
     for (const FormLetter& letter : reading.letters) {
@@ -62,11 +64,60 @@ bool bears_out(const FormReading& reading, std::string_view text) {
     return plain && !letters.empty() && static_cast<double>(found) >= kShare * static_cast<double>(letters.size());
 }
 
+// 1.000 or 1,000.
+bool has_thousands(std::string_view text) {
+    std::size_t before = 0, behind = 0;
+    bool sign = false;
+    const auto is_one = [&] { return sign && behind == 3; };
+    for (const char c : text) {
+        if (c >= '0' && c <= '9') {
+            ++(sign ? behind : before);
+            continue;
+        }
+        if (is_one()) return true;
+        sign = (c == '.' || c == ',') && before > 0;
+        before = behind = 0;
+    }
+    return is_one();
+}
+
+// In small print a comma without its tail is a point, O and 0 look alike, the tick of a scale is a dash, and a long figure that
+// two readers do not both say is none.
+bool is_plain(const std::string& text, const std::string& other, bool agreed) {
+    const auto count = [&](const auto& is) { return std::count_if(text.begin(), text.end(), is); };
+    const auto digits = count([](char c) { return c >= '0' && c <= '9'; });
+    const auto letters = count([](char c) { return (c | 32) >= 'a' && (c | 32) <= 'z'; });
+    const bool dash = digits > 0 && digits < static_cast<std::ptrdiff_t>(text.size()) &&
+                      (text.back() == '-' || text.ends_with("\u2212") || text.ends_with("\u2013"));
+    const bool either = text.find('0') != text.npos && text.find('O') != text.npos;
+    if (dash || either || count([](char c) { return c == '"'; }) % 2 == 1) return false;
+    if (has_thousands(text) && !text.starts_with("0.") && (text != other || text.find(',') == text.npos)) return false;
+    return letters > 0 || digits < 3 || agreed;
+}
+
+// Letters of small print that touch look like one: rn and m, cl and d, Cl and O.
+bool is_no_pair(const FormWords& words, const ReadWords& other) {
+    constexpr std::u32string_view kLikeTwo = U"mdOJjnwh";
+    constexpr double kClear = 0.86;    // of such a letter; two are like it with 0.8
+    constexpr double kTinyPrint = 13;  // pixels for an em, in which nothing tells a word that ends with m from one with rn
+    bool any = false, two = false, clear = true;
+    for (const FormLetter& letter : words.reading.letters) {
+        any = any || (letter.code | 32) - U'a' < 26;
+        if (kLikeTwo.find(letter.code) == kLikeTwo.npos) continue;
+        two = true;
+        clear = clear && letter.likeness >= kClear && !letter.pair;
+    }
+    if (any && words.reading.em < kTinyPrint && words.text.size() > 2 && words.text.back() == 'm') return false;
+    return !any || (words.agreed && (!two || (clear && other.sureness >= kSureWords)));
+}
+
 }  // namespace
 
 bool is_alone_alike(const FormReading& reading) {
     constexpr double kAlike = 0.86, kSmallAlike = 0.76, kUnlikeOthers = 0.1;  // settings
-    return reading.mean >= kAlike || (reading.mean >= kSmallAlike && reading.margin >= kUnlikeOthers);
+    const bool figure =
+        reading.letters.size() == 1 && is_digit(reading.letters.front().code);  // a letter may be a mark of a plot
+    return reading.mean >= kAlike || (figure && reading.mean >= kSmallAlike && reading.margin >= kUnlikeOthers);
 }
 
 Belief believe(const FormWords& words, const ReadWords& other) {
@@ -101,6 +152,8 @@ Belief believe(const FormWords& words, const ReadWords& other) {
                                   reading.margin >= kClearMargin);
     belief.sure = belief.sure || (clear && telling >= kLetters && kOfItself.holds(reading) && reading.margin >= margin);
     belief.tell = telling > 0 && kTold.holds(reading);
+    if (reading.em < kSmallPrint)
+        belief.sure = belief.sure && is_plain(words.text, other.text, words.agreed) && is_no_pair(words, other);
     return belief;
 }
 

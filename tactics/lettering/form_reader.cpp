@@ -2,7 +2,6 @@
 #include "tactics/lettering/form_reader.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -16,8 +15,8 @@ namespace {
 // Settings. Similarity: of a possible letter, of one of a size that is known, and of one that determines the size of the others.
 constexpr double kMayBe = 0.6, kIsOfKnown = 0.7, kTells = 0.8;
 constexpr double kAsAlike = 0.03;     // what is less likely than another by no more may be either
+constexpr double kAsPair = 0.06;      // the same of two letters that touch
 constexpr double kAccent = 0.12;      // in small print a letter with an accent and one without hardly differ
-constexpr double kWordSpace = 0.14;   // em
 constexpr double kKnownBonus = 1.03;  // of the value in a size that other words have
 constexpr double kNeutral = 0.5;      // likeness that speaks neither for nor against a letter
 constexpr double kOffLine = 0.05;     // by so much must a raised letter be more likely than one on the line
@@ -28,22 +27,14 @@ constexpr std::size_t kMostSizes = 6, kMostFeet = 5, kMostUnits = 120, kMostLett
 constexpr std::u32string_view kWide = U"%\u2030\u00bd\u00bc\u00be\"\u201c\u201d\u2033\u2026",
                               kThin = U"ilI\u00cc\u00cd\u00ce\u00ec\u00ed\u00ee";
 
+// Two letters that touch in small print and look like one: rn and m, cl and d.
+constexpr std::u32string_view kLikeOne[] = {U"rn", U"cl", U"ri", U"li", U"Cl", U"vv", U"Fi", U"fi"};
+
 bool is_accented(char32_t code) { return code >= 0xC0 && code <= 0xFF; }
 bool is_thin(char32_t code) { return kThin.find(code) != kThin.npos; }
 bool is_minus(char32_t code) { return code == '-' || code == 0x2212 || code == 0x2013; }
 bool may_be_off_line(char32_t code) {
     return is_digit(code) || is_minus(code) || code == '+' || (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z');
-}
-
-void append_placed(std::string& text, const FormLetter& letter) {
-    constexpr std::array<char32_t, 10> kRaised{0x2070, 0xB9, 0xB2, 0xB3, 0x2074, 0x2075, 0x2076, 0x2077, 0x2078, 0x2079};
-    const bool digit = is_digit(letter.code);
-    if (letter.place == FormLetter::Place::raised && (digit || is_minus(letter.code)))
-        append_letter(text, digit ? kRaised[letter.code - '0'] : 0x207B);
-    else if (letter.place == FormLetter::Place::lowered && digit)
-        append_letter(text, 0x2080 + (letter.code - '0'));
-    else
-        append_letter(text, letter.code);
 }
 
 struct Choice {
@@ -70,6 +61,8 @@ public:
     Reader(const InkStrip& strip, FormFont& font, std::string_view guess, bool only_guessed)
         : strip_(strip), font_(font), count_(strip.units()), only_guessed_(only_guessed) {
         if (!guess.empty()) join_letters(guess);
+        for (const std::u32string_view pair : kLikeOne)
+            if (const char32_t code = font_.join(pair); code != 0) pairs_.push_back(code);
         for (std::size_t length = 1; length <= kMostLetterPieces; ++length)
             for (std::size_t i = 0; i < count_; ++i) {
                 spans_.emplace_back();
@@ -121,6 +114,8 @@ private:
         else
             for (const auto& [code, shape] : font_.shapes()) add(code, unit, unit, span);
         for (const char32_t code : joined_) add(code, unit, unit, span);
+        for (const char32_t code : pairs_)
+            if (std::find(joined_.begin(), joined_.end(), code) == joined_.end()) add(code, unit, unit, span);
     }
 
     // Letters of a word that stand side by side may touch.
@@ -249,6 +244,8 @@ private:
             const bool thin = rule.em < kSmallPrint && is_thin(letter.code) && is_thin(choice.code);
             const double off = thin || (is_accented(letter.code) && choice.code < 0x80) ? kAccent : kAsAlike;
             if (choice.code == letter.code || !place_of(one.box, choice, rule)) continue;
+            letter.pair = letter.pair || (rule.em < kSmallPrint && choice.likeness >= letter.likeness - kAsPair &&
+                                          !font_.joined(choice.code).empty() && font_.joined(letter.code).empty());
             if (choice.likeness >= letter.likeness - off)
                 letter.alike.push_back(choice.code);
             else if (!is_accented(choice.code))
@@ -327,6 +324,7 @@ private:
         for (const FormLetter& letter : reading.letters) {
             reading.least = std::min(reading.least, letter.likeness);
             reading.margin = std::min(reading.margin, letter.margin);
+            reading.pair = reading.pair || letter.pair;
             reading.mean += letter.likeness * letter.box.width();
             width += letter.box.width();
             all = all && letter.code != 0;
@@ -340,26 +338,11 @@ private:
     std::size_t count_;
     bool only_guessed_;
     std::set<char32_t> guessed_;  // their pieces may have come apart where strokes are thin
-    std::vector<char32_t> joined_;
+    std::vector<char32_t> joined_, pairs_;
     std::vector<Span> spans_;  // by length, then by their last unit
 };
 
 }  // namespace
-
-std::string text_of(const FormReading& reading, FormFont& font) {
-    std::string text;
-    double end = 0;
-    for (const FormLetter& letter : reading.letters) {
-        const LetterForm& form = font.form(letter.code);
-        if (form.empty()) continue;
-        const double em = letter.place == FormLetter::Place::on_line ? reading.em : letter.box.height() / form.height();
-        const double start = letter.box.left - form.left() * em;
-        if (!text.empty() && start - end > kWordSpace * reading.em) text += ' ';
-        append_placed(text, letter);
-        end = start + form.advance() * em;
-    }
-    return to_line(text);
-}
 
 FormReading read_by_forms(const InkStrip& strip, FormFont& font, const std::vector<double>& known, std::string_view guess,
                           bool only_guessed) {

@@ -20,6 +20,7 @@ struct FormLetter {
     char32_t code = 0;  ///< 0: like no letter of the font
     double likeness = 0;
     double margin = 1;  ///< by so much it is more likely than what is not alike and could stand there
+    bool pair = false;  ///< in small print it may be two letters that touch: "rn" for m
     Place place = Place::on_line;
     std::vector<char32_t> alike;  ///< others that it may be as well, by its looks, its size and where it stands
     InkBox box;
@@ -34,6 +35,7 @@ struct FormReading {
     double least = 0;     ///< likeness of the least likely letter
     double margin = 1;    ///< of the letter with the smallest one
     double mean = 0;      ///< of all, by their width
+    bool pair = false;    ///< of any letter
     bool either = false;  ///< another size of letters, with other letters, would do as well: "cos" or "COS"
 };
 

@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -331,6 +334,20 @@ bool has_letters(const ReadLine& one, const KnownPrint& known, bool any_known) {
     return letters > 0 && 2 * letters >= one.line.letters.size() && one.line.marks.size() <= one.line.letters.size();
 }
 
+// Rows of equal marks, or pieces of a curve, are read as "°°°°", "OOO" or "f\\ I".
+bool says_something(const std::string& text) {
+    constexpr std::string_view kMarks = "OoQ0Il1xX";
+    std::set<char> said;
+    std::size_t count = 0;
+    for (const char c : text) {
+        const bool letter = (c >= '0' && c <= '9') || ((c | 32) >= 'a' && (c | 32) <= 'z');
+        count += letter ? 1 : 0;
+        if (letter && kMarks.find(c) == kMarks.npos) said.insert(c);
+        if (c == '\\' || c == '|') return false;
+    }
+    return count >= 3 && said.size() >= 2;
+}
+
 }  // namespace
 
 std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& lines) {
@@ -372,7 +389,7 @@ std::vector<bool> certain_print(const std::vector<ReadLine>& lines) {
         const bool sized = std::any_of(sure.begin(), sure.end(), [&](const LetteringLine* other) {
             return height >= kLow * other->letter_height && height <= kHigh * other->letter_height;
         });
-        const bool word = (one.tell || one.likely) && one.line.letters.size() >= kLetters;
+        const bool word = (one.tell || one.likely) && one.line.letters.size() >= kLetters && says_something(one.words.text);
         // By itself, a mark of a plot in line with print looks like a letter or an unread one: figures of a scale are none.
         const bool figure = one.words.text.size() == 1 && one.words.text[0] >= '0' && one.words.text[0] <= '9';
         const bool in_line =

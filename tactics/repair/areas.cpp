@@ -49,22 +49,23 @@ bool is_compact(const Area& area, double extent) {
     return area.role != Role::arrow && is_small(area) && extent > 0 && size_of(area) >= kCompact * extent * extent;
 }
 
-// The extents of areas that are compact and, so that they are points rather than parts of a thing, as large as two others; 0 for
-// the rest.
-std::vector<double> extents_of_points(const Drawing& drawing) {
+// What has points of one size, as a chart of one series has: the extents of its compact small areas, 0 for other areas. Empty
+// where they differ, as size may tell things apart, and where there are fewer than three, which may be parts of a thing.
+std::vector<double> extents_of_points(const Drawing& drawing, double least, double most) {
     constexpr double kSame = 1.1;
-    std::vector<double> extents, sorted;
+    std::vector<double> extents;
+    std::size_t count = 0;
+    double smallest = most, largest = 0;
     for (const Area& area : drawing.areas) {
         const double extent = is_small(area) ? extent_of(area) : 0;
-        extents.push_back(is_compact(area, extent) ? extent : 0);
-        if (extents.back() > 0) sorted.push_back(extents.back());
+        const bool point = extent >= least && extent < most && is_compact(area, extent);
+        extents.push_back(point ? extent : 0);
+        if (!point) continue;
+        ++count;
+        smallest = std::min(smallest, extent);
+        largest = std::max(largest, extent);
     }
-    std::sort(sorted.begin(), sorted.end());
-    for (double& extent : extents) {
-        const auto from = std::lower_bound(sorted.begin(), sorted.end(), extent / kSame),
-                   to = std::upper_bound(sorted.begin(), sorted.end(), extent * kSame);
-        if (to - from < 3) extent = 0;
-    }
+    if (count < 3 || largest > kSame * smallest) extents.clear();
     return extents;
 }
 
@@ -243,15 +244,27 @@ Mends move_areas_apart(Drawing& drawing, const Medium& medium, Seen& seen) {
 
 namespace {
 
-// The scale that leaves gaps between close areas of these extents, where none becomes too small; 1: nothing helps.
-double scale_for(const std::map<std::pair<std::size_t, std::size_t>, NearPair>& close, const std::vector<double>& extents) {
+// Lines that end on points, or go through them, would lose them.
+bool any_touches_line(const PageGeometry& geometry, const std::vector<double>& extents) {
+    return std::any_of(geometry.contacts.begin(), geometry.contacts.end(), [&](const Contact& contact) {
+        const Chain &one = geometry.chains[contact.one.chain], &other = geometry.chains[contact.other.chain];
+        return one.ring != other.ring && extents[one.ring ? one.owner : other.owner] > 0;
+    });
+}
+
+// The scale that leaves gaps between points of these extents, and between them and lines, where none becomes too small; 1:
+// nothing helps.
+double scale_for(Seen& seen, const std::vector<double>& extents) {
     double scale = 1;
-    for (const auto& [areas, pair] : close) {
-        const double one = extents[areas.first], other = extents[areas.second];
-        if (one == 0 && other == 0) continue;
-        const double needed = 1 - 2 * (pair.lacks + kPushed) / (one + other);
-        const double smaller = one == 0 ? other : other == 0 ? one : std::min(one, other);
-        if (needed * smaller >= kFoundPoint) scale = std::min(scale, needed);
+    const auto extent_at = [&](std::uint32_t piece) {
+        const Chain& chain = seen.geometry.chains[seen.geometry.pieces[piece].chain];
+        return chain.ring ? extents[chain.owner] : 0;
+    };
+    for (std::size_t i = 0; i < seen.near.size(); ++i) {
+        const double one = extent_at(seen.near[i].one), other = extent_at(seen.near[i].other);
+        if ((one == 0 && other == 0) || !seen.near.is_too_close(i)) continue;
+        const double needed = 1 - 2 * (seen.near.pair(i).lacks + kPushed) / (one + other);
+        if (needed * std::max(one, other) >= kFoundPoint) scale = std::min(scale, needed);
     }
     return scale;
 }
@@ -259,26 +272,26 @@ double scale_for(const std::map<std::pair<std::size_t, std::size_t>, NearPair>& 
 }  // namespace
 
 Mends shrink_areas(Drawing& drawing, const Medium& medium, Seen& seen) {
-    std::vector<double> extents = extents_of_points(drawing);
+    std::vector<double> extents = extents_of_points(drawing, kFoundPoint, kRecognised);
+    const std::size_t first = close_areas(seen).size();
+    if (extents.empty() || first == 0 || any_touches_line(seen.geometry, extents)) return {};
     const std::vector<double> before = extents;
-    auto close = close_areas(seen);
-    const std::size_t first = close.size();
     Drawing shrunk = drawing;
+    std::size_t last = first;
+    double scale = scale_for(seen, extents);
     // What touched becomes near when it is smaller, and may need more.
-    for (int round = 0; round < kPushes; ++round) {
-        const double scale = scale_for(close, extents);
-        if (scale == 1) break;
+    for (int round = 0; round < kPushes && scale < 1; ++round) {
         for (std::size_t i = 0; i < extents.size(); ++i) {
-            const double extent = std::max(scale * extents[i], std::min(extents[i], kFoundPoint));
-            if (extent == extents[i]) continue;
-            scale_about_middle(shrunk.areas[i], extent / extents[i]);
-            extents[i] = extent;
+            if (extents[i] == 0) continue;
+            scale_about_middle(shrunk.areas[i], scale);
+            extents[i] *= scale;
         }
         Seen anew(shrunk, medium);
-        close = close_areas(anew);
+        last = close_areas(anew).size();
+        scale = scale_for(anew, extents);
     }
     Mends changes;
-    if (close.size() >= first) return changes;
+    if (last >= first) return changes;
     for (std::size_t i = 0; i < extents.size(); ++i)
         if (extents[i] < before[i])
             changes.push_back({Mend::Kind::shrunk, first_point(drawing.areas[i]), before[i] - extents[i]});
@@ -287,29 +300,28 @@ Mends shrink_areas(Drawing& drawing, const Medium& medium, Seen& seen) {
 }
 
 Mends enlarge_specks(Drawing& drawing, const Medium& medium) {
-    constexpr double kDot = 1.5;  // mm: the base of a braille dot
+    constexpr double kDot = kMarburgMedium.dot;
     if (has_fixed_dots(medium)) return {};
-    std::map<std::size_t, double> specks;
-    for (std::size_t i = 0; i < drawing.areas.size(); ++i) {
-        const double extent = is_small(drawing.areas[i]) ? extent_of(drawing.areas[i]) : kDot;
-        if (extent < kDot && is_compact(drawing.areas[i], extent)) specks[i] = extent;
-    }
-    if (specks.empty()) return {};
+    const std::vector<double> extents = extents_of_points(drawing, 0, kDot);
     Drawing enlarged = drawing;
-    for (const auto& [i, extent] : specks) scale_about_middle(enlarged.areas[i], kDot / extent);
+    Mends changes;
+    for (std::size_t i = 0; i < extents.size(); ++i) {
+        if (extents[i] == 0) continue;
+        scale_about_middle(enlarged.areas[i], kDot / extents[i]);
+        const Box box = box_of(enlarged.areas[i].rings[0]);
+        if (box.left < 0 || box.top < 0 || box.right > drawing.width || box.bottom > drawing.height) return {};
+        changes.push_back({Mend::Kind::enlarged, first_point(drawing.areas[i]), kDot - extents[i]});
+    }
+    if (changes.empty()) return {};
     Seen anew(enlarged, medium);
     for (std::size_t k = 0; k < anew.near.size(); ++k) {
         if (!anew.near.is_too_close(k)) continue;
         for (const std::uint32_t piece : {anew.near[k].one, anew.near[k].other}) {
             const Chain& chain = anew.geometry.chains[anew.geometry.pieces[piece].chain];
-            if (chain.ring) specks.erase(chain.owner);
+            if (chain.ring && extents[chain.owner] > 0) return {};
         }
     }
-    Mends changes;
-    for (const auto& [i, extent] : specks) {
-        changes.push_back({Mend::Kind::enlarged, first_point(drawing.areas[i]), kDot - extent});
-        drawing.areas[i] = std::move(enlarged.areas[i]);
-    }
+    drawing = std::move(enlarged);
     return changes;
 }
 

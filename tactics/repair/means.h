@@ -37,14 +37,14 @@ bool drop_rims(Drawing& drawing, Seen& seen);
 /// Nothing if that does not help.
 Mends move_areas_apart(Drawing& drawing, const Medium& medium, Seen& seen);
 
-/// Points, which are small areas of one size as in a chart, that are still too close to others become smaller, all of the drawing
-/// alike, so that a finger can compare them; none becomes smaller than kFoundPoint. Nothing if that does not help.
+/// Where all points of a drawing, its small compact areas, are of one size and too close to each other, all become smaller alike,
+/// to kFoundPoint at least. Nothing if that does not help, or if lines touch them.
 Mends shrink_areas(Drawing& drawing, const Medium& medium, Seen& seen);
 
-/// So large is a small area that a finger finds among others; own choice, 1 mm more than a braille dot.
-inline constexpr double kFoundPoint = 2.5;  // mm
+/// So large is a small area that a finger finds among others; own choice, half a millimetre more than a braille dot.
+inline constexpr double kFoundPoint = 2;  // mm
 
-/// Areas smaller than a braille dot become as large as one where that leaves gaps around them.
+/// Points of one size smaller than a braille dot become as large as one, if all have room for it within the drawing.
 Mends enlarge_specks(Drawing& drawing, const Medium& medium);
 
 /// Areas that are too close to others, or have slits that are too narrow, become outlines; small ones go. Others may then be

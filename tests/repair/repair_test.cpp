@@ -216,49 +216,6 @@ TEST(Repair, PointsOfAChartMoveAsFarAsAFingerCannotTell) {
     }
 }
 
-// Rows of a dot plot, beside each other without a gap and 1 mm below each other.
-TEST(Repair, PointsThatTouchBecomeSmallerAlike) {
-    Drawing drawing = blank();
-    std::vector<Point> middles;
-    for (int row = 0; row < 4; ++row)
-        for (int i = 0; i < 3; ++i) middles.push_back({40 + 7.98 * i, 40 + 9.0 * row});
-    drawing.areas = discs_at(middles, 4);
-    const Repaired repaired = repair(drawing, swell());
-    EXPECT_EQ(hard_places(repaired.drawing), 0u);
-    ASSERT_EQ(repaired.drawing.areas.size(), middles.size());
-    EXPECT_EQ(count(repaired, Mend::Kind::shrunk), middles.size());
-    EXPECT_EQ(repaired.kept, 1);
-    for (std::size_t i = 0; i < middles.size(); ++i) {
-        const std::vector<Point>& ring = repaired.drawing.areas[i].rings[0];
-        const double across = distance(ring[0], ring[12]);
-        EXPECT_NEAR(across, distance(repaired.drawing.areas[0].rings[0][0], repaired.drawing.areas[0].rings[0][12]), 0.03);
-        EXPECT_GE(across, 2.5);
-        EXPECT_LE(distance(middle_of(repaired.drawing.areas[i]), middles[i]), 1.02);
-    }
-}
-
-TEST(Repair, PartsOfAThingKeepTheirSize) {
-    Drawing drawing = blank();
-    drawing.areas = discs_at({{40, 40}}, 4);
-    const auto beak = discs_at({{46, 40}}, 1.6);
-    drawing.areas.insert(drawing.areas.end(), beak.begin(), beak.end());
-    EXPECT_EQ(count(repair(drawing, swell()), Mend::Kind::shrunk), 0u);
-}
-
-TEST(Repair, SpecksBecomeAsLargeAsABrailleDotWhereThereIsRoom) {
-    Drawing drawing = blank();
-    drawing.areas = discs_at({{20, 20}, {60, 20}, {100, 20}, {104.3, 20}}, 0.5);  // the last two 3.3 mm apart
-    const Repaired repaired = repair(drawing, swell());
-    EXPECT_EQ(hard_places(repaired.drawing), 0u);
-    ASSERT_EQ(repaired.drawing.areas.size(), 4u);
-    EXPECT_EQ(count(repaired, Mend::Kind::enlarged), 2u);
-    for (std::size_t i = 0; i < 4; ++i) {
-        const std::vector<Point>& ring = repaired.drawing.areas[i].rings[0];
-        EXPECT_NEAR(distance(ring[0], ring[12]), i < 2 ? 1.5 : 1.0, 0.03);
-    }
-    EXPECT_EQ(count(repair(drawing, find_medium("embosser", "test")), Mend::Kind::enlarged), 0u) << "a dot is a dot";
-}
-
 // However often lines that stood between them go.
 TEST(Repair, NoPointGoesFartherThanAFingerCanTell) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {

@@ -36,7 +36,7 @@ TEST(FigureTitle, IsWhatStandsAboveAllInLinesOrAtLength) {
     EXPECT_EQ(take_title(lengthy.told, lengthy.places, 8), "How many pupils came to the school by bus in May");
 }
 
-TEST(FigureTitle, AtTheLeftIsMuchLargerThanOtherWords) {
+TEST(FigureTitle, AtTheLeftIsLargerThanAllOtherWords) {
     const auto title_of = [](const std::string& text, double height, const std::string& next = {}) {
         Words words = chart();
         words.add(text, 9, 4);
@@ -49,6 +49,14 @@ TEST(FigureTitle, AtTheLeftIsMuchLargerThanOtherWords) {
     };
     EXPECT_EQ(title_of("stack up", 4), "stack up");
     EXPECT_EQ(title_of("Euros", 3), "") << "the name of the upright axis";
+    EXPECT_EQ(title_of("Yield (t/ha)", 4), "");
+    EXPECT_EQ(title_of("Share in %", 4), "");
+    EXPECT_EQ(title_of("No breaks (no legend)", 4), "No breaks (no legend)");
+    Words both = chart();
+    both.places[3].height = 4;
+    both.add("Temperature", 9, 4);
+    both.places.back().height = 4;
+    EXPECT_EQ(take_title(both.told, both.places, 12), "") << "as large as the name of the other axis";
     EXPECT_EQ(title_of("Bus riders", 4, "by age and town"), "") << "half of a title is none";
 }
 

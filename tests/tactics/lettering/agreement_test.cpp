@@ -20,6 +20,7 @@ FormWords line_of(std::u32string_view codes, std::string text, double likeness =
         words.reading.letters.push_back(letter);
     }
     words.reading.mean = words.reading.least = likeness;
+    words.reading.em = 20;
     return words;
 }
 
@@ -28,6 +29,31 @@ TEST(Agreement, FontsDecideWhereTheyAreClear) {
     EXPECT_TRUE(belief.sure);
     EXPECT_EQ(belief.text, "q1");
     EXPECT_FALSE(believe(line_of(U"q1", "q1", 0.7), {"ql", 96, true, true}).sure);
+}
+
+// Ten points at 72 dpi; both readers say the same.
+bool is_sure_in_small(std::u32string_view codes, const std::string& text, const std::string& other, double likeness = 0.95) {
+    FormWords words = line_of(codes, text, likeness);
+    words.reading.em = 10;
+    words.agreed = true;
+    return believe(words, {other, 96, true, true}).sure;
+}
+
+TEST(Agreement, InSmallPrintTwoLettersThatTouchAreNotTakenForOne) {
+    EXPECT_TRUE(is_sure_in_small(U"Age", "Age", "Age"));
+    EXPECT_TRUE(is_sure_in_small(U"dose", "dose", "dose"));
+    EXPECT_FALSE(is_sure_in_small(U"dock", "dock", "dock", 0.82)) << "clock";
+    EXPECT_FALSE(is_sure_in_small(U"Com", "Com", "Com")) << "Corn";
+}
+
+TEST(Agreement, InSmallPrintSignsInFiguresAreNotGuessed) {
+    EXPECT_TRUE(is_sure_in_small(U"0.25", "0.25", "0.25"));
+    EXPECT_TRUE(is_sure_in_small(U"0.125", "0.125", "0.125"));
+    EXPECT_TRUE(is_sure_in_small(U"1,000", "1,000", "1,000"));
+    EXPECT_FALSE(is_sure_in_small(U"1.000", "1.000", "1,000"));
+    EXPECT_FALSE(is_sure_in_small(U"1.000", "1.000", "1.000")) << "the tail of a comma is pale";
+    EXPECT_FALSE(is_sure_in_small(U"4-", "4 -", "4 -")) << "the tick of a scale";
+    EXPECT_FALSE(is_sure_in_small(U"00O", "00O", "00O"));
 }
 
 TEST(Agreement, WhatLooksLikeOtherLettersIsNotSure) {
