@@ -53,6 +53,8 @@ struct BroadStroke {
     double width = 0;
 };
 
+cv::Point stroke_pixel(Point p) { return {static_cast<int>(p.x), static_cast<int>(p.y)}; }
+
 class StrokeFinder {
 public:
     StrokeFinder(const cv::Mat& ink, const EdgeMap& map) : ink_(ink) {
@@ -60,7 +62,7 @@ public:
         cv::distanceTransform(mask_, deep_, cv::DIST_L2, cv::DIST_MASK_PRECISE);
     }
 
-    double width_at(Point p) const { return 2 * static_cast<double>(deep_.at<float>(pixel_of(p))) - 1; }
+    double width_at(Point p) const { return 2 * static_cast<double>(deep_.at<float>(stroke_pixel(p))) - 1; }
 
     // A broad line may go on as a thin one: a curve along an axis.
     std::vector<BroadStroke> strokes_of(const PixelPath& path, PenWidths pens) const {
@@ -80,8 +82,6 @@ public:
     }
 
 private:
-    static cv::Point pixel_of(Point p) { return {static_cast<int>(p.x), static_cast<int>(p.y)}; }
-
     bool is_of_one_pen(BroadStroke& stroke, PenWidths pens) const {
         if (stroke.end - stroke.begin < kFewSteps) return false;
         std::vector<double> widths;
@@ -119,17 +119,15 @@ private:
         const double way = distance(from, end);
         if (way <= 0) return false;
         const Point beyond{end.x + pen * (end.x - from.x) / way, end.y + pen * (end.y - from.y) / way};
-        const cv::Point at = pixel_of(beyond);
+        const cv::Point at = stroke_pixel(beyond);
         if (at.x < 0 || at.y < 0 || at.x >= ink_.cols || at.y >= ink_.rows || mask_.at<std::uint8_t>(at) != 0) return false;
-        const int own = ink_.at<std::uint8_t>(pixel_of(points[(stroke.begin + stroke.end) / 2])),
+        const int own = ink_.at<std::uint8_t>(stroke_pixel(points[(stroke.begin + stroke.end) / 2])),
                   there = ink_.at<std::uint8_t>(at);
         return std::abs(own - there) <= kSameInk;
     }
 
     cv::Mat ink_, mask_, deep_;
 };
-
-cv::Point stroke_pixel(Point p) { return {static_cast<int>(p.x), static_cast<int>(p.y)}; }
 
 }  // namespace
 
