@@ -186,18 +186,28 @@ bool is_noise(const std::vector<InkColumn>& columns, double mm) {
 
 std::vector<Point> followable(const std::vector<InkColumn>& columns, double mm) { return Followed(columns, mm).line(); }
 
+std::vector<double> heights_along(const std::vector<Point>& line, const std::vector<InkColumn>& columns) {
+    std::vector<double> heights;
+    std::size_t at = 1;
+    for (const InkColumn& column : columns) {
+        const double x = column.x + 0.5;
+        while (at + 1 < line.size() && line[at].x < x) ++at;
+        const Point a = line[at - 1], b = line[at];
+        heights.push_back(a.y + (b.y - a.y) * (b.x > a.x ? std::clamp((x - a.x) / (b.x - a.x), 0.0, 1.0) : 0));
+    }
+    return heights;
+}
+
 std::vector<std::array<Point, 2>> spikes_of(const std::vector<InkColumn>& columns, const std::vector<Point>& line, double mm) {
     struct Off {
         Point foot, tip;
         double height = 0;
     };
     std::vector<Off> all;
-    std::size_t at = 1;
-    for (const InkColumn& column : columns) {
-        const double x = column.x + 0.5;
-        while (at + 1 < line.size() && line[at].x < x) ++at;
-        const Point a = line[at - 1], b = line[at];
-        const double y = a.y + (b.y - a.y) * (b.x > a.x ? std::clamp((x - a.x) / (b.x - a.x), 0.0, 1.0) : 0);
+    const std::vector<double> heights = heights_along(line, columns);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const InkColumn& column = columns[i];
+        const double x = column.x + 0.5, y = heights[i];
         const double tip = y - column.top > column.bottom + 1 - y ? column.top : column.bottom + 1;
         all.push_back({{x, y}, {x, tip}, std::abs(tip - y)});
     }

@@ -25,6 +25,9 @@ bool is_noise(const std::vector<InkColumn>& columns, double mm);
 /// nearer to itself than a finger's gap.
 std::vector<Point> followable(const std::vector<InkColumn>& columns, double mm);
 
+/// Where that line is, at the middle of each column; level before its first point and behind its last.
+std::vector<double> heights_along(const std::vector<Point>& line, const std::vector<InkColumn>& columns);
+
 /// Peaks that stand far out of the noise, from that line to their tips, with a finger's gap between them, the highest first.
 std::vector<std::array<Point, 2>> spikes_of(const std::vector<InkColumn>& columns, const std::vector<Point>& line, double mm);
 

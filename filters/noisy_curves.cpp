@@ -116,29 +116,17 @@ cv::Mat fringes(const cv::Mat& ink, const cv::Mat& taken) {
     return found;
 }
 
-// How far the middle of each column is off the course.
-std::vector<double> off_course(const std::vector<InkColumn>& columns, const std::vector<Point>& course) {
-    std::vector<double> off;
-    std::size_t at = 1;
-    for (const InkColumn& column : columns) {
-        const double x = column.x + 0.5;
-        while (at + 1 < course.size() && course[at].x < x) ++at;
-        const Point a = course[at - 1], b = course[at];
-        const double t = b.x > a.x ? std::clamp((x - a.x) / (b.x - a.x), 0.0, 1.0) : 0;
-        off.push_back((column.top + column.bottom + 1) / 2.0 - (a.y + t * (b.y - a.y)));
-    }
-    return off;
-}
-
 // Waves that are drawn through every other one of them are false: then much of the curve is off its course, and a millimetre on
 // it is off on the same side, as noise is not.
 bool loses_waves(const std::vector<InkColumn>& columns, const std::vector<Point>& course, double mm) {
-    const std::vector<double> off = off_course(columns, course);
+    const std::vector<double> heights = heights_along(course, columns);
+    std::vector<double> off;  // of the middle of each column
+    for (std::size_t i = 0; i < columns.size(); ++i) off.push_back(columns[i].middle() - heights[i]);
     const auto apart = static_cast<std::size_t>(std::max(1.0, std::round(1 / mm)));
     if (off.size() <= 2 * apart) return false;
     double sum = 0, squares = 0, lost = 0, alike = 0;
     for (std::size_t i = 0; i < off.size(); ++i) {
-        const double y = (columns[i].top + columns[i].bottom) / 2.0;
+        const double y = columns[i].middle();
         sum += y;
         squares += y * y;
         lost += off[i] * off[i];
