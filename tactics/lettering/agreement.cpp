@@ -64,7 +64,7 @@ bool bears_out(const FormReading& reading, std::string_view text) {
     return plain && !letters.empty() && static_cast<double>(found) >= kShare * static_cast<double>(letters.size());
 }
 
-// 1.000 or 1,000.
+// Whether a figure has its thousands set apart: 1.000 or 1,000.
 bool has_thousands(std::string_view text) {
     std::size_t before = 0, behind = 0;
     bool sign = false;

@@ -32,7 +32,6 @@ constexpr std::u32string_view kLikeOne[] = {U"rn", U"cl", U"ri", U"li", U"Cl", U
 
 bool is_accented(char32_t code) { return code >= 0xC0 && code <= 0xFF; }
 bool is_thin(char32_t code) { return kThin.find(code) != kThin.npos; }
-bool is_minus(char32_t code) { return code == '-' || code == 0x2212 || code == 0x2013; }
 bool may_be_off_line(char32_t code) {
     return is_digit(code) || is_minus(code) || code == '+' || (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z');
 }

@@ -14,8 +14,7 @@ constexpr double kWordSpace = 0.14;  // em
 void append_placed(std::string& text, const FormLetter& letter) {
     constexpr std::array<char32_t, 10> kRaised{0x2070, 0xB9, 0xB2, 0xB3, 0x2074, 0x2075, 0x2076, 0x2077, 0x2078, 0x2079};
     const bool digit = is_digit(letter.code);
-    const bool minus = letter.code == '-' || letter.code == 0x2212 || letter.code == 0x2013;
-    if (letter.place == FormLetter::Place::raised && (digit || minus))
+    if (letter.place == FormLetter::Place::raised && (digit || is_minus(letter.code)))
         append_letter(text, digit ? kRaised[letter.code - '0'] : 0x207B);
     else if (letter.place == FormLetter::Place::lowered && digit)
         append_letter(text, 0x2080 + (letter.code - '0'));
