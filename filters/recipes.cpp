@@ -81,6 +81,13 @@ constexpr NamedRecipe kRecipes[] = {
      "separate\n"
      "simplify\n",
      true},
+    // A border lies between two flat colours, whatever line is drawn there, so it needs no edge detector; and
+    // borders meet, so they are not kept apart: page mending does that where they come too near.
+    {"borders", "maps in plain colours: every border between two regions, whole and once",
+     "resample dpi=90\n"
+     "borders\n"
+     "simplify\n",
+     true},
     // Clean, soft borders first: what a median of 3 mm takes away has no room for a texture. The numbers of colours and of
     // regions are chosen from the picture (kmeans k=0, regions smallest=0).
     {"regions", "maps, diagrams of areas and simple scenes: each region with its outline and a texture",

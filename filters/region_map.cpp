@@ -52,8 +52,8 @@ RegionMap regions_of(const ClassMap& map) {
     return regions;
 }
 
-Merging::Merging(const ClassMap& map, const std::vector<std::vector<double>>& apart)
-    : map_(regions_of(map)),
+Merging::Merging(RegionMap map, const std::vector<std::vector<double>>& apart)
+    : map_(std::move(map)),
       apart_(apart),
       parent_(map_.class_of.size()),
       neighbours_(parent_.size()),
@@ -153,6 +153,12 @@ ClassMap Merging::result() const {
     ClassMap map{map_.width, map_.height, std::vector<std::uint8_t>(map_.region.size())};
     for (std::size_t i = 0; i < map.classes.size(); ++i) map.classes[i] = map_.class_of[root(map_.region[i])];
     return map;
+}
+
+RegionMap Merging::regions() const {
+    RegionMap regions = map_;
+    for (std::uint32_t& region : regions.region) region = root(region);
+    return regions;
 }
 
 // The middle of each region, half the width away from its border, grows again until it meets the others': a border between two

@@ -37,13 +37,15 @@ RegionMap regions_of(const ClassMap& map);
 class Merging {
 public:
     /// `apart[a][b]`: how different classes a and b look; border of that difference counts 1 / apart.
-    Merging(const ClassMap& map, const std::vector<std::vector<double>>& apart);
+    Merging(RegionMap map, const std::vector<std::vector<double>>& apart);
+    Merging(const ClassMap& map, const std::vector<std::vector<double>>& apart) : Merging(regions_of(map), apart) {}
 
     /// Continues until no region is narrower than `least` and there are at most `most`; always leaves one.
     void merge(double least, std::size_t most);
     std::size_t count() const { return count_; }
     double narrowest() const;  ///< width of the narrowest remaining region
     ClassMap result() const;
+    RegionMap regions() const;  ///< with the numbers that the regions had
 
 private:
     struct Neighbour {

@@ -22,7 +22,7 @@ std::string_view subject_of(std::string_view recipe) {
     if (recipe == "photo") return "house";
     if (recipe == "portrait") return "face-ben";
     if (recipe == "diagram") return "chart";
-    if (recipe == "map" || recipe == "regions") return "map";
+    if (recipe == "map" || recipe == "borders" || recipe == "regions") return "map";
     if (recipe == "line-art") return "line-art";
     return "balloon";
 }

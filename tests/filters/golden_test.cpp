@@ -72,6 +72,7 @@ constexpr Shown kShown[] = {
     {"nest", "", "map=learned smallest=2mm"},
     {"simplify", "", "tolerance=1mm"},
     {"regions", "kmeans k=3", "smallest=6mm clear=3mm"},
+    {"borders", "kmeans k=3", "smallest=3mm"},
 };
 
 Artwork input_for(const Filter& filter, std::string_view before) {
