@@ -39,7 +39,7 @@ constexpr Option kBordersOptions[] = {
 };
 
 constexpr double kLeastRegion = 1.2;      // mm: a smaller one is no spot that a finger finds
-constexpr double kBesideBorders = 1;             // mm: a line as near to a border is drawn by the border
+constexpr double kBesideBorders = 1;      // mm: a line as near to a border is drawn by the border
 constexpr double kWidestLine = 1.6;       // mm
 constexpr double kBorderTolerance = 0.1;  // mm; as that of simplify
 
@@ -114,7 +114,8 @@ public:
                 const std::size_t i = flat_.index(x, y);
                 if (spots_[flat_.region[i]])
                     spots.row(y)[x] = 1;
-                else if (flat_.line[i] && thick.ptr(y)[x] == 0 && static_cast<double>(away.at<float>(y, x)) * pixel_ > kBesideBorders)
+                else if (flat_.is_line(i) && thick.ptr(y)[x] == 0 &&
+                         static_cast<double>(away.at<float>(y, x)) * pixel_ > kBesideBorders)
                     lines.row(y)[x] = 1;
             }
         for (const Outline& outline : outlines_of(spots)) add_area(drawing_, outline, pixel_, kLeastRegion);
@@ -150,7 +151,7 @@ private:
     cv::Mat thick_ink() const {
         cv::Mat ink(flat_.height, flat_.width, CV_8UC1), thick;
         for (int y = 0; y < flat_.height; ++y)
-            for (int x = 0; x < flat_.width; ++x) ink.ptr(y)[x] = flat_.line[flat_.index(x, y)] ? 255 : 0;
+            for (int x = 0; x < flat_.width; ++x) ink.ptr(y)[x] = flat_.is_line(flat_.index(x, y)) ? 255 : 0;
         const int across = 2 * static_cast<int>(std::ceil(kWidestLine / 2 / pixel_)) + 1;
         cv::morphologyEx(ink, thick, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {across, across}));
         return thick;

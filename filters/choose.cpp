@@ -47,6 +47,7 @@ constexpr double kFewOfGrain = 0.01;  // a level; colours that grain has spread 
 constexpr double kMapColour = 0.1;
 // A second look, for maps in plain colours, is taken at what may be one: 19 of 20 photographs are softer.
 constexpr double kMapSoft = 0.25, kMapGround = 0.85;
+constexpr double kMapNoise = 0.6;  // uneven light makes regions of the ground of a scan
 constexpr double kWhiteGround = 0.4, kGround = 0.5;
 constexpr double kRim = 0.8;  // or one colour is all around it: of 54 charts 4 are taken for maps without this, none with it
 constexpr double kInkGround = 0.7;
@@ -384,7 +385,8 @@ Choice choose_recipe(const Image& picture) {
                       traits.soft <= kIconSoft;
     const bool pale = few && colourful && traits.clear >= kPaleClear;
     const bool drawn = parts || lines || icon;
-    if (traits.soft <= kMapSoft && traits.ground <= kMapGround && is_coloured_map(map_traits_of(picture)))
+    if (traits.noise <= kMapNoise && traits.soft <= kMapSoft && traits.ground <= kMapGround &&
+        is_coloured_map(map_traits_of(picture)))
         return {"borders", phrase("a map in plain colours: {0}", seen)};
     const bool stands = traits.rim >= kRim || traits.ground >= (traits.lightest ? kWhiteGround : kGround);
     if (drawn && (stands || !colourful)) return {"diagram", phrase("drawn: {0}, {1}", ground, seen)};

@@ -13,8 +13,9 @@ namespace tactics {
 
 namespace {
 
-constexpr int kFlatRange = 12;     // levels that 3x3 pixels of one colour differ by in a channel: as JPEG of quality 75 leaves
-constexpr int kLineStep = 40;      // levels from a region's colour to that of a line on it
+constexpr int kFlatRange = 12;  // levels that 3x3 pixels of one colour differ by in a channel: as JPEG of quality 75 leaves
+// Levels: what is paler between two regions of one colour is a grid, or the frame of a legend.
+constexpr int kBorderStep = 64;
 constexpr int kAlikeColours = 12;  // levels between colours that are taken for one
 // A street is longer than that many times its width; a province is not.
 constexpr double kRoad = 10;
@@ -91,7 +92,9 @@ void grow(FlatRegions& regions, const cv::Mat& picture, const cv::Mat& label, co
             const std::uint8_t* at = picture.ptr(y) + static_cast<std::ptrdiff_t>(3) * x;
             regions.region[i] = own[static_cast<std::size_t>(nearest.at<int>(y, x))];
             regions.flat[i] = outside.ptr(y)[x] == 0;
-            regions.line[i] = !regions.flat[i] && unlike(regions.colour[regions.region[i]], {at[0], at[1], at[2]}) > kLineStep;
+            regions.unlike[i] = regions.flat[i]
+                                    ? std::uint8_t{0}
+                                    : static_cast<std::uint8_t>(unlike(regions.colour[regions.region[i]], {at[0], at[1], at[2]}));
         }
 }
 
@@ -106,7 +109,8 @@ std::vector<Contact> contacts_of(const FlatRegions& regions) {
     const auto meet = [&](std::size_t i, std::size_t j) {
         const auto [a, b] = std::minmax(regions.region[i], regions.region[j]);
         if (a != b)
-            sides.push_back(std::uint64_t{a} << 33 | std::uint64_t{b} << 1 | (regions.line[i] || regions.line[j] ? 1 : 0));
+            sides.push_back(std::uint64_t{a} << 33 | std::uint64_t{b} << 1 |
+                            (std::max(regions.unlike[i], regions.unlike[j]) > kBorderStep ? 1 : 0));
     };
     for (int y = 0; y < regions.height; ++y)
         for (int x = 0; x < regions.width; ++x) {
@@ -179,7 +183,7 @@ FlatRegions flat_regions_of(const Image& picture, double least, double road) {
     const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     regions.region.resize(pixels);
     regions.flat.resize(pixels);
-    regions.line.resize(pixels);
+    regions.unlike.resize(pixels);
     grow(regions, colours, label, number);
     join_alike(regions);
     return regions;
@@ -212,7 +216,7 @@ double explained_by(const FlatRegions& regions, const cv::Mat& inner, double bes
     std::size_t near = 0, unexplained = 0;
     for (int y = 0; y < regions.height; ++y)
         for (int x = 0; x < regions.width; ++x) {
-            const bool line = regions.line[regions.index(x, y)], is_near = static_cast<double>(away.at<float>(y, x)) <= beside;
+            const bool line = regions.is_line(regions.index(x, y)), is_near = static_cast<double>(away.at<float>(y, x)) <= beside;
             near += line && is_near ? 1 : 0;
             far.ptr(y)[x] = line && !is_near ? 255 : 0;
         }

@@ -19,9 +19,11 @@ struct FlatRegions {
     std::vector<float> wide;                          ///< of each region: its largest disc, in pixels
     std::vector<std::array<std::uint8_t, 3>> colour;  ///< of each region
     std::vector<bool> flat;                           ///< of each pixel: in the piece that its region grew from
-    std::vector<bool> line;                           ///< of each pixel: clearly of another colour than its region
+    std::vector<std::uint8_t> unlike;  ///< of each pixel: levels, in the channel of most, from the colour of its region
 
     std::size_t count() const { return wide.size(); }
+    /// Whether something is drawn on the region there.
+    bool is_line(std::size_t pixel) const { return unlike[pixel] > 40; }
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }

@@ -7,6 +7,7 @@
 
 #include "filters/chart.h"
 #include "filters/drawing_of.h"
+#include "filters/inked_fills.h"
 #include "filters/known_parts.h"
 #include "filters/list.h"
 #include "tactics/error.h"
@@ -51,10 +52,18 @@ double setting_of(const Recipe& recipe, std::string_view name) {
 
 // Heads of arrows, dashes and points are as small as print, so only a recipe that looks closely at a figure takes them for what
 // they are. One that draws lines by their middle draws surfaces by their outlines, which a texture may fill.
-KnownParts known_parts_of(Image& picture, const Recipe& recipe) {
+KnownParts known_parts_of(Image& picture, const Recipe& recipe, bool has_legend) {
     constexpr double kClosely = 100;  // dots per inch
-    if (!recipe.has_words || !(picture.mm_per_pixel > 0) || setting_of(recipe, "dpi") < kClosely) return {};
-    return take_known_parts(picture, setting_of(recipe, "lines") > 0);
+    if (!recipe.has_words || !(picture.mm_per_pixel > 0)) return {};
+    // Colours of a map say which regions are neighbours, and no more; with a legend they say what a region is.
+    const bool is_map =
+        std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name == "borders"; });
+    KnownParts parts;
+    if (is_map && has_legend)
+        parts.areas = take_fills(picture);
+    else if (!is_map && setting_of(recipe, "dpi") >= kClosely)
+        parts = take_known_parts(picture, setting_of(recipe, "lines") > 0);
+    return parts;
 }
 
 // Pixels from any source. `words` says what to do with print in them.
@@ -81,7 +90,7 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
         print.take_from(picture);
         picture = cut_out(std::move(picture), part);
         if (chooses) way.detail = choose_detail(fitting, picture, on, place, as_drawn);
-        KnownParts parts = known_parts_of(picture, recipe);
+        KnownParts parts = known_parts_of(picture, recipe, !print.samples.empty());
         Drawing drawing = drawing_of(run_settling(fitting, std::move(picture), way.chosen));
         if (!drawing.picture) {
             way.told = parts.told();

@@ -111,7 +111,59 @@ def parabola(_):
         axes.text(*at, text, ha="center", va="center", fontsize=14)
 
 
-PLOTS = [hatched, crossing, styles, silhouettes, heads, outliers, stacked, stems, parabola]
+def cells(random, columns, rows):
+    """Of a map: polygons that share their crooked borders."""
+    corners = {(i, j): (i + random.uniform(-0.22, 0.22), j + random.uniform(-0.22, 0.22)) for i in range(columns + 1) for j in range(rows + 1)}
+    ways = {}
+
+    def way(a, b):
+        if (b, a) in ways:
+            return ways[b, a][::-1]
+        if (a, b) not in ways:
+            (x0, y0), (x1, y1) = corners[a], corners[b]
+            ways[a, b] = [(x0 + t * (x1 - x0) + bend * (y0 - y1), y0 + t * (y1 - y0) + bend * (x1 - x0))
+                          for t, bend in zip(np.linspace(0, 1, 9), np.append(np.append(0, random.uniform(-0.09, 0.09, 7)), 0))]
+        return ways[a, b]
+
+    for j in range(rows):
+        for i in range(columns):
+            ring = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
+            yield [point for a, b in zip(ring, ring[1:] + ring[:1]) for point in way(a, b)[:-1]]
+
+
+def a_map(random, columns, rows, colours, edge, names):
+    axes = plt.gca()
+    axes.set_axis_off()
+    axes.set_xlim(-0.5, columns + 0.5)
+    axes.set_ylim(-0.5, rows + 0.5)
+    for number, cell in enumerate(cells(random, columns, rows)):
+        colour = colours[(number % columns + 3 * (number // columns)) % len(colours)]
+        axes.add_patch(patches.Polygon(cell, facecolor=colour, edgecolor=edge, linewidth=1))
+        if names:
+            axes.text(number % columns + 0.5, number // columns + 0.5, names[number], ha="center", va="center", fontsize=9)
+
+
+def provinces(random):
+    a_map(random, 4, 3, ["#e0a0a0", "#90c090", "#f0e080", "#90b0e0", "#e8b878", "#c8a0d8"], "black",
+          "Arden Brook Calder Dunmore Eskdale Farrow Glenn Harrow Islay Kelso Lorne Moray".split())
+    plt.title("Provinces")
+
+
+def counties(random):
+    plt.gcf().set_facecolor("#b8d8f0")
+    a_map(random, 6, 5, ["#c03030", "#30a050", "#e0c020", "#2060c0", "#e07020"], "white", None)
+
+
+def harvest(random):
+    a_map(random, 5, 4, ["#fee0a0", "#f09040", "#a03010"], "black", None)
+    for colour, name in (("#fee0a0", "Little"), ("#f09040", "Some"), ("#a03010", "Much")):
+        plt.bar(0, 0, color=colour, edgecolor="black", label=name)
+    plt.legend(loc="lower center", ncol=3)
+    plt.gca().set_ylim(-1, 4.5)
+    plt.title("Harvest of rye")
+
+
+PLOTS = [hatched, crossing, styles, silhouettes, heads, outliers, stacked, stems, parabola, provinces, counties, harvest]
 
 
 def look_of(artist):
