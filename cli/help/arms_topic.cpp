@@ -104,9 +104,10 @@ std::string arms_text() {
            key_text() +
            "\n"
            "The weighting function of curves (--fixture) is lost from the papers; r1 and r2\n"
-           "are reconstructions. Stiffness and damping at which the arm would not be\n"
-           "stable, with or without a finger in it, are refused, and the nearest stable\n"
-           "values are named; --arm also gives the limits of a real arm.\n"
+           "are reconstructions. In sharp bends close together r2 holds a finger better; it\n"
+           "may slip off r1 and linear there. Stiffness and damping at which the arm would\n"
+           "not be stable, with or without a finger in it, are refused, and the nearest\n"
+           "stable values are named; --arm also gives the limits of a real arm.\n"
            "\n"
            "recorded:FILE.csv (with --arm) repeats a path: each line has\n"
            "time_s,x_mm,y_mm,z_mm, and the first line names these columns. It also replays\n"

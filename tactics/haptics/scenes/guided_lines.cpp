@@ -20,27 +20,26 @@ struct Turn {
 class Turns {
 public:
     explicit Turns(double least) : least_(least) {}
-    // mm upwards. Gives the turn that this height makes known.
-    std::optional<Turn> add(std::size_t point, double height) noexcept {
+    // mm upwards. Calls take(turn) with the turn that this height makes known.
+    template <typename Take>
+    void add(std::size_t point, double height, Take take) {
         if (none_) {
             high_at_ = low_at_ = point;
             high_ = low_ = height;
             none_ = false;
-            return std::nullopt;
+            return;
         }
         if (height > high_) high_ = height, high_at_ = point;
         if (height < low_) low_ = height, low_at_ = point;
-        std::optional<Turn> turn;
         if (course_ >= 0 && height <= high_ - least_) {
-            if (course_ > 0) turn = Turn{high_at_, true};
+            if (course_ > 0) take(Turn{high_at_, true});
             course_ = -1;
             low_ = height, low_at_ = point;
         } else if (course_ <= 0 && height >= low_ + least_) {
-            if (course_ < 0) turn = Turn{low_at_, false};
+            if (course_ < 0) take(Turn{low_at_, false});
             course_ = 1;
             high_ = height, high_at_ = point;
         }
-        return turn;
     }
     void begin_again() noexcept { none_ = true, course_ = 0; }
 
@@ -59,25 +58,29 @@ struct FoundTurns {
 };
 FoundTurns turns_of(const PlotCurve& curve, const PlotFrame& frame) {
     Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+    std::vector<double> heights;
+    heights.reserve(curve.points.size());
     for (const PlotPoint& point : curve.points) {
         const Point at{frame.across(point.x), frame.down(point.y)};
         low = {std::min(low.x, at.x), std::min(low.y, at.y)};
         high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+        heights.push_back(-at.y);
     }
     FoundTurns found{{}, std::max(high.x - low.x, high.y - low.y), false};
-    // Above twice the side there are none.
+    const auto too_many = [&] { return static_cast<double>(found.turns.size()) * kLeastTurn > found.side; };
+    // Above twice the side there are none. Of noise the first points tell that there are too many.
     for (double least = kLeastTurn;; least *= 2) {
         found.turns.clear();
         Turns turns(least);
         auto gap = curve.gaps.begin();
-        for (std::size_t k = 0; k < curve.points.size(); ++k) {
+        for (std::size_t k = 0; k < heights.size() && !too_many(); ++k) {
             if (gap != curve.gaps.end() && *gap == k) {
                 turns.begin_again();
                 ++gap;
             }
-            if (const auto turn = turns.add(k, -frame.down(curve.points[k].y))) found.turns.push_back(*turn);
+            turns.add(k, heights[k], [&](const Turn& turn) { found.turns.push_back(turn); });
         }
-        if (!(static_cast<double>(found.turns.size()) * kLeastTurn > found.side)) return found;
+        if (!too_many()) return found;
         found.dense = true;
     }
 }

@@ -65,7 +65,23 @@ LineField::LineField(const std::vector<std::vector<Point>>& lines, const Reach& 
     const auto square = [&](std::size_t column, std::size_t row, double nearest, const std::vector<FoundSegment>&) {
         distances[row * squares_.columns + column] = static_cast<float>(std::min(nearest, cut));
     };
-    SquareDescent(segments, squares_, cut, false, square).run();
+    // Noise that fills a plot is done with here: each node has a line beside it.
+    const double beside = std::min(cut, squares_.side / 2);
+    each_square_beside(
+        segments, squares_, beside, [&](std::size_t column, std::size_t row, double across, const LineSegment& segment) {
+            float& known = distances[row * squares_.columns + column];
+            if (across > static_cast<double>(known) * (1 + 1e-6)) return;
+            const Point middle = squares_.middle(static_cast<double>(column), static_cast<double>(row));
+            known = std::min(known, static_cast<float>(distance(place_on(segment, nearest_along(segment, middle)), middle)));
+        });
+    const auto unknown = [&](std::size_t column, std::size_t row, std::size_t size) {
+        const auto most = static_cast<float>(beside * (1 - 1e-6));
+        const std::size_t columns = std::min(size, squares_.columns - column), end = std::min(row + size, squares_.rows);
+        for (const float* from = &distances[row * squares_.columns + column]; row < end; ++row, from += squares_.columns)
+            if (std::any_of(from, from + columns, [&](float one) { return !(one < most); })) return true;
+        return false;
+    };
+    SquareDescent(segments, squares_, cut, false, square, unknown).run();
     round_edges(distances, reach.blend);
     take_squares(distances);
 }

@@ -11,25 +11,48 @@ namespace {
 constexpr double kSquare = 2;  // mm: few segments matter in each, and where hundreds do they are not kept too often
 constexpr std::size_t kMostSquares = 1'000'000;
 
-float rounded_down(double value) noexcept {
-    const auto narrow = static_cast<float>(value);
-    return static_cast<double>(narrow) > value ? std::nextafter(narrow, 0.0f) : narrow;
-}
+// Orders segments by distance in as many steps as there are segments, because a query need not know more: of each step it is told
+// where it begins.
+class InSteps {
+public:
+    template <typename Take>
+    void order(const std::vector<FoundSegment>& found, Take take) {
+        if (found.empty()) return;
+        const auto [near, far] = std::minmax_element(
+            found.begin(), found.end(), [](const FoundSegment& a, const FoundSegment& b) { return a.distance < b.distance; });
+        const double least = near->distance, step = (far->distance - least) / static_cast<double>(found.size());
+        const auto step_of = [&](const FoundSegment& one) {
+            return step > 0 ? std::min(static_cast<std::size_t>((one.distance - least) / step), found.size() - 1) : 0;
+        };
+        ends_.assign(found.size() + 1, 0);
+        for (const FoundSegment& one : found) ++ends_[step_of(one) + 1];
+        for (std::size_t i = 1; i < ends_.size(); ++i) ends_[i] += ends_[i - 1];
+        ordered_.resize(found.size());
+        for (const FoundSegment& one : found) {
+            const std::size_t at = step_of(one);
+            // A little less, as numbers are rounded.
+            ordered_[ends_[at]++] = {one.segment, (least + static_cast<double>(at) * step) * (1 - 1e-6)};
+        }
+        for (const FoundSegment& one : ordered_) take(one);
+    }
+
+private:
+    std::vector<std::size_t> ends_;
+    std::vector<FoundSegment> ordered_;
+};
 
 }  // namespace
 
 NearLines::NearLines(const std::vector<std::vector<Point>>& lines, double far) : segments_(segments_of(lines)), far_(far) {
     squares_ = squares_round(segments_, far_, kSquare, kMostSquares);
     spans_.resize(squares_.columns * squares_.rows);
-    const auto square = [&](std::size_t column, std::size_t row, double, std::vector<FoundSegment>& found) {
+    InSteps steps;
+    const auto square = [&](std::size_t column, std::size_t row, double, const std::vector<FoundSegment>& found) {
         const std::size_t first = entries_.size();
-        std::sort(found.begin(), found.end(), [](const FoundSegment& one, const FoundSegment& other) {
-            return one.distance != other.distance ? one.distance < other.distance : one.segment < other.segment;
-        });
-        for (const FoundSegment& one : found) entries_.push_back({one.segment, rounded_down(one.distance)});
+        steps.order(found, [&](const FoundSegment& one) { entries_.push_back({one.segment, static_cast<float>(one.distance)}); });
         spans_[row * squares_.columns + column] = {first, entries_.size()};
     };
-    SquareDescent(segments_, squares_, far_, true, square).run();
+    SquareDescent(segments_, squares_, far_, true, square, [](std::size_t, std::size_t, std::size_t) { return true; }).run();
 }
 
 Nearness NearLines::at(const Point3& place) const noexcept {

@@ -32,7 +32,7 @@ public:
 private:
     struct Entry {
         std::uint32_t segment;
-        float distance;  // mm from the middle of the square, rounded down
+        float distance;  // mm from the middle of the square, at least; ascending
     };
 
     std::vector<LineSegment> segments_;

@@ -2,8 +2,10 @@
 // Shapes of surfaces by two sections: from numbers, and through `tactics play` with a hand that feels them.
 #include "cli/verbs/felt_shape.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 
 #include "tests/cli/converting.h"
 
@@ -37,6 +39,14 @@ TEST(FeltShape, CoursesOfKnownSections) {
                   {"step", [](double x) { return (x < 0.6 ? 0.0 : 1.0) + 0.4 * x; }},
                   {"steps", [](double x) { return (x < 0.3 ? 0.0 : 1.0) + (x < 0.65 ? 0.0 : 1.6); }},
                   {"steps", [](double x) { return std::floor(4 * x + 0.1) / 3; }},
+                  {"steps", [](double x) { return (x < 0.3 ? 0.0 : 0.2) + (x < 0.6 ? 0.0 : 0.8); }},
+                  {"steps", [](double x) { return std::floor(4.99 * x) / 4; }},
+                  {"step", [](double x) { return 1 / (1 + std::exp(-17 * (x - 0.5))); }},
+                  {"slope", [](double x) { return 1 / (1 + std::exp(-10 * (x - 0.5))); }},
+                  {"step", [](double x) { return std::clamp((x - 0.35) / 0.3, 0.0, 1.0); }},
+                  {"slope", [](double x) { return std::clamp((x - 0.27) / 0.46, 0.0, 1.0); }},
+                  {"waves", [](double x) { return std::sin(80 * x); }},
+                  {"hump", [](double x) { return x > 0.45 && x < 0.46 ? 1.0 : 0.0; }},
                   {"hump", [](double x) { return -std::abs(x - 0.5); }},
                   {"hump", [](double x) { return std::exp(-30 * (x - 0.7) * (x - 0.7)); }},
                   {"hump", [](double x) { return x > 0.45 && x < 0.5 ? 1.0 : 0.0; }},
@@ -68,6 +78,33 @@ TEST(FeltShape, HalfAHillIsNoStep) {
         const auto between = [&](double x) { return std::tanh((x - 0.5) / width); };
         EXPECT_EQ(course_of(section_of(between), 2), width < 0.12 ? "step" : "slope") << width;
     }
+}
+
+// As rough as 3 % of all heights, in places a sixtieth of the section apart.
+TEST(FeltShape, RoughnessChangesNoCourse) {
+    const struct {
+        const char* course;
+        double (*height)(double);
+    } kSmooth[] = {{"slope", [](double x) { return x; }},
+                   {"step", [](double x) { return x < 0.43 ? 0.0 : 1.0; }},
+                   {"steps", [](double x) { return std::floor(2.99 * x) / 2; }},
+                   {"steps", [](double x) { return (x < 0.36 ? 0.0 : 0.3) + (x < 0.6 ? 0.0 : 0.7); }},
+                   {"hump", [](double x) { return std::exp(-30 * (x - 0.4) * (x - 0.4)); }},
+                   {"dip", [](double x) { return 4 * (x - 0.5) * (x - 0.5); }},
+                   {"waves", [](double x) { return 0.5 + 0.5 * std::sin(25 * x); }}};
+    std::mt19937 random(5);
+    std::normal_distribution<double> off(0, 0.03);
+    for (const auto& [course, height] : kSmooth)
+        for (int round = 0; round < 10; ++round) {
+            std::vector<double> rough(62);
+            for (double& one : rough) one = off(random);
+            const auto felt = [&rough, h = height](double x) {
+                const auto place = static_cast<std::size_t>(60 * x);
+                const double share = 60 * x - static_cast<double>(place);
+                return h(x) + (1 - share) * rough[place] + share * rough[place + 1];
+            };
+            EXPECT_EQ(course_of(section_of(felt), 1), course) << round;
+        }
 }
 
 // What nobody has felt is no height of 0.
@@ -120,6 +157,8 @@ TEST_F(FeltSections, AHandTellsShapesThatItGetsThrough) {
         {"steps", [](double, double y) { return (y > -0.4 ? 1.0 : 0.0) + (y > 0.3 ? 1.5 : 0.0); }},
         {"slope", [](double x, double) { return std::exp(-6 * (x - 0.95) * (x - 0.95)); }},
         {"waves", [](double, double y) { return std::sin(9 * y); }},
+        {"steps", [](double x, double) { return (x > -0.4 ? 0.3 : 0.0) + (x > 0.25 ? 0.7 : 0.0); }},
+        {"step", [](double x, double) { return 1 / (1 + std::exp(-12 * x)); }},
         {"slope", [](double x, double) { return std::exp(x); }},
         {"level", [](double x, double y) { return x > 0.95 && y > 0.95 ? 1.0 : 0.0; }},
         {"hole", [](double x, double y) { return std::hypot(x - 0.2, y) < 0.25 ? NAN : x * x; }},
