@@ -2,6 +2,7 @@
 #include "tactics/layout/label.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "tactics/braille/braille.h"
@@ -67,6 +68,19 @@ LabelBlock placed(LabelBlock block, const Label& label, Point at, const CellSize
         line.first_dot.y += top;
     }
     return block;
+}
+
+void put_on(Page& page, LabelBlock block, Point corner) {
+    for (PrintLine& line : block.print) {
+        line.baseline.x += corner.x;
+        line.baseline.y += corner.y;
+    }
+    for (BrailleLine& line : block.braille) {
+        line.first_dot.x += corner.x;
+        line.first_dot.y += corner.y;
+    }
+    std::move(block.print.begin(), block.print.end(), std::back_inserter(page.print));
+    std::move(block.braille.begin(), block.braille.end(), std::back_inserter(page.braille));
 }
 
 }  // namespace tactics

@@ -28,4 +28,7 @@ void say(LabelBlock& block, Page& page, PageWords words);
 /// Throws Error(usage) if it is wider than the paper.
 LabelBlock placed(LabelBlock block, const Label& label, Point at, const CellSize& cell, double page_width, double page_height);
 
+/// Its lines of print and braille, with its corner there.
+void put_on(Page& page, LabelBlock block, Point corner);
+
 }  // namespace tactics

@@ -141,8 +141,8 @@ Page lay_out(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement
 }
 
 std::optional<NamesCost> cost_of_names(const Drawing& drawing, const Sheet& sheet, Arrangement arrangement, double most) {
-    Page page = inked(drawing, sheet, arrangement);
-    return cost_of_names(std::move(page), names_on_page(drawing, arrangement), sheet, windows_for(arrangement, sheet), most);
+    const Page page = inked(drawing, sheet, arrangement);
+    return cost_of_names(page, names_on_page(drawing, arrangement), sheet, windows_for(arrangement, sheet), most);
 }
 
 Page lay_out(const Drawing& drawing, const Sheet& sheet) {

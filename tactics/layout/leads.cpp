@@ -152,8 +152,8 @@ std::vector<Point> Leads::ends_for(Point thing) const {
     return ends;
 }
 
-bool Leads::is_clear(const Lead& lead, bool across) const {
-    if (in_way_ < chains_.size() && !is_clear_of(chains_[in_way_], lead, across)) return false;
+bool Leads::is_clear(const Lead& lead, bool across, bool leads) const {
+    if (in_way_ < in_grid_ && !is_clear_of(chains_[in_way_], lead, across)) return false;
     // On a full page the first piece of the line meets something, so only the chains near it are examined.
     const double length = distance(lead.from, lead.to);
     const int pieces = 1 + static_cast<int>(length / kPiece);
@@ -171,9 +171,44 @@ bool Leads::is_clear(const Lead& lead, bool across) const {
         const Box box = box_of(Segment{on_way(piece), on_way(piece + 1)}, half_ + clear_ + kLeadRounding);
         if (grid_.any_near(box, [&](std::size_t chain) { return clear.insert(chain).second && meets(chain); })) return false;
     }
-    for (std::size_t chain = in_grid_; chain < chains_.size(); ++chain)
-        if (meets(chain)) return false;
+    // Where two lead lines meet, a finger does not know which of them goes on.
+    for (std::size_t chain = in_grid_; chain < chains_.size(); ++chain) {
+        const std::vector<Point>& other = chains_[chain].points;
+        if (leads ? !is_clear_of(chains_[chain], lead, across)
+                  : !is_farther(lead, other.front(), other.back(), 2 * half_ + clear_))
+            return false;
+    }
     return true;
+}
+
+bool Leads::has_ink_near(Point place, double within) const {
+    End best{within, nullptr, 0};
+    for (const std::size_t chain : chains_near(box_of(Segment{place, place}, within))) look_for_end(chain, place, best);
+    return best.chain != nullptr;
+}
+
+std::size_t Leads::crossings(const Lead& lead) const {
+    const double length = distance(lead.from, lead.to);
+    if (!(length > 0)) return 0;
+    const Box box = box_of(Segment{lead.from, lead.to}, 0);
+    std::size_t count = 0;
+    for (const std::size_t number : chains_near(box)) {
+        const Chain& chain = chains_[number];
+        const std::size_t times = number < in_grid_ ? 1 : 4;
+        const double end = std::max(0.0, 1 - (chain.half_width + half_ + kOn) / length);
+        const Point to{lead.from.x + end * (lead.to.x - lead.from.x), lead.from.y + end * (lead.to.y - lead.from.y)};
+        for (const Block& block : chain.blocks) {
+            if (!meet(block.box, box)) continue;
+            for (std::size_t i = std::max<std::size_t>(1, block.first); i < block.end; ++i) {
+                const Point a = chain.points[i - 1], b = chain.points[i];
+                // A corner belongs to one of its sides.
+                if ((side_of(a, lead.from, to) > 0) != (side_of(b, lead.from, to) > 0) &&
+                    (side_of(lead.from, a, b) > 0) != (side_of(to, a, b) > 0))
+                    count += times;
+            }
+        }
+    }
+    return count;
 }
 
 bool Leads::is_clear_of(const Chain& chain, const Lead& lead, bool across) const {

@@ -23,9 +23,17 @@ public:
     /// pass; else the point itself.
     std::vector<Point> ends_for(Point thing) const;
 
-    /// The lead line keeps clear of all ink except where it ends. With `across` it may also cross lines. It meets ink at an angle
+    /// The lead line keeps clear of all ink except where it ends, and of other lead lines. With `across` it may also cross lines,
+    /// with `leads` lead lines, too. It meets ink at an angle
     /// steep enough to be felt as a separate line (28 degrees, the limit for a meeting in the rule gap).
-    bool is_clear(const Lead& lead, bool across) const;
+    bool is_clear(const Lead& lead, bool across, bool leads = false) const;
+
+    /// A line or an area is no farther than that.
+    bool has_ink_near(Point place, double within) const;
+
+    /// The number of places where it crosses a line, none where it ends; a crossing of another lead line counts four times, as a
+    /// finger does not know which of them goes on.
+    std::size_t crossings(const Lead& lead) const;
 
     /// Adds it to the ink on the page.
     void add(const Lead& lead);

@@ -2,41 +2,31 @@
 #include "tactics/layout/naming.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <iterator>
 #include <limits>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tactics/geometry/box.h"
 #include "tactics/layout/label.h"
-#include "tactics/layout/leads.h"
+#include "tactics/layout/lead_search.h"
 #include "tactics/layout/room.h"
 #include "tactics/layout/sheet.h"
+#include "tactics/layout/thing_places.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
 
 namespace {
 
-// A shape within the span of a hand names itself by words beside it; own choice.
-constexpr double kLargestShape = 45;  // mm
-constexpr double kInMiddle = 0.2;     // of its sides: so near to its middle stands what names it
-// Lead lines: 3/4 to 1 1/2 in, the least line there is, no arrowhead (GSTG 3.4.3.5, second-hand; medium confidence).
-constexpr double kLongestLead = 38;  // mm
-constexpr std::size_t kMostLeads =
-    500;  // places examined, the best first; they include all those straight above, below and beside
-constexpr std::size_t kMostLeadsOfPage =
-    500'000;                         // for all of its names: where 200 found none, thousands more are not looked for in vain
-constexpr double kShortestLead = 3;  // mm; own choice: anything shorter is a dot
 // Costs for a hand, as settings: a key must be looked up, a lead line followed.
-constexpr double kLeftOut = 6, kKeyed = 3, kLed = 1.5;
-constexpr double kOnePlace = 0.01;  // mm
+constexpr double kLeftOut = 6, kKeyed = 3, kLed = 1.5, kCrossed = 0.1;
+constexpr std::size_t kMostPlaces = 16;         // of a thing
+constexpr std::size_t kMostOfAll = 48;          // where none of them has room
+constexpr std::size_t kMostPlacesOfPage = 400;  // where many have no room, more are looked for in vain
+constexpr double kOnePlace = 0.01;              // mm
 
 struct Piece {
     LabelBlock block;
@@ -73,32 +63,22 @@ LabelBlock block_of(const Name& name, const Sheet& sheet) {
     }
 }
 
-// It keeps `gap` from the words, like all lines: closer, it could be mistaken for a dot (rules/braille_clearance.cpp).
-Lead lead_of(const Rect& place, Point thing, double gap) {
-    const Point near = nearest_of(place, thing);
-    const double far = distance(near, thing);
-    const double begin = std::min(1.0, gap / std::max(far, 1e-9));
-    return {{near.x + begin * (thing.x - near.x), near.y + begin * (thing.y - near.y)}, thing};
-}
+using Way = LeadSearch::Way;
 
-// Where a lead line begins.
-using Beginning = std::pair<double, double>;
-struct BeginningHash {
-    std::size_t operator()(const Beginning& at) const {
-        return std::hash<double>()(at.first) * 1'000'003 + std::hash<double>()(at.second);
-    }
-};
+using Texts = std::set<std::string>;
 
 class Naming {
 public:
-    Naming(Page& page, const Sheet& sheet, std::span<const Rect> windows)
-        : page_(page),
+    Naming(Page& page, const Sheet& sheet, std::span<const Rect> windows, const Texts& in_letters)
+        : in_letters_(in_letters),
+          page_(page),
           sheet_(sheet),
           windows_(windows),
           room_(page, clear_of_braille(*sheet.medium)),
-          leads_(page, sheet.medium->thin_line, sheet.medium->gap) {
+          leads_(page, *sheet.medium),
+          things_(page.regions) {
         for (const BrailleLine& line : page.braille)
-            if (!line.cells.empty()) words_.push_back(extent_of(line, page.cell, page.braille_dot));
+            if (!line.cells.empty()) leads_.add(extent_of(line, page.cell, page.braille_dot));
     }
 
     // With costs of `most` it goes no further, and the page is not complete.
@@ -114,31 +94,42 @@ public:
         std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
             return a.name.within != b.name.within ? a.name.within < b.name.within : a.block.width > b.block.width;
         });
-        std::vector<Piece> keyed;
+        std::vector<Piece> first, keyed, waiting;
         const std::size_t keys = count_of_keys();
         for (Piece& piece : pieces) {
             if (cost_ >= most) return {};
-            if (stands_beside(piece) || stands_beside_shape(piece) || stands_apart(piece, Way::open)) continue;
+            const bool is_of_thing = things_.thing_at(piece.name.at) != nullptr;
+            if (!stands_beside(piece) && !stands_beside_shape(piece) && !stands_apart(piece, !is_of_thing))
+                (in_letters_.contains(piece.name.text) ? first : waiting).push_back(std::move(piece));
+        }
+        set_letters(first, most);
+        for (Piece& piece : waiting) {
+            if (cost_ >= most) return {};
+            if (things_.thing_at(piece.name.at) != nullptr && (stands_elsewhere(piece) || stands_apart(piece, true))) continue;
             // Whatever the others find, not all will have a key: of thousands of names each would be looked for in vain.
             if (keyed.size() == keys && !sheet_.braille_table.empty())
                 leave_out(piece, phrase("a key"));
             else
                 keyed.push_back(std::move(piece));
         }
-        std::stable_sort(keyed.begin(), keyed.end(), [](const Piece& a, const Piece& b) { return a.name.text < b.name.text; });
-        std::vector<KeyEntry> key;
-        if (!keyed.empty()) key = set_key(keyed, most);
+        set_letters(keyed, most);
+        if (cost_ >= most) return {};
+        std::vector<KeyEntry> left = set_key();
         std::stable_sort(page_.names.begin(), page_.names.end(), reads_before);
-        return key;
+        return left;
     }
 
     double cost() const { return cost_; }
 
 private:
     bool stands_beside(Piece& piece) {
-        const auto place =
-            room_.nearest(piece.name.at, piece.block.width, piece.block.height, std::max(kBesideThing, piece.name.within),
-                          [this](const Rect& rect) { return is_whole(rect); });
+        return stands_beside(piece, [this](const Rect& rect) { return is_whole(rect); });
+    }
+
+    template <typename Accept>
+    bool stands_beside(Piece& piece, Accept accept) {
+        const auto place = room_.nearest(piece.name.at, piece.block.width, piece.block.height,
+                                         std::max(kBesideThing, piece.name.within), accept);
         if (!place) return false;
         put(piece, *place);
         return true;
@@ -146,7 +137,7 @@ private:
 
     // Words that a box has no room for stand right beside the box.
     bool stands_beside_shape(Piece& piece) {
-        const auto shape = smallest_around(piece.name.at);
+        const auto shape = shape_around(page_, piece.name.at);
         if (!shape) return false;
         const Box near = grown(*shape, kBesideThing);
         const auto place = room_.nearest(
@@ -157,87 +148,82 @@ private:
         return true;
     }
 
-    // The smallest closed line around a place, if a hand feels it as one thing.
-    std::optional<Box> smallest_around(Point at) const {
-        std::optional<Box> best;
-        for (const PageStroke& stroke : page_.strokes) {
-            if (!stroke.closed || stroke.points.size() < 3) continue;
-            const Box box = box_of(stroke.points);
-            if (!box.holds(at) || std::max(box.width(), box.height()) > kLargestShape) continue;
-            const Point middle{(box.left + box.right) / 2, (box.top + box.bottom) / 2};
-            if (std::abs(at.x - middle.x) > kInMiddle * box.width() || std::abs(at.y - middle.y) > kInMiddle * box.height())
-                continue;
-            if (!best || box.width() * box.height() < best->width() * best->height()) best = box;
-        }
-        return best;
-    }
-
-    enum class Way { open, across };  // of a lead line: meeting no line, or crossing some, which is better than no name
-
-    bool stands_apart(Piece& piece, Way way) {
-        if (leads_tried_ >= kMostLeadsOfPage) return false;
+    // Inside a thing, or wherever something without regions is. Ink beside it may be the border of something else, too.
+    bool stands_apart(Piece& piece, bool on_ink) {
         if (!page_.live.holds(piece.name.at)) return false;  // print beside a large drawing
-        const auto ends = leads_.ends_for(piece.name.at);
-        return std::any_of(ends.begin(), ends.end(), [&](Point end) { return is_led_to(piece, end, way); });
-    }
-
-    bool is_led_to(Piece& piece, Point end, Way way) {
-        const double gap = lead_gap();
-        // Many places share a lead line: words above a thing may stand farther left or right.
-        std::unordered_map<Beginning, bool, BeginningHash> known;
-        const auto leads_there = [&](const Rect& rect) {
-            if (!is_whole(rect)) return false;
-            const Lead lead = lead_of(rect, end, gap);
-            const Beginning begins{lead.from.x, lead.from.y};
-            if (const auto same = known.find(begins); same != known.end()) return same->second;
-            if (known.size() >= kMostLeads || leads_tried_ >= kMostLeadsOfPage) return false;
-            ++leads_tried_;
-            const double length = distance(lead.from, lead.to);
-            return known[begins] = length <= kLongestLead && length >= kShortestLead && !meets_words(lead) &&
-                                   leads_.is_clear(lead, way == Way::across);
-        };
-        const auto place = room_.nearest(end, piece.block.width, piece.block.height, kLongestLead + gap, leads_there);
-        if (!place) return false;
-        put(piece, *place);
-        const Lead lead = lead_of(*place, end, gap);
-        page_.strokes.push_back({{lead.from, lead.to}, false, sheet_.medium->thin_line, Role::lead});
-        room_.take(lead.from, lead.to, sheet_.medium->thin_line);
-        leads_.add(lead);
-        return true;
-    }
-
-    // From the middle of a lead line to words; files round to hundredths, at both.
-    double lead_gap() const { return clear_of_braille(*sheet_.medium) + sheet_.medium->thin_line / 2 + 0.02; }
-
-    // Where the place that it has is hemmed in: another one on the border of the same thing.
-    bool stands_elsewhere(Piece& piece) {
-        constexpr std::size_t kMostPlaces = 48;         // of a thing
-        constexpr std::size_t kMostPlacesOfPage = 400;  // where many have no room, more are looked for in vain
-        if (places_tried_ >= kMostPlacesOfPage) return false;
-        const Region* thing = nullptr;
-        double least = 0;
-        for (const Region& region : page_.regions) {
-            if (!holds(region, piece.name.at)) continue;
-            const Box box = box_of(region);
-            if (thing != nullptr && box.width() * box.height() >= least) continue;
-            thing = &region;
-            least = box.width() * box.height();
-        }
-        if (thing == nullptr) return false;
-        std::vector<Point> places;
-        for (const auto& ring : thing->rings)
-            for (std::size_t i = 0; i < ring.size(); ++i) {
-                const Point next = ring[(i + 1) % ring.size()];
-                places.push_back(ring[i]);
-                places.push_back({(ring[i].x + next.x) / 2, (ring[i].y + next.y) / 2});
-            }
-        const std::size_t step = 1 + places.size() / kMostPlaces;
-        for (std::size_t i = 0; i < places.size(); i += step) {
-            piece.name.at = places[i];
-            ++places_tried_;
-            if (stands_beside(piece) || stands_apart(piece, Way::across)) return true;
-        }
+        for (const Point end : leads_.ends_for(piece.name.at))
+            if ((on_ink || distance(end, piece.name.at) < kOnePlace) && is_led_to(piece, end)) return true;
         return false;
+    }
+
+    bool is_led_to(Piece& piece, Point end) {
+        const auto led = led_to(piece, end, Way::open);
+        if (led) put_led(piece, *led);
+        return led.has_value();
+    }
+
+    std::optional<Led> led_to(const Piece& piece, Point end, Way way) {
+        return leads_.led_to(room_, piece.block.width, piece.block.height, end, way,
+                             [this](const Rect& rect) { return is_whole(rect); });
+    }
+
+    void put_led(const Piece& piece, const Led& led) {
+        put(piece, led.place);
+        cost_ += kCrossed * static_cast<double>(leads_.crossings(led.lead));
+        page_.strokes.push_back({{led.lead.from, led.lead.to}, false, sheet_.medium->thin_line, Role::lead});
+        room_.take(led.lead.from, led.lead.to, sheet_.medium->thin_line);
+        leads_.add(led.lead);
+    }
+
+    // Where the place that it has is hemmed in: other ones on the border of the same thing, and what ink is there.
+    std::vector<std::pair<Point, Point>> elsewhere(const Piece& piece, ThingPlaces::Border border) {
+        constexpr double kDrawn = 1;  // mm: where it is hidden, its border has no line
+        const Region* thing = things_.thing_at(piece.name.at);
+        if (thing == nullptr || places_tried_ >= kMostPlacesOfPage) return {};
+        std::vector<std::pair<Point, Point>> places;
+        for (const Point at :
+             things_.on_border(*thing, piece.name.at, border, border == ThingPlaces::Border::own ? kMostPlaces : kMostOfAll))
+            if (const Point end = leads_.ends_for(at).front(); leads_.has_ink_near(at, kDrawn)) places.push_back({at, end});
+        return places;
+    }
+
+    bool stands_elsewhere(Piece& piece) {
+        const Region* thing = things_.thing_at(piece.name.at);
+        const auto is_of_it = [&](const Rect& rect) {
+            return is_whole(rect) && things_.is_free_of_others(*thing, rect.middle());
+        };
+        const Point before = piece.name.at;
+        for (const auto& [place, end] : elsewhere(piece, ThingPlaces::Border::own)) {
+            piece.name.at = place;
+            ++places_tried_;
+            if (stands_beside(piece, is_of_it) || is_led_to(piece, end)) return true;
+        }
+        piece.name.at = before;
+        return false;
+    }
+
+    // Across as few lines as it can, by as short a line.
+    bool stands_across(Piece& piece, ThingPlaces::Border border, Way way) {
+        std::optional<Led> best;
+        Point at = piece.name.at;
+        const auto compare = [&](Point place, Point end) {
+            if (best && (best->is_good() || page_.regions.empty())) return;  // of what has no extent, ends are much the same
+            if (const auto led = led_to(piece, end, way); led && (!best || led->cost < best->cost)) {
+                best = led;
+                at = place;
+            }
+        };
+        if (page_.live.holds(piece.name.at))
+            for (const Point end : leads_.ends_for(piece.name.at))
+                if (border == ThingPlaces::Border::any || distance(end, piece.name.at) < kOnePlace) compare(piece.name.at, end);
+        for (const auto& [place, end] : elsewhere(piece, border)) {
+            ++places_tried_;
+            compare(place, end);
+        }
+        if (!best) return false;
+        piece.name.at = at;
+        put_led(piece, *best);
+        return true;
     }
 
     // On one sheet.
@@ -249,26 +235,9 @@ private:
                });
     }
 
-    // A line beside other words seems to belong to them.
-    bool meets_words(const Lead& lead) const {
-        constexpr double kStep = 0.25;  // mm
-        const int steps = 1 + static_cast<int>(distance(lead.from, lead.to) / kStep);
-        const double least = lead_gap() - 1e-6;
-        const Box around = grown(box_of(std::array{lead.from, lead.to}), lead_gap());
-        return std::any_of(words_.begin(), words_.end(), [&](const Rect& words) {
-            if (!meet(around, box_of(words))) return false;
-            for (int i = 0; i <= steps; ++i) {
-                const double t = static_cast<double>(i) / steps;
-                const Point p{lead.from.x + t * (lead.to.x - lead.from.x), lead.from.y + t * (lead.to.y - lead.from.y)};
-                if (distance(nearest_of(words, p), p) < least) return true;
-            }
-            return false;
-        });
-    }
-
     void put(const Piece& piece, const Rect& place) {
         room_.take(place);
-        words_.push_back(place);
+        leads_.add(place);
         LabelBlock block = piece.block;
         const bool words = piece.key.empty();
         say(block, page_,
@@ -280,16 +249,7 @@ private:
              0,
              piece.name.within,
              piece.name.optional});
-        for (PrintLine& line : block.print) {
-            line.baseline.x += place.left;
-            line.baseline.y += place.top;
-        }
-        for (BrailleLine& line : block.braille) {
-            line.first_dot.x += place.left;
-            line.first_dot.y += place.top;
-        }
-        std::move(block.print.begin(), block.print.end(), std::back_inserter(page_.print));
-        std::move(block.braille.begin(), block.braille.end(), std::back_inserter(page_.braille));
+        put_on(page_, std::move(block), {place.left, place.top});
         page_.names.push_back({piece.name.text, piece.key, piece.name.at, place, static_cast<int>(page_.words.size()) - 1});
         if (!words)
             cost_ += kKeyed;
@@ -309,46 +269,59 @@ private:
                            what, beginning_of(piece.name.text), spelled("detail")));
     }
 
-    // The key, if it has no room.
-    std::vector<KeyEntry> set_key(std::vector<Piece>& keyed, double most) {
-        // Print has no two letters: it is small, and a sheet without braille is for eyes.
-        if (sheet_.braille_table.empty()) {
-            for (const Piece& piece : keyed) leave_out(piece, phrase("the words"));
-            return {};
-        }
-        std::set<std::string> taken;
-        std::vector<KeyEntry> key;
-        std::size_t longest = 0;
+    // For two letters, the ways that are easiest to follow first.
+    bool find_room(Piece& letters) {
+        using Border = ThingPlaces::Border;
+        const bool is_of_thing = things_.thing_at(letters.name.at) != nullptr;
+        return stands_beside(letters) || (is_of_thing && stands_apart(letters, false)) || stands_elsewhere(letters) ||
+               stands_apart(letters, true) || (is_of_thing && stands_across(letters, Border::own, Way::across)) ||
+               stands_across(letters, Border::any, Way::anyhow);
+    }
+
+    void set_letters(std::vector<Piece>& keyed, double most) {
+        places_tried_ = 0;  // letters find room where words did not
+        std::stable_sort(keyed.begin(), keyed.end(), [](const Piece& a, const Piece& b) { return a.name.text < b.name.text; });
         for (Piece& piece : keyed) {
-            if (cost_ >= most) return {};
-            piece.key = key_for(piece.name.text, taken);
+            // Print has no two letters: it is small, and a sheet without braille is for eyes.
+            if (sheet_.braille_table.empty()) {
+                leave_out(piece, phrase("the words"));
+                continue;
+            }
+            if (cost_ >= most) return;
+            piece.key = key_for(piece.name.text, taken_);
             if (piece.key.empty()) {
                 leave_out(piece, phrase("a key"));
                 continue;
             }
-            taken.insert(piece.key);
+            taken_.insert(piece.key);
             std::vector<std::uint8_t> cells{letter_cell(piece.key[0]), letter_cell(piece.key[1])};
             Piece letters = piece;
             letters.block = block_of(cells, page_);
-            if (!stands_beside(letters) && !stands_apart(letters, Way::open) && !stands_apart(letters, Way::across) &&
-                !stands_elsewhere(letters)) {
+            if (!find_room(letters)) {
                 leave_out(piece, phrase("the words and even for two letters"));
                 continue;
             }
             cells.resize(kWordsFrom, 0);
             const auto& words = piece.block.braille.front().cells;
             cells.insert(cells.end(), words.begin(), words.end());
-            longest = std::max(longest, cells.size());
-            key.push_back({piece.key, piece.name.text, std::move(cells)});
+            key_.push_back({piece.key, piece.name.text, std::move(cells)});
         }
+    }
+
+    // The key, if it has no room.
+    std::vector<KeyEntry> set_key() {
+        std::vector<KeyEntry>& key = key_;
         if (key.empty()) return {};
+        std::stable_sort(key.begin(), key.end(), [](const KeyEntry& a, const KeyEntry& b) { return a.text < b.text; });
+        std::size_t longest = 0;
+        for (const KeyEntry& entry : key) longest = std::max(longest, entry.cells.size());
         const double width = dots_width(longest, page_);
         const double last = 2 * page_.cell.dot_pitch + page_.braille_dot;
         const double height = static_cast<double>(key.size() - 1) * page_.cell.line_pitch + last;
         const auto place = room_.lowest(width, height, [this](const Rect& rect) { return is_whole(rect); });
         const int first = static_cast<int>(page_.words.size());
         for (const KeyEntry& entry : key) page_.words.push_back({WordsKind::key, entry.text, entry.letters});
-        if (!place) return key;
+        if (!place) return std::move(key_);
         for (std::size_t i = 0; i < key.size(); ++i)
             page_.braille.push_back({{place->left + page_.braille_dot / 2,
                                       place->top + page_.braille_dot / 2 + static_cast<double>(i) * page_.cell.line_pitch},
@@ -357,29 +330,77 @@ private:
         return {};
     }
 
+    const Texts& in_letters_;
     Page& page_;
     const Sheet& sheet_;
     std::span<const Rect> windows_;
     Room room_;
-    Leads leads_;
-    std::size_t leads_tried_ = 0, places_tried_ = 0;
+    LeadSearch leads_;
+    ThingPlaces things_;
+    std::size_t places_tried_ = 0;
     double cost_ = 0;
-    std::vector<Rect> words_;
+    Texts taken_;  // keys
+    std::vector<KeyEntry> key_;
 };
+
+// A page with its names.
+struct NamedPage {
+    Page page;
+    std::vector<KeyEntry> key;
+    double cost = 0;
+};
+
+// Nothing if it costs `most` or more.
+std::optional<NamedPage> named_page(const Page& page, const std::vector<Name>& names, const Sheet& sheet,
+                                    std::span<const Rect> windows, const Texts& in_letters, double most) {
+    NamedPage made{page, {}, 0};
+    Naming naming(made.page, sheet, windows, in_letters);
+    made.key = naming.run(names, most);
+    made.cost = naming.cost();
+    if (made.cost >= most) return std::nullopt;
+    return made;
+}
+
+// Words at other places of their things may take the room of other names; so what is left out by that gets letters before them,
+// and at last all do.
+std::optional<NamedPage> best_named(const Page& page, const std::vector<Name>& names, const Sheet& sheet,
+                                    std::span<const Rect> windows, double most) {
+    Texts in_letters;
+    std::optional<NamedPage> best;
+    try {
+        best = named_page(page, names, sheet, windows, in_letters, most);
+    } catch (const Error&) {  // no room for one that must be there
+        if (page.regions.empty()) throw;
+        for (const Name& name : names) in_letters.insert(to_line(name.text));
+        return named_page(page, names, sheet, windows, in_letters, most);
+    }
+    if (!best || page.regions.empty()) return best;
+    const auto left_out = [&](const NamedPage& made) { return made.page.left_out.size() - page.left_out.size(); };
+    for (const bool all : {false, true}) {
+        if (left_out(*best) == 0) break;
+        const std::vector<Name>& next = all ? names : best->page.left_out;
+        for (const Name& name : next) in_letters.insert(to_line(name.text));
+        auto other = named_page(page, names, sheet, windows, in_letters, std::numeric_limits<double>::infinity());
+        if (std::pair(left_out(*other), other->cost) < std::pair(left_out(*best), best->cost)) best = std::move(other);
+    }
+    if (best->cost >= most) return std::nullopt;
+    return best;
+}
 
 }  // namespace
 
-std::vector<KeyEntry> set_names(Page& page, std::vector<Name> names, const Sheet& sheet, std::span<const Rect> windows) {
+std::vector<KeyEntry> set_names(Page& page, const std::vector<Name>& names, const Sheet& sheet, std::span<const Rect> windows) {
     if (names.empty()) return {};
-    return Naming(page, sheet, windows).run(std::move(names));
+    std::optional<NamedPage> best = best_named(page, names, sheet, windows, std::numeric_limits<double>::infinity());
+    page = std::move(best->page);
+    return std::move(best->key);
 }
 
-std::optional<NamesCost> cost_of_names(Page page, std::vector<Name> names, const Sheet& sheet, std::span<const Rect> windows,
-                                       double most) {
-    Naming naming(page, sheet, windows);
-    naming.run(std::move(names), most);
-    if (naming.cost() >= most) return std::nullopt;
-    return NamesCost{naming.cost(), page.left_out.size()};
+std::optional<NamesCost> cost_of_names(const Page& page, const std::vector<Name>& names, const Sheet& sheet,
+                                       std::span<const Rect> windows, double most) {
+    const std::optional<NamedPage> best = best_named(page, names, sheet, windows, most);
+    if (!best) return std::nullopt;
+    return NamesCost{best->cost, best->page.left_out.size()};
 }
 
 }  // namespace tactics

@@ -15,13 +15,15 @@ namespace tactics {
 inline constexpr double kBesideThing = 6.4;
 
 /// Sets each name in braille (in print if the sheet has no braille) on a page that has all its ink, clear of that ink: around its
-/// thing or beside it; if there is no room, farther off with a lead line; failing that, as two letters beside the thing, with the
-/// words in a key. `names` are in page millimetres. The lead lines become strokes. If there are windows (the parts of a large
-/// page that each sheet shows), every name stands whole in one of them.
+/// thing or beside it; if there is no room, farther off with a lead line, or at another place of the border of its region;
+/// failing that, as two letters beside the thing, with the words in a key. Lead lines cross lines only where nothing else is
+/// left, and as few as possible. `names` are in page millimetres. The lead lines become strokes. If there are windows (the parts
+/// of a large page that each sheet shows), every name stands whole in one of them.
 ///
 /// Returns the key if it has no room on the page, else nothing. Throws Error(usage) at the name's origin as to_braille does, and
 /// if not even two letters have room.
-std::vector<KeyEntry> set_names(Page& page, std::vector<Name> names, const Sheet& sheet, std::span<const Rect> windows = {});
+std::vector<KeyEntry> set_names(Page& page, const std::vector<Name>& names, const Sheet& sheet,
+                                std::span<const Rect> windows = {});
 
 /// What the names of a page cost a hand: nothing beside the thing, more if they are led to it, have a key, or are left out.
 struct NamesCost {
@@ -31,7 +33,7 @@ struct NamesCost {
 
 /// What they cost when `set_names` sets them; nothing if that is `most` or more, which is often known after a few of them.
 /// Throws as set_names does.
-std::optional<NamesCost> cost_of_names(Page page, std::vector<Name> names, const Sheet& sheet, std::span<const Rect> windows,
-                                       double most);
+std::optional<NamesCost> cost_of_names(const Page& page, const std::vector<Name>& names, const Sheet& sheet,
+                                       std::span<const Rect> windows, double most);
 
 }  // namespace tactics

@@ -32,12 +32,33 @@ Drawing lattice(double mesh, int names) {
     return drawing;
 }
 
+double side_of(Point p, Point a, Point b) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+
+// Of a lead line with what was on the page before it: naive, and not where it ends. Another lead line counts four times.
+int crossings(const PageStroke& lead, const std::vector<PageStroke>& strokes) {
+    int count = 0;
+    const Point from = lead.points[0], end = lead.points[1];
+    const double length = distance(from, end), most = length - lead.width / 2 - 1;
+    const Point to{from.x + most / length * (end.x - from.x), from.y + most / length * (end.y - from.y)};
+    for (const PageStroke& other : strokes) {
+        if (&other == &lead) break;
+        for (std::size_t i = 0; i + 1 < other.points.size(); ++i) {
+            const Point a = other.points[i], b = other.points[i + 1];
+            const int times = other.role == Role::lead ? 4 : 1;
+            if (side_of(a, from, to) * side_of(b, from, to) < 0 && side_of(from, a, b) * side_of(to, a, b) < 0) count += times;
+        }
+    }
+    return count;
+}
+
 double counted(const Page& page) {
     double cost = 6 * static_cast<double>(page.left_out.size());
     for (const PageName& name : page.names) {
         const Point near = nearest_of(name.place, name.thing);
         cost += !name.key.empty() ? 3 : distance(near, name.thing) > kBesideThing + 0.01 ? 1.5 : 0;
     }
+    for (const PageStroke& stroke : page.strokes)
+        if (stroke.role == Role::lead) cost += 0.1 * crossings(stroke, page.strokes);
     return cost;
 }
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where else the name of a thing may be led to: the places of its border that are no other thing's border, too.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "tactics/geometry/box.h"
+#include "tactics/page.h"
+
+namespace tactics {
+
+class ThingPlaces {
+public:
+    /// `regions` must outlive it.
+    explicit ThingPlaces(const std::vector<Region>& regions);
+
+    /// The smallest region that holds a place: the thing that a name there names.
+    const Region* thing_at(Point at) const;
+
+    enum class Border { own, any };
+    /// Places on the border of that thing, the nearest first and no more than `most`. Beyond its own border lies what the thing
+    /// lies on, or nothing: a line that ends there tells which of two neighbours it means.
+    std::vector<Point> on_border(const Region& thing, Point from, Border border, std::size_t most) const;
+
+    /// Words with that middle seem to belong to no other thing.
+    bool is_free_of_others(const Region& thing, Point middle) const;
+
+private:
+    bool is_border(std::size_t thing, Point one, Point other, Border border) const;
+    void add_places(std::size_t thing, Point a, Point b, Border border, std::vector<Point>& places) const;
+    bool holds_at(std::size_t region, Point at) const { return boxes_[region].holds(at) && holds(regions_[region], at); }
+
+    const std::vector<Region>& regions_;
+    std::vector<Box> boxes_;
+};
+
+/// The box of the smallest closed line around a place, if a hand feels it as one thing and the place is near its middle.
+std::optional<Box> shape_around(const Page& page, Point at);
+
+}  // namespace tactics
