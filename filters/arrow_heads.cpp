@@ -25,29 +25,47 @@ Point turned(Point v, double angle) {
     return {v.x * c - v.y * s, v.x * s + v.y * c};
 }
 
-// How far each place is from ink, and how far inside it.
+// What each place is to the ink, asked millions of times: of how far off it is only these three answers are wanted, so that one
+// byte of them is kept for each pixel.
 class InkField {
 public:
     explicit InkField(const Image& ink) : width_(ink.width), height_(ink.height) {
-        const cv::Mat dark = view_of(ink) < kInkOfHeads, light = ~dark;
-        cv::distanceTransform(light, off_, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+        const cv::Mat dark = view_of(ink) < kInkOfHeads;
         cv::distanceTransform(dark, deep_, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+        cv::Mat beside, around;
+        cv::dilate(dark, beside, cv::getStructuringElement(cv::MORPH_CROSS, cv::Size(3, 3)));
+        cv::dilate(dark, around, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(3, 3)));
+        near_ = (dark & cv::Scalar(kInk)) | (beside & cv::Scalar(kBeside)) | (around & cv::Scalar(kAround));
     }
 
-    // Pixels to the nearest ink; 0 on it. Nothing is outside the picture.
-    double off(Point p) const { return at(off_, p, 1e3); }
-    double deep(Point p) const { return at(deep_, p, 0); }
-    bool ink(Point p) const { return off(p) < 0.5; }
+    // How far inside the ink.
+    double deep(Point p) const {
+        const auto [x, y] = pixel_at(p);
+        return x < 0 ? 0 : static_cast<double>(deep_.at<float>(y, x));
+    }
+    bool ink(Point p) const { return is(p, kInk); }
+    // No pixel off it, or one to the left, the right, above or below; or also aslant. Nothing is outside the picture.
+    bool beside_ink(Point p) const { return is(p, kBeside); }
+    bool around_ink(Point p) const { return is(p, kAround); }
 
 private:
-    double at(const cv::Mat& field, Point p, double outside) const {
-        const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
-        if (x < 0 || y < 0 || x >= width_ || y >= height_) return outside;
-        return static_cast<double>(field.at<float>(y, x));
+    static constexpr std::uint8_t kInk = 1, kBeside = 2, kAround = 4;
+
+    struct Pixel {
+        int x = -1, y = -1;
+    };
+    // -1: outside.
+    Pixel pixel_at(Point p) const {
+        if (!(p.x >= 0) || !(p.y >= 0) || p.x >= width_ || p.y >= height_) return {};
+        return {static_cast<int>(p.x), static_cast<int>(p.y)};
+    }
+    bool is(Point p, std::uint8_t what) const {
+        const auto [x, y] = pixel_at(p);
+        return x >= 0 && (near_.at<std::uint8_t>(y, x) & what) != 0;
     }
 
     int width_, height_;
-    cv::Mat off_, deep_;
+    cv::Mat near_, deep_;
 };
 
 struct HeadFit {
@@ -88,7 +106,7 @@ private:
     bool goes_on_from(Point end, Point barb) const {
         for (const double degrees : {-50.0, -25.0, 0.0, 25.0, 50.0}) {
             const Point way = turned(barb, degrees * std::numbers::pi / 180);
-            if (ink_.off(moved(end, way, 2.5)) < 1.2 && ink_.off(moved(end, way, 4.5)) < 1.2) return true;
+            if (ink_.beside_ink(moved(end, way, 2.5)) && ink_.beside_ink(moved(end, way, 4.5))) return true;
         }
         return false;
     }
@@ -136,7 +154,7 @@ private:
     bool has_shaft(Point tip, double neck, double half) const {
         const double reach = std::max(4.0, 0.7 * neck);
         int on = 0, all = 0;
-        for (double t = neck + 1; t <= neck + 1 + reach; t += 1, ++all) on += ink_.off(moved(tip, ahead_, -t)) < 1.5 ? 1 : 0;
+        for (double t = neck + 1; t <= neck + 1 + reach; t += 1, ++all) on += ink_.around_ink(moved(tip, ahead_, -t)) ? 1 : 0;
         if (on < 0.8 * all) return false;
         int beside = 0;
         for (const double sign : {-1.0, 1.0})
@@ -151,17 +169,17 @@ private:
         for (double t = shaft_ + 3; t <= shaft_ + 3 + std::max(4.0, 0.6 * length); t += 1, ++all) {
             const Point at = moved(tip, ahead_, t);
             const double beside = shaft_ / 2 + 2.5;
-            on += ink_.off(at) < 1.5 && !ink_.ink(moved(at, side_, beside)) && !ink_.ink(moved(at, side_, -beside)) ? 1 : 0;
+            on += ink_.around_ink(at) && !ink_.ink(moved(at, side_, beside)) && !ink_.ink(moved(at, side_, -beside)) ? 1 : 0;
         }
         return on > 0.8 * all;
     }
 
     bool both_on_ink(Point tip, Point left, Point right, double length) const {
-        return ink_.off(moved(tip, left, length)) < 1.2 && ink_.off(moved(tip, right, length)) < 1.2;
+        return ink_.beside_ink(moved(tip, left, length)) && ink_.beside_ink(moved(tip, right, length));
     }
 
     void try_tip(Point tip) {
-        if (ink_.off(tip) >= 1.5) return;
+        if (!ink_.around_ink(tip)) return;
         for (const auto& [left, right, sine, cosine] : spreads_) {
             if (!both_on_ink(tip, left, right, kShortestBarb)) continue;  // as nearly all are, at once
             // How far both barbs go: they end at the same length.

@@ -18,6 +18,12 @@ namespace {
 
 using Colour = std::array<int, 3>;
 
+// The pixel whose samples begin there, not the first one, is as the one before it, as most are in what was drawn.
+bool goes_on(const Image& image, std::size_t at) {
+    const std::uint8_t* pixel = &image.pixels[at];
+    return image.channels == 3 ? pixel[0] == pixel[-3] && pixel[1] == pixel[-2] && pixel[2] == pixel[-1] : pixel[0] == pixel[-1];
+}
+
 // 1: ink is darker than the ground, -1: lighter. It begins sharply, which paper that is lit unevenly does not.
 int sign_of_ink(const Image& image, const Colour& ground) {
     constexpr int kInk = 48, kGround = 24;  // grey levels off the ground
@@ -32,9 +38,9 @@ int sign_of_ink(const Image& image, const Colour& ground) {
     };
     std::size_t darker = 0, lighter = 0;
     for (int y = kReach; y < image.height; ++y)
-        for (int x = kReach; x < image.width; ++x) {
+        for (int x = kReach, here = 0; x < image.width; ++x) {
             const std::size_t at = static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x) * channels;
-            const int here = off(at);
+            if (x == kReach || !goes_on(image, at)) here = off(at);
             if (std::abs(here) <= kInk) continue;
             if (std::abs(off(at - kReach * channels)) <= kGround || std::abs(off(at - kReach * row)) <= kGround)
                 ++(here > 0 ? darker : lighter);
@@ -53,13 +59,15 @@ std::array<int, 3> ground_of(const Image& image) {
     };
     std::vector<Cell> cells(kCells * kCells * kCells);
     const auto channels = static_cast<std::size_t>(image.channels);
-    for (std::size_t i = 0; i + channels <= image.pixels.size(); i += channels) {
+    for (std::size_t i = 0, next = 0; i + channels <= image.pixels.size(); i = next) {
         const std::uint8_t* pixel = &image.pixels[i];
+        for (next = i + channels; next + channels <= image.pixels.size() && goes_on(image, next);) next += channels;
+        const std::size_t count = (next - i) / channels;
         const std::array<int, 3> colour{pixel[0], pixel[channels == 3 ? 1 : 0], pixel[channels == 3 ? 2 : 0]};
         Cell& cell = cells[static_cast<std::size_t>(((colour[0] >> kShift) * kCells + (colour[1] >> kShift)) * kCells +
                                                     (colour[2] >> kShift))];
-        ++cell.count;
-        for (std::size_t c = 0; c < 3; ++c) cell.sum[c] += static_cast<std::size_t>(colour[c]);
+        cell.count += count;
+        for (std::size_t c = 0; c < 3; ++c) cell.sum[c] += count * static_cast<std::size_t>(colour[c]);
     }
     const Cell& most =
         *std::max_element(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.count < b.count; });
@@ -74,6 +82,10 @@ Image ink_on_white(const Image& image) {
     Image ink = make_image(image.width, image.height, 1, image.mm_per_pixel, 255);
     const std::size_t channels = static_cast<std::size_t>(image.channels);
     for (std::size_t i = 0; i < ink.pixels.size(); ++i) {
+        if (i > 0 && goes_on(image, i * channels)) {
+            ink.pixels[i] = ink.pixels[i - 1];
+            continue;
+        }
         int most = 0;
         for (std::size_t c = 0; c < channels; ++c) most = std::max(most, sign * (ground[c] - image.pixels[i * channels + c]));
         ink.pixels[i] = static_cast<std::uint8_t>(255 - most);

@@ -144,13 +144,36 @@ bool tell_lines_apart(const std::vector<DashRow>& rows) {
     return false;
 }
 
-// Dashes of half a pixel are pale, but darker than the grids of plotting tools (b0b0b0).
-Image ink_of_dashes(const Image& picture) {
-    constexpr std::uint8_t kPalest = 0xb0;
-    Image ink = ink_on_white(picture);
-    for (std::uint8_t& sample : ink.pixels) sample = sample < kPalest ? 0 : 255;
-    return ink;
-}
+// What is found in a picture when it is first asked for, and again only after the picture changed.
+class KnownOfPicture {
+public:
+    explicit KnownOfPicture(const Image& picture) : picture_(picture) {}
+
+    const Image& ink() {
+        if (!ink_) ink_ = ink_on_white(picture_);
+        return *ink_;
+    }
+    // Dashes of half a pixel are pale, but darker than the grids of plotting tools (b0b0b0).
+    Image ink_of_dashes() {
+        constexpr std::uint8_t kPalest = 0xb0;
+        Image dashes = ink();
+        for (std::uint8_t& sample : dashes.pixels) sample = sample < kPalest ? 0 : 255;
+        return dashes;
+    }
+    const std::vector<DashRow>& rows() {
+        if (!rows_) rows_ = dash_rows_in(ink_of_dashes(), picture_, dash_limits(picture_.mm_per_pixel));
+        return *rows_;
+    }
+    void forget() {
+        ink_.reset();
+        rows_.reset();
+    }
+
+private:
+    const Image& picture_;
+    std::optional<Image> ink_;
+    std::optional<std::vector<DashRow>> rows_;
+};
 
 // Where one dash goes on behind another a step of pixels may look like a small head.
 bool is_within_row(Point tip, const std::vector<DashRow>& rows) {
@@ -161,21 +184,10 @@ bool is_within_row(Point tip, const std::vector<DashRow>& rows) {
     });
 }
 
-// Found when they are asked for, and again only after the picture changed.
-class KnownRows {
-public:
-    const std::vector<DashRow>& in(const Image& picture) {
-        if (!rows_) rows_ = dash_rows_in(ink_of_dashes(picture), picture, dash_limits(picture.mm_per_pixel));
-        return *rows_;
-    }
-    void forget() { rows_.reset(); }
-
-private:
-    std::optional<std::vector<DashRow>> rows_;
-};
-
-void take_dashes(Image& picture, const std::vector<DashRow>& rows, KnownParts& parts) {
-    const Image ink = ink_of_dashes(picture);
+void take_dashes(Image& picture, KnownOfPicture& known, KnownParts& parts) {
+    const std::vector<DashRow>& rows = known.rows();
+    if (rows.empty()) return;
+    const Image ink = known.ink_of_dashes();
     std::vector<Run> ink_of_all;
     const double mm = picture.mm_per_pixel;
     const bool told_apart = tell_lines_apart(rows);
@@ -195,10 +207,10 @@ void take_dashes(Image& picture, const std::vector<DashRow>& rows, KnownParts& p
         ink_of_all.insert(ink_of_all.end(), row.ink.begin(), row.ink.end());
     }
     if (!ink_of_all.empty()) paint_over(picture, ink, ink_of_all);
+    known.forget();
 }
 
-void take_noisy_curves(Image& picture, KnownParts& parts) {
-    const Image ink = ink_of_dashes(picture);
+void take_noisy_curves(Image& picture, KnownOfPicture& known, KnownParts& parts) {
     const double mm = picture.mm_per_pixel;
     std::vector<Run> all;
     for (const NoisyCurve& curve : noisy_curves_in(picture)) {
@@ -211,7 +223,45 @@ void take_noisy_curves(Image& picture, KnownParts& parts) {
                 {{{foot.x * mm, foot.y * mm}, {tip.x * mm, tip.y * mm}}, false, LineClass::normal, kStrength});
         all.insert(all.end(), curve.ink.begin(), curve.ink.end());
     }
-    if (!all.empty()) paint_over(picture, ink, all);
+    if (all.empty()) return;
+    paint_over(picture, known.ink_of_dashes(), all);
+    known.forget();
+}
+
+// Heads of arrows.
+void take_heads(Image& picture, KnownOfPicture& known, KnownParts& parts) {
+    const double mm = picture.mm_per_pixel;
+    // On a dark ground of its own a head is only seen by how black it is, on white a pale one by its colour.
+    for (const bool by_colour : {true, false}) {
+        const Image ink = by_colour ? known.ink() : black_ink(picture);
+        auto heads = arrow_heads_in(ink, kLongestHead / mm);
+        if (heads.empty()) continue;
+        // A point on a short line looks much like one.
+        const auto points = points_in(ink, kLeastPoint / mm, kMostPoint / mm);
+        std::erase_if(heads, [&](const InkedHead& head) {
+            return std::any_of(points.begin(), points.end(), [&](const InkedPoint& point) {
+                return distance(point.middle, head.tip) < head.length() + point.radius;
+            });
+        });
+        if (heads.empty()) continue;
+        std::erase_if(heads, [&](const InkedHead& head) { return is_within_row(head.tip, known.rows()); });
+        if (heads.empty()) continue;
+        take_out(picture, heads);
+        known.forget();
+        for (const InkedHead& head : heads) parts.strokes.push_back(head_of(head, mm));
+    }
+}
+
+void take_points(Image& picture, KnownOfPicture& known, KnownParts& parts) {
+    const double mm = picture.mm_per_pixel;
+    const auto points = points_in(known.ink(), kLeastPoint / mm, kMostPoint / mm);
+    take_out(picture, points);
+    const double felt = felt_radius(points, mm);
+    for (const InkedPoint& point : points) {
+        Drawing disc;
+        draw_symbol(PlotSymbol::disc, {point.middle.x * mm, point.middle.y * mm}, std::max(point.radius * mm, felt), disc);
+        std::move(disc.areas.begin(), disc.areas.end(), std::back_inserter(parts.areas));
+    }
 }
 
 }  // namespace
@@ -240,36 +290,11 @@ KnownParts take_known_parts(Image& picture, bool fills) {
     KnownParts parts;
     if (fills) parts.areas = take_fills(picture);
     if (fills && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
-    const double mm = picture.mm_per_pixel;
-    take_noisy_curves(picture, parts);
-    // On a dark ground of its own a head is only seen by how black it is, on white a pale one by its colour.
-    KnownRows rows;
-    for (const bool by_colour : {true, false}) {
-        const Image ink = by_colour ? ink_on_white(picture) : black_ink(picture);
-        auto heads = arrow_heads_in(ink, kLongestHead / mm);
-        // A point on a short line looks much like one.
-        const auto points = points_in(ink, kLeastPoint / mm, kMostPoint / mm);
-        std::erase_if(heads, [&](const InkedHead& head) {
-            return std::any_of(points.begin(), points.end(), [&](const InkedPoint& point) {
-                return distance(point.middle, head.tip) < head.length() + point.radius;
-            });
-        });
-        if (heads.empty()) continue;
-        std::erase_if(heads, [&](const InkedHead& head) { return is_within_row(head.tip, rows.in(picture)); });
-        if (heads.empty()) continue;
-        take_out(picture, heads);
-        rows.forget();
-        for (const InkedHead& head : heads) parts.strokes.push_back(head_of(head, mm));
-    }
-    take_dashes(picture, rows.in(picture), parts);
-    const auto points = points_in(ink_on_white(picture), kLeastPoint / mm, kMostPoint / mm);
-    take_out(picture, points);
-    const double felt = felt_radius(points, mm);
-    for (const InkedPoint& point : points) {
-        Drawing disc;
-        draw_symbol(PlotSymbol::disc, {point.middle.x * mm, point.middle.y * mm}, std::max(point.radius * mm, felt), disc);
-        std::move(disc.areas.begin(), disc.areas.end(), std::back_inserter(parts.areas));
-    }
+    KnownOfPicture known(picture);
+    take_noisy_curves(picture, known, parts);
+    take_heads(picture, known, parts);
+    take_dashes(picture, known, parts);
+    take_points(picture, known, parts);
     return parts;
 }
 

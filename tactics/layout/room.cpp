@@ -126,20 +126,33 @@ void Room::keep_clear() {
             }
         }
     }
+    block_margins();
+    for (int off = 0; off <= reach; ++off) {
+        // So many squares beside the ink are still too near, so many rows above and below it.
+        int most = reach;
+        while (most >= 0 && length_of(std::max(0, most - 1), std::max(0, off - 1)) * square_ >= clear_) --most;
+        if (most < 0) break;
+        for (int y = 0; y < rows_; ++y) {
+            const int* ink = beside.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_);
+            for (const int to : {y - off, y + off}) {
+                if (to < 0 || to >= rows_) continue;
+                std::uint8_t* blocked = blocked_.data() + static_cast<std::size_t>(to) * static_cast<std::size_t>(columns_);
+                for (int x = 0; x < columns_; ++x) blocked[x] = static_cast<std::uint8_t>(blocked[x] | (ink[x] <= most ? 1 : 0));
+            }
+        }
+    }
+}
+
+// What is not wholly on the live part of the page.
+void Room::block_margins() {
     blocked_.assign(ink_.size(), 0);
     for (int y = 0; y < rows_; ++y) {
+        const double top = y * square_;
+        const bool out = top < live_.top || top + square_ > live_.top + live_.height;
         for (int x = 0; x < columns_; ++x) {
-            const double left = x * square_, top = y * square_;
-            bool blocked = left < live_.left || left + square_ > live_.left + live_.width || top < live_.top ||
-                           top + square_ > live_.top + live_.height;
-            for (int dy = -reach; dy <= reach && !blocked; ++dy) {
-                if (y + dy < 0 || y + dy >= rows_) continue;
-                const int dx =
-                    beside[static_cast<std::size_t>(y + dy) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
-                blocked = dx <= reach && length_of(std::max(0, dx - 1), std::max(0, std::abs(dy) - 1)) * square_ < clear_;
-            }
-            blocked_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)] =
-                blocked ? 1 : 0;
+            const double left = x * square_;
+            if (out || left < live_.left || left + square_ > live_.left + live_.width)
+                blocked_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)] = 1;
         }
     }
 }

@@ -79,6 +79,7 @@ private:
     void mark(Point from, Point to, double width);
     void mark(const Area& area);
     void keep_clear();
+    void block_margins();
     void add_up(int top, int bottom);  // updates the rows that have changed
 
     double clear_;

@@ -96,6 +96,7 @@ private:
 
     void look(std::size_t first, std::size_t last, Span& span) {
         span.box = strip_.measure(first, last);
+        ink_.reset();
         if (first == last)
             look_at_one(first, span);
         else if (span.box.width() < 2.5 * span.box.height()) {
@@ -144,7 +145,8 @@ private:
         const double size = upright ? box.height() / form.height() : box.width() / form.width();
         const double small = upright ? box.width() : box.height(), wanted = size * (upright ? form.width() : form.height());
         if (std::abs(small - wanted) > kOffPixels + 0.08 * wanted) return;
-        const double likeness = strip_.likeness(first, last, box, font_.drawn(code));
+        if (!ink_) ink_.emplace(strip_, first, last, box);
+        const double likeness = ink_->likeness(font_.drawn(code), kMayBe);
         if (likeness >= kMayBe) span.choices.push_back({code, likeness, size, &form});
     }
 
@@ -336,7 +338,8 @@ private:
     FormFont& font_;
     std::size_t count_;
     bool only_guessed_;
-    std::set<char32_t> guessed_;  // their pieces may have come apart where strokes are thin
+    std::optional<LetterInk> ink_;  // of the span that is looked at
+    std::set<char32_t> guessed_;    // their pieces may have come apart where strokes are thin
     std::vector<char32_t> joined_, pairs_;
     std::vector<Span> spans_;  // by length, then by their last unit
 };
@@ -372,7 +375,7 @@ double likeness_to(const InkStrip& strip, FormFont& font, std::string_view text,
         const InkBox box = strip.measure(i, i);
         width += box.width();
         if (form.empty() || !(box.height() > 0)) continue;
-        sum += box.width() * strip.likeness(i, i, box, font.drawn(codes[i]));
+        sum += box.width() * LetterInk(strip, i, i, box).likeness(font.drawn(codes[i]));
         if (form.height() >= 0.4) sizes.push_back(box.height() / form.height());
     }
     if (sizes.empty() || !(width > 0)) return 0;

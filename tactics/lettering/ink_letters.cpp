@@ -20,6 +20,12 @@ constexpr double kFaint = 0.12;
 // at most, and the share of it that is ink at least. Settings.
 constexpr double kSpeck = 3, kLeastSpeck = 0.35;
 
+// Each pixel is smoothed over itself and its neighbours, in both directions by 1, 2 and 1 of 4; at the border one is missing.
+constexpr int kSmoothed = 4;
+int smoothed_share(int place, int count) { return kSmoothed - (place == 0 ? 1 : 0) - (place == count - 1 ? 1 : 0); }
+
+constexpr double kRounding = 1e-12;  // of all ink
+
 // The beginning of the ink, from the darkest pixel of each row or column: in one half as dark as the next, the ink fills half.
 // Thin serifs are pale throughout.
 template <typename Dark>
@@ -98,55 +104,112 @@ InkBox InkStrip::measure(std::size_t first_unit, std::size_t last_unit) const {
             box.right - edge(right, box.left - 1, -1, column), box.bottom - edge(bottom, box.top - 1, -1, row)};
 }
 
-double InkStrip::likeness(std::size_t first, std::size_t last, const InkBox& box, const LetterForm& form) const {
-    if (form.empty() || !(box.width() > 0) || !(box.height() > 0)) return 0;
-    const int left = static_cast<int>(std::floor(box.left)) - 1, right = static_cast<int>(std::ceil(box.right)) + 1;
-    const int top = static_cast<int>(std::floor(box.top)) - 1, bottom = static_cast<int>(std::ceil(box.bottom)) + 1;
-    const int columns = right - left, rows = bottom - top;
-    const auto at = [&](int x, int y) {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x);
-    };
-    std::vector<double> apart(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)), wants(apart.size());
-    std::vector<double> above(static_cast<std::size_t>(columns) + 1), below(above.size());
-    const double area = box.width() * box.height();
-    const auto corners = [&](int y, std::vector<double>& sums) {
-        for (int x = 0; x <= columns; ++x)
-            sums[static_cast<std::size_t>(x)] =
-                area * form.ink_before((left + x - box.left) / box.width(), (top + y - box.top) / box.height());
-    };
-    double all = 0, is_ink = 0;
-    corners(0, above);
-    for (int y = 0; y < rows; ++y) {
-        corners(y + 1, below);
-        for (int x = 0; x < columns; ++x) {
-            const auto i = static_cast<std::size_t>(x);
-            const double wanted = below[i + 1] - below[i] - above[i + 1] + above[i];
-            const double is = dark(left + x, top + y, {first, last});
-            all += wanted + is;
-            is_ink += is;
-            apart[at(x, y)] = is - wanted;
-            wants[at(x, y)] = wanted;
+LetterInk::LetterInk(const InkStrip& strip, std::size_t first, std::size_t last, const InkBox& box)
+    : box_(box),
+      left_(static_cast<int>(std::floor(box.left)) - 1),
+      top_(static_cast<int>(std::floor(box.top)) - 1),
+      columns_(static_cast<int>(std::ceil(box.right)) + 1 - left_),
+      rows_(static_cast<int>(std::ceil(box.bottom)) + 1 - top_),
+      area_(box.width() * box.height()) {
+    if (!(box.width() > 0) || !(box.height() > 0)) return;
+    is_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    in_rows_.resize(static_cast<std::size_t>(rows_));
+    in_columns_.resize(static_cast<std::size_t>(columns_));
+    for (int y = 0; y < rows_; ++y)
+        for (int x = 0; x < columns_; ++x) {
+            const double is = is_[at(x, y)] = strip.dark(left_ + x, top_ + y, {first, last});
+            all_ink_ += is;
+            in_rows_[static_cast<std::size_t>(y)] += is * smoothed_share(x, columns_);
+            in_columns_[static_cast<std::size_t>(x)] += is * smoothed_share(y, rows_);
         }
-        above.swap(below);
-    }
+    wants_.resize(is_.size());
+    apart_.resize(static_cast<std::size_t>(columns_ + 2) * static_cast<std::size_t>(rows_ + 2));
+    above_.resize(static_cast<std::size_t>(columns_) + 1);
+    below_.resize(above_.size());
+    across_.resize(above_.size());
+}
+
+double LetterInk::likeness(const LetterForm& form, double least) {
+    if (form.empty() || is_.empty()) return 0;
+    for (std::size_t x = 0; x < across_.size(); ++x)
+        across_[x] = form.across((left_ + static_cast<int>(x) - box_.left) / box_.width());
+    const bool speck = box_.width() <= kSpeck && box_.height() <= kSpeck;
+    if (least > 0 && !speck && !may_be(form, least)) return 0;
+    double all = wanted_apart(form);
     if (!(all > 0)) return 0;
-    if (box.width() <= kSpeck && box.height() <= kSpeck) {
-        const double share = std::clamp(is_ink / (all - is_ink), kLeastSpeck, 1.0);
-        for (std::size_t i = 0; i < apart.size(); ++i) apart[i] += (1 - share) * wants[i];
-        all -= (1 - share) * (all - is_ink);
+    if (speck) {
+        const double share = std::clamp(all_ink_ / (all - all_ink_), kLeastSpeck, 1.0);
+        for (int y = 0; y < rows_; ++y)
+            for (int x = 0; x < columns_; ++x) apart_[framed(x, y)] += (1 - share) * wants_[at(x, y)];
+        all -= (1 - share) * (all - all_ink_);
     }
-    // Smoothed, for a stem that was moved by half a pixel is the same stem.
-    double differs = 0;
-    for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < columns; ++x) {
-            double sum = 0;
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx)
-                    if (y + dy >= 0 && y + dy < rows && x + dx >= 0 && x + dx < columns)
-                        sum += (2 - std::abs(dx)) * (2 - std::abs(dy)) * apart[at(x + dx, y + dy)];
-            differs += std::abs(sum) / 16;
-        }
+    const double differs = differing(((1 - least) / 2 + kRounding) * all);
     return std::clamp(1 - 2 * differs / all, 0.0, 1.0);
+}
+
+// Rows and columns of pixels that have more ink than the letter, or less, differ by that much at least.
+bool LetterInk::may_be(const LetterForm& form, double least) {
+    const LetterForm::Place end_across = form.across(1), end_down = form.down(1);
+    const double most = ((1 - least) / 2 + kRounding) * (all_ink_ + area_ * form.ink_before(end_across, end_down));
+    // The letter has no ink at the border, where less is smoothed.
+    const auto differ = [&](const std::vector<double>& weighed, auto ink_before) {
+        double sum = 0, before = 0, own = 0, ink = 0;
+        for (std::size_t i = 0; i <= weighed.size(); ++i) {
+            double next = 0;
+            if (i < weighed.size()) {
+                const double more = ink_before(i + 1);
+                next = weighed[i] - kSmoothed * area_ * (more - ink);
+                ink = more;
+            }
+            if (i > 0) sum += std::abs(before + 2 * own + next);
+            before = own;
+            own = next;
+        }
+        return sum / (kSmoothed * kSmoothed);
+    };
+    const auto across = [&](std::size_t x) { return form.ink_before(across_[x], end_down); };
+    if (differ(in_columns_, across) > most) return false;
+    const auto down = [&](std::size_t y) {
+        return form.ink_before(end_across, form.down((top_ + static_cast<int>(y) - box_.top) / box_.height()));
+    };
+    return differ(in_rows_, down) <= most;
+}
+
+// Fills what is apart, and gives the ink of both.
+double LetterInk::wanted_apart(const LetterForm& form) {
+    const auto corners = [&](int y, std::vector<double>& sums) {
+        const LetterForm::Place down = form.down((top_ + y - box_.top) / box_.height());
+        for (std::size_t x = 0; x < sums.size(); ++x) sums[x] = area_ * form.ink_before(across_[x], down);
+    };
+    double all = 0;
+    corners(0, above_);
+    for (int y = 0; y < rows_; ++y) {
+        corners(y + 1, below_);
+        for (int x = 0; x < columns_; ++x) {
+            const auto i = static_cast<std::size_t>(x);
+            const double wanted = below_[i + 1] - below_[i] - above_[i + 1] + above_[i];
+            const double is = is_[at(x, y)];
+            all += wanted + is;
+            apart_[framed(x, y)] = is - wanted;
+            wants_[at(x, y)] = wanted;
+        }
+        above_.swap(below_);
+    }
+    return all;
+}
+
+// Smoothed, for a stem that was moved by half a pixel is the same stem. It ends when it is more than `most`.
+double LetterInk::differing(double most) const {
+    double differs = 0;
+    for (int y = 0; y < rows_ && differs <= most; ++y) {
+        const double *above = &apart_[framed(-1, y - 1)], *own = &apart_[framed(-1, y)], *below = &apart_[framed(-1, y + 1)];
+        for (int x = 0; x < columns_; ++x) {
+            const double sum = above[x] + 2 * above[x + 1] + above[x + 2] + 2 * own[x] + 4 * own[x + 1] + 2 * own[x + 2] +
+                               below[x] + 2 * below[x + 1] + below[x + 2];
+            differs += std::abs(sum) / (kSmoothed * kSmoothed);
+        }
+    }
+    return differs;
 }
 
 }  // namespace tactics

@@ -28,10 +28,9 @@ public:
     double ink() const { return std::accumulate(dark_.begin(), dark_.end(), 0.0); }
     /// From the ink of those units and its fading edges only.
     InkBox measure(std::size_t first, std::size_t last) const;
-    /// 1: the ink of those units looks as the letter does when it fills that box; 0: nothing alike.
-    double likeness(std::size_t first, std::size_t last, const InkBox& box, const LetterForm& form) const;
 
 private:
+    friend class LetterInk;
     struct Part {
         std::size_t first, last;
     };
@@ -41,6 +40,37 @@ private:
     std::vector<float> dark_;
     std::vector<int> owner_;  // the unit that a pixel is of; -1: none
     std::vector<PixelBox> units_;
+};
+
+/// The ink of neighbouring units of a strip, ready to be held against one letter after the other.
+class LetterInk {
+public:
+    /// `box` is what they measure.
+    LetterInk(const InkStrip& strip, std::size_t first, std::size_t last, const InkBox& box);
+
+    /// 1: it looks as the letter does when that fills the box; 0: nothing alike, or less alike than `least`, which most letters
+    /// are, and which is known long before how much less.
+    double likeness(const LetterForm& form, double least = 0);
+
+private:
+    bool may_be(const LetterForm& form, double least);
+    double wanted_apart(const LetterForm& form);
+    double differing(double most) const;
+    std::size_t at(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+    }
+    // In a grid with an empty frame around it.
+    std::size_t framed(int x, int y) const {
+        return static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(columns_ + 2) + static_cast<std::size_t>(x + 1);
+    }
+
+    InkBox box_;
+    int left_, top_, columns_, rows_;  // pixels around the box
+    double area_, all_ink_ = 0;
+    std::vector<double> is_, in_rows_, in_columns_;  // darkness of pixels, and weighed sums of it
+    std::vector<double> apart_, wants_;              // what is there more than wanted, in a frame; what is wanted
+    std::vector<double> above_, below_;
+    std::vector<LetterForm::Place> across_;
 };
 
 }  // namespace tactics

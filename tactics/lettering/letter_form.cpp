@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <compare>
 
 namespace tactics {
 
@@ -12,16 +12,31 @@ namespace {
 constexpr double kSquares = 96;  // of an em; print in figures has 10 to 50 pixels for one
 constexpr double kMostEm = 4;    // of a letter; more is no letter
 
-// Crossings of a horizontal line at that height with the shape: x, and whether the ring runs upwards there.
-void find_crossings(const FontShape& shape, double y, std::vector<std::pair<double, int>>& found) {
-    found.clear();
+struct Crossing {
+    double x;
+    int way;  // whether the ring runs upwards there
+    auto operator<=>(const Crossing&) const = default;
+};
+
+// Where horizontal lines cross the rings, for each line from the left to the right; `y_of` are their heights, falling.
+template <typename HeightOfRow>
+std::vector<std::vector<Crossing>> crossings_of(const FontShape& shape, int rows, double top, double height, HeightOfRow y_of) {
+    std::vector<std::vector<Crossing>> found(static_cast<std::size_t>(rows));
+    const auto row_near = [&](double y) { return static_cast<int>((top - y) / height * rows); };
     for (const auto& ring : shape.rings)
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-            if ((a.y <= y) == (b.y <= y)) continue;
-            found.push_back({a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x), a.y < b.y ? 1 : -1});
+            // One row more at each end, for what is rounded.
+            const int first = std::max(0, row_near(std::max(a.y, b.y)) - 1),
+                      end = std::min(rows, row_near(std::min(a.y, b.y)) + 2);
+            for (int r = first; r < end; ++r) {
+                const double y = y_of(r);
+                if ((a.y <= y) == (b.y <= y)) continue;
+                found[static_cast<std::size_t>(r)].push_back({a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x), a.y < b.y ? 1 : -1});
+            }
         }
-    std::sort(found.begin(), found.end());
+    for (auto& row : found) std::sort(row.begin(), row.end());
+    return found;
 }
 
 }  // namespace
@@ -44,13 +59,12 @@ LetterForm::LetterForm(const FontShape& shape) : advance_(shape.advance) {
 void LetterForm::draw(const FontShape& shape) {
     sums_.assign(static_cast<std::size_t>(columns_ + 1) * static_cast<std::size_t>(rows_ + 1), 0);
     std::vector<std::uint32_t> row(static_cast<std::size_t>(columns_));
-    std::vector<std::pair<double, int>> crossings;
+    const auto crossings = crossings_of(shape, rows_, top_, height(), [&](int r) { return top_ - (r + 0.5) / rows_ * height(); });
     for (int r = 0; r < rows_; ++r) {
         std::fill(row.begin(), row.end(), 0u);
         int winding = 0;
         double from = 0;
-        find_crossings(shape, top_ - (r + 0.5) / rows_ * height(), crossings);
-        for (const auto& [x, way] : crossings) {
+        for (const auto& [x, way] : crossings[static_cast<std::size_t>(r)]) {
             const double at = (x - left_) / width() * columns_;
             if (winding != 0)
                 for (int c = std::max(0, static_cast<int>(std::lround(from))); c < std::min<long>(columns_, std::lround(at)); ++c)
@@ -68,12 +82,18 @@ void LetterForm::draw(const FontShape& shape) {
     }
 }
 
-double LetterForm::ink_before(double x, double y) const {
-    const double across = std::clamp(x, 0.0, 1.0) * columns_, down = std::clamp(y, 0.0, 1.0) * rows_;
-    const int c = std::min(static_cast<int>(across), columns_ - 1), r = std::min(static_cast<int>(down), rows_ - 1);
-    const double a = across - c, d = down - r;
-    const double sum =
-        (1 - d) * ((1 - a) * sum_at(c, r) + a * sum_at(c + 1, r)) + d * ((1 - a) * sum_at(c, r + 1) + a * sum_at(c + 1, r + 1));
+LetterForm::Place LetterForm::place_of(double part, int squares) {
+    const double along = std::clamp(part, 0.0, 1.0) * squares;
+    const int square = std::min(static_cast<int>(along), squares - 1);
+    return {square, along - square};
+}
+
+double LetterForm::ink_before(const Place& across, const Place& down) const {
+    const std::uint32_t* above = sums_.data() + static_cast<std::size_t>(down.square) * static_cast<std::size_t>(columns_ + 1) +
+                                 static_cast<std::size_t>(across.square);
+    const std::uint32_t* below = above + columns_ + 1;
+    const double a = across.part, d = down.part;
+    const double sum = (1 - d) * ((1 - a) * above[0] + a * above[1]) + d * ((1 - a) * below[0] + a * below[1]);
     return sum / (static_cast<double>(columns_) * rows_);
 }
 

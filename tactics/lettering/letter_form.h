@@ -44,13 +44,20 @@ public:
     double width() const { return right_ - left_; }
     double height() const { return top_ - bottom_; }
 
+    /// A place along one side of the grid, for many questions about the same row or column.
+    struct Place {
+        int square;   ///< the one that it is in
+        double part;  ///< of it, that is before it
+    };
+    Place across(double x) const { return place_of(x, columns_); }  ///< 0 to 1 across its box
+    Place down(double y) const { return place_of(y, rows_); }
+
     /// How much ink is left of x and above y, 0 to 1 across and down its box, as a share of the box. It must have been drawn.
-    double ink_before(double x, double y) const;
+    double ink_before(double x, double y) const { return ink_before(across(x), down(y)); }
+    double ink_before(const Place& across, const Place& down) const;
 
 private:
-    double sum_at(int column, int row) const {
-        return sums_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_ + 1) + static_cast<std::size_t>(column)];
-    }
+    static Place place_of(double part, int squares);
 
     double advance_ = 0, left_ = 0, right_ = 0, bottom_ = 0, top_ = 0;
     int columns_ = 0, rows_ = 0;

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "tactics/lettering/form_reader.h"
 #include "tactics/lettering/ink_letters.h"
 
@@ -37,6 +41,45 @@ TEST(LetterForm, TellsHowMuchOfEachPartIsInk) {
     EXPECT_NEAR(form.ink_before(1, 1.0 / 7), 1.0 / 7, 0.02);  // the stroke above
     EXPECT_EQ(form.ink_before(0, 1), 0);
     EXPECT_TRUE(LetterForm(FontShape{0.3, {}}).empty());
+}
+
+// Whether a ring of the shape runs around that place, side by side.
+bool is_within(const FontShape& shape, double x, double y) {
+    int winding = 0;
+    for (const auto& ring : shape.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+            const double side = (b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y);
+            if (a.y <= y && b.y > y && side > 0) ++winding;
+            if (a.y > y && b.y <= y && side < 0) --winding;
+        }
+    return winding != 0;
+}
+
+TEST(LetterForm, FillsSlantedShapesAsANaiveTwinDoes) {
+    const FontShape shapes[] = {{0.7, {{{0.1, -0.2}, {0.31, 0.63}, {0.62, 0.1}}}},                                  // a triangle
+                                {0.7, {{{0.1, 0}, {0.3, 0.7}, {0.4, 0.7}, {0.2, 0}}, box(0.15, 0.3, 0.6, 0.35)}},   // crossed
+                                {0.7, {{{0, 0}, {0.2, 0.5}, {0.5, 0.4}, {0.05, 0.33}, {0.4, 0.07}, {0.3, -0.1}}}},  // a bent one
+                                {0.9, {{{0, 0}, {0.8, 0.02}, {0.8, 0.05}, {0, 0.03}}}}};                            // a low one
+    for (const FontShape& shape : shapes) {
+        LetterForm form(shape);
+        form.draw(shape);
+        // Square by square of the grid on which forms are drawn, by its middle.
+        constexpr double kSquares = 96;  // of an em
+        const int columns = static_cast<int>(std::ceil(form.width() * kSquares)),
+                  rows = static_cast<int>(std::ceil(form.height() * kSquares));
+        for (const int across : {columns, columns / 2, columns / 3})
+            for (const int down : {rows, rows / 2, rows / 5 + 1}) {
+                int inside = 0;
+                for (int y = 0; y < down; ++y)
+                    for (int x = 0; x < across; ++x)
+                        inside += is_within(shape, form.left() + (x + 0.5) / columns * form.width(),
+                                            form.top() - (y + 0.5) / rows * form.height());
+                constexpr double kTies = 5e-4;
+                EXPECT_NEAR(form.ink_before(1.0 * across / columns, 1.0 * down / rows), 1.0 * inside / (columns * rows), kTies)
+                    << across << " " << down;
+            }
+    }
 }
 
 // Paints a text at that size into a picture as a program does that fades the edges of its letters; a naive twin that asks, for
@@ -80,6 +123,34 @@ std::string read(std::u32string_view text, double em, const std::vector<double>&
     const FormReading reading = read_by_forms(InkStrip(image, lines[0]), font, known);
     EXPECT_NEAR(reading.em, em, 0.06 * em) << reading.text;
     return reading.text;
+}
+
+TEST(LetterInk, IsGivenUpOnlyIfItIsLessAlikeThanAsked) {
+    FormFont font(strokes());
+    std::size_t kept = 0, given_up = 0;
+    for (const double em : {9.0, 13.3, 20.0, 41.0}) {
+        Image image = make_image(300, 60, 1, 0, 255);
+        write(image, 20.3, 40.6, em, U"LiOoL\u2212Oi");
+        const auto lines = find_lettering(image);
+        ASSERT_FALSE(lines.empty()) << em;
+        const InkStrip strip(image, lines[0]);
+        for (std::size_t first = 0; first < strip.units(); ++first)
+            for (std::size_t last = first; last < std::min(first + 2, strip.units()); ++last)
+                for (const auto& [code, shape] : font.shapes()) {
+                    LetterInk ink(strip, first, last, strip.measure(first, last));
+                    const double whole = ink.likeness(font.drawn(code));
+                    for (const double least : {0.2, 0.4, 0.6, 0.8, 0.95, whole, whole - 0.01, whole + 0.01}) {
+                        const double said = ink.likeness(font.drawn(code), least);
+                        if (whole >= least)
+                            EXPECT_EQ(said, whole) << em << " " << first << " " << last << " " << least;
+                        else
+                            EXPECT_LT(said, least) << em << " " << first << " " << last << " " << least;
+                        ++(whole >= least ? kept : given_up);
+                    }
+                }
+    }
+    EXPECT_GT(kept, 100u);
+    EXPECT_GT(given_up, 100u);
 }
 
 TEST(FormReader, ReadsLettersOfAFontAtAnySizeAndKnowsItsSpaces) {
