@@ -298,6 +298,7 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
         const double y = 50.0 * (one.box.top + one.box.bottom) / lettering.height;
         words.told.push_back({one.text, one.sureness, x, y, one.sure && !words.remove_all});
         places.push_back({{x, y}, 100.0 * one.letter_height / lettering.height, one.upwards});
+        if (one.at) places.back().at = {100 * one.at->x / lettering.width, 100 * one.at->y / lettering.height};
     }
     keep_what_has_braille(words.told, sheet.braille_table);
     if (sheet.title.empty() && !words.told.empty()) words.title = take_title(words.told, places, first_ink(reading, lettering));

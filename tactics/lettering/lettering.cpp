@@ -160,9 +160,8 @@ void believe_lone_letters(std::vector<ReadLine>& all) {
 
 }  // namespace
 
-Lettering read_lettering(const Image& picture, std::string_view language, double least_sure, const PrintFonts& fonts,
-                         const std::string& program) {
-    const Image grey = to_grey(picture);
+Lettering read_upright(const Image& grey, std::string_view language, double least_sure, const PrintFonts& fonts,
+                       const std::string& program) {
     Lettering lettering;
     lettering.width = grey.width;
     lettering.height = grey.height;
@@ -188,9 +187,6 @@ Lettering read_lettering(const Image& picture, std::string_view language, double
         if (unread[i] && !has_letter_or_digit(all[i].words.text)) all[i].words.text.clear();
         lettering.words.push_back(std::move(all[i].words));
     }
-    std::stable_sort(lettering.words.begin(), lettering.words.end(), [](const PrintedWords& a, const PrintedWords& b) {
-        return a.box.top != b.box.top ? a.box.top < b.box.top : a.box.left < b.box.left;
-    });
     return lettering;
 }
 

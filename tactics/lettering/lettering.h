@@ -2,10 +2,12 @@
 // Print in a picture: found, read, and taken out of it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tactics/drawing.h"
 #include "tactics/lettering/ink.h"
 #include "tactics/lettering/letter_form.h"
 #include "tactics/text/phrase.h"
@@ -22,9 +24,10 @@ struct PrintedWords {
     bool upwards = false;  ///< it runs from the bottom to the top
     int letter_height = 0;
     PixelBox box;
-    int level = 0;            ///< of grey, between its letters and the ground
-    bool light = false;       ///< its letters are lighter
-    std::vector<InkRun> ink;  ///< and what fades from it into the ground
+    std::optional<Point> at = {};  ///< what it stands at, if that is not its middle: print on a slope ends at it
+    int level = 0;                 ///< of grey, between its letters and the ground
+    bool light = false;            ///< its letters are lighter
+    std::vector<InkRun> ink;       ///< and what fades from it into the ground
 };
 
 struct Lettering {

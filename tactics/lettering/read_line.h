@@ -21,6 +21,10 @@ inline bool is_words(const LetteringLine& line) { return line.letters.size() > 1
 /// Its place and its ink, with what fades from it and no ink of others: a line that passes by stays whole.
 PrintedWords print_of(const Image& grey, const LetteringLine& line);
 
+/// The print of a picture that is upright, or climbs straight.
+Lettering read_upright(const Image& grey, std::string_view language, double least_sure, const PrintFonts& fonts,
+                       const std::string& program);
+
 /// The second reader: the letters of fonts are held against each line. `climbing` are lines of one or two letters that may take
 /// the place of some of one letter. False: there are no fonts here.
 bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::vector<LetteringLine> climbing,
