@@ -2,6 +2,8 @@
 // A line of lettering on its way from ink to words.
 #pragma once
 
+#include <vector>
+
 #include "tactics/lettering/lettering.h"
 #include "tactics/lettering/lines.h"
 
@@ -36,5 +38,20 @@ std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& l
 /// for sure, or read themselves with high sureness, and figures in line with such print. A lone mark
 /// that may be drawn is none.
 std::vector<bool> certain_print(const std::vector<ReadLine>& lines);
+
+/// Pixels, of the tallest letter of a line. A setting: an x of larger print is as high as the smallest thing whose shape tells.
+inline constexpr int kMostSmallPrint = 13;
+
+/// Adds those of `low`, as find_lettering gives them, that are print: there is small print of about that size and as thick among
+/// `lines`, and a letter by itself stands in line with it.
+void add_low_print(const Image& grey, std::vector<LetteringLine>& lines, std::vector<LetteringLine> low);
+
+enum class SmallPrint { none, told, out, mark };
+
+/// Which of the lines that are neither sure nor told are small print all the same: what is as high and as thick as small print
+/// that is known, stands free, is no bar, block, or mark that is there several times, and stands in line with print or was read
+/// as likely words; and figures in even steps with those of an axis. It is out if nothing drawn could be there.
+/// A mark is what lies among marks of a plot, one or a few that cover each other, and may have been taken for letters.
+std::vector<SmallPrint> small_print(const Image& grey, const std::vector<ReadLine>& lines);
 
 }  // namespace tactics

@@ -121,7 +121,10 @@ Held held(const Image& grey, ReadLine read, FormWords form) {
     const bool lost = parted && belief.text != read.words.text;
     read.words.text = std::move(belief.text);
     read.words.sureness = belief.sureness;
-    read.words.sure = belief.sure && !cut && !lost && read.line.letter_height >= kLeastPrint;
+    // "new" has no letter as high as others of its size.
+    constexpr double kCapital = 0.7;  // em
+    const bool large = read.line.letter_height >= kLeastPrint || (form.sized && kCapital * form.reading.em >= kLeastPrint);
+    read.words.sure = belief.sure && !cut && !lost && large;
     read.tell = belief.tell || belief.sure;
     return {std::move(read), std::move(form)};
 }
