@@ -131,6 +131,8 @@ Asked ask_tesseract(const Image& grey, std::vector<LetteringLine> lines, bool as
             guess = joined(base, one.line.raised.empty() ? nullptr : &read.guesses[at++]);
         }
         one.words = print_of(grey, one.line);
+        for (const Guess& guess : guesses)
+            if (!guess.text.empty()) one.readings.push_back(guess.text);
         one.words.text = guesses[0].text;
         one.words.sureness = std::min(guesses[0].sureness, guesses[1].sureness);
         const auto parts = static_cast<std::size_t>(std::count(one.words.text.begin(), one.words.text.end(), ' ')) + 1;
@@ -178,6 +180,7 @@ Lettering read_lettering(const Image& picture, std::string_view language, double
     if (!lettering.trouble.empty()) return lettering;
     std::vector<ReadLine>& all = asked.all;
     if (!fonts || !hold_against_fonts(grey, all, std::move(climbing), fonts)) believe_lone_letters(all);
+    hold_against_axes(all);
     for (ReadLine& one : all) one.likely = may_be_words(one, all);
     std::vector<bool> unread = unread_print(grey, all), certain = certain_print(all);
     const std::vector<SmallPrint> small = small_print(grey, all);

@@ -2,6 +2,7 @@
 // A line of lettering on its way from ink to words.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "tactics/lettering/lettering.h"
@@ -12,10 +13,11 @@ namespace tactics {
 struct ReadLine {
     LetteringLine line;
     PrintedWords words;
-    bool alike = false;    ///< read the same at two sizes
-    bool counted = false;  ///< it has as many words as there are gaps
-    bool tell = false;     ///< it is print, whether it can be read or not
-    bool likely = false;   ///< it was read as words that may be none
+    bool alike = false;                      ///< read the same at two sizes
+    bool counted = false;                    ///< it has as many words as there are gaps
+    bool tell = false;                       ///< it is print, whether it can be read or not
+    bool likely = false;                     ///< it was read as words that may be none
+    std::vector<std::string> readings = {};  ///< what any reader has made of it
 };
 
 inline bool is_words(const LetteringLine& line) { return line.letters.size() > 1; }
@@ -53,5 +55,9 @@ enum class SmallPrint { none, told, out, mark };
 /// as likely words; and figures in even steps with those of an axis. It is out if nothing drawn could be there.
 /// A mark is what lies among marks of a plot, one or a few that cover each other, and may have been taken for letters.
 std::vector<SmallPrint> small_print(const Image& grey, const std::vector<ReadLine>& lines);
+
+/// Where most numbers of a row or column were read and grow evenly, one that is not sure becomes sure if a reader has read what
+/// its place says; and in small print one that was read for sure and is another is no longer sure, but told.
+void hold_against_axes(std::vector<ReadLine>& lines);
 
 }  // namespace tactics

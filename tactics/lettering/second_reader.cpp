@@ -118,6 +118,8 @@ Held held(const Image& grey, ReadLine read, FormWords form) {
     const WordCount count = words_in(read.line);
     const bool parted = is_words(read.line) && (parts < count.least || parts > count.most);
     if (parted && form.agreed && read.counted && read.words.sure) belief.text = read.words.text;
+    for (const std::string& text : {form.text, form.reading.text})
+        if (!text.empty()) read.readings.push_back(text);
     const bool lost = parted && belief.text != read.words.text;
     read.words.text = std::move(belief.text);
     read.words.sureness = belief.sureness;
