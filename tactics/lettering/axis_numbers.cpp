@@ -138,6 +138,7 @@ public:
                     held = count;
                     best = one;
                 }
+        if (held == 2 && read() == 2 && bear_out(*best)) return best;
         const bool most = held >= kLeastRead && static_cast<double>(held) >= kMostRead * static_cast<double>(read());
         return most ? best : std::nullopt;
     }
@@ -158,6 +159,18 @@ public:
     }
 
 private:
+    // Two numbers make any progression; but what readers have made of most others is by no accident just what it says of them.
+    bool bear_out(const Progression& progression) const {
+        constexpr std::size_t kDoubtful = 3;
+        std::size_t at_steps = 0, fit = 0;
+        for (const Member& one : members_) {
+            if (one.value || !progression.number_at(one.place)) continue;
+            ++at_steps;
+            fit += confirmed(lines_[one.line], one.place, progression) ? 1 : 0;
+        }
+        return fit >= kDoubtful && static_cast<double>(fit) >= kMostRead * static_cast<double>(at_steps);
+    }
+
     // Steps are as far apart as numbers that stand next to each other, read or not.
     std::optional<Progression> of_two(const Member& a, const Member& b, bool by_factors) const {
         if (!a.value || !b.value) return std::nullopt;

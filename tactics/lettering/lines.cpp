@@ -17,7 +17,8 @@ namespace tactics {
 
 namespace {
 
-constexpr int kLeastTallest = 7;  // of a line: an x of 5 pixels stands beside capitals of 7
+constexpr int kLeastTallest = 7;        // of a line: an x of 5 pixels stands beside capitals of 7
+constexpr std::size_t kLowUpwards = 3;  // letters that none is as tall as that in a line that climbs
 // Of the height of the taller of two letters, which may both be small ones (0.52 em): a word space is 0.25 to 0.33 em and its
 // letters' side bearings.
 constexpr double kWordGap = 1.0;
@@ -313,7 +314,7 @@ private:
         drop_ticks(boxes, group);
         for (const std::size_t letter : group.letters) line.letter_height = std::max(line.letter_height, boxes[letter].height());
         const bool low = line.letter_height < kLeastTallest;
-        if (low && (upwards || !keeps_low_)) return;
+        if (low && (!keeps_low_ || (upwards && group.letters.size() < kLowUpwards))) return;
         // The baseline of most letters: their median foot, ignoring descenders.
         int top = boxes[group.letters.front()].top, bottom = boxes[group.letters.front()].bottom;
         PixelBox seen = boxes[group.letters.front()];

@@ -44,6 +44,13 @@ TEST(AxisNumbers, AReaderIsBorneOutByThePlace) {
         "? 1 2 3")
         << "it stands at no step";
     EXPECT_EQ(held({number(40, 90, "0", false), number(100, 90, "1", true), number(160, 90, "2", true)}), "? 1 2") << "too few";
+    EXPECT_EQ(held({number(40, 90, "O", false), number(100, 90, "5", true), number(160, 90, "lo", false),
+                    number(220, 90, "I5", false), number(280, 90, "20", true), number(340, 90, "26", false)}),
+              "0 5 10 15 20 ?")
+        << "two, and most others say so, too";
+    EXPECT_EQ(held({number(40, 90, "O", false), number(100, 90, "5", true), number(160, 90, "lo", false),
+                    number(220, 90, "8", false), number(280, 90, "20", true), number(340, 90, "26", false)}),
+              "? 5 ? ? 20 ?");
 }
 
 TEST(AxisNumbers, SignsAreThoseOfTheOthers) {

@@ -72,6 +72,22 @@ TEST_F(SmallLines, WordsWithoutTallLettersAreFoundBesideOthers) {
     EXPECT_EQ(at(22, 155), SmallPrint::none) << "dots";
 }
 
+TEST_F(SmallLines, WordsWithoutTallLettersMayClimb) {
+    know();
+    Image level = make_image(40, 20, 1, 0, 255);
+    std::swap(level, picture);
+    write(4, 4, {kN, kE, kW, kE});
+    std::swap(level, picture);
+    for (int y = 0; y < level.height; ++y)
+        for (int x = 0; x < level.width; ++x)
+            if (level.row(y)[x] == 0) picture.row(180 - x)[100 + y] = 0;
+    std::vector<LetteringLine> low, lines = find_lettering(picture, nullptr, &low);
+    add_low_print(picture, lines, std::move(low));
+    EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                            [](const LetteringLine& one) { return one.upwards && one.letters.size() == 4; }),
+              1);
+}
+
 TEST_F(SmallLines, WhatIsThickerThanPrintIsNone) {
     know();
     Rows thick;
