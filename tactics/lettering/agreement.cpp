@@ -22,8 +22,10 @@ constexpr Likely kSmallBothSay{0.72, 0.62}, kSmallOfKnownSize{0.8, 0.7};
 constexpr double kMargin = 0.03, kClearMargin = 0.07, kAgainstOther = 0.1;
 constexpr std::size_t kLetters = 4;  // that many are no accident
 constexpr double kSureWords = 88;    // of 100: leaves and stones are read as words with less
+constexpr double kTinyPrint = 13;    // pixels for an em, in which nothing tells a word that ends with m from one with rn
 constexpr double kBearsOut = 0.72;   // of a letter
 
+bool is_of_words(char32_t code) { return ((code | 32) >= 'a' && (code | 32) <= 'z') || code >= 0xC0; }
 bool is_word_letter(char32_t code) {
     return (code >= '0' && code <= '9') || ((code | 32) >= 'a' && (code | 32) <= 'z') || code >= 0x80;
 }
@@ -81,6 +83,35 @@ bool has_thousands(std::string_view text) {
     return is_one();
 }
 
+// Each closing bracket was opened, and each opened one is closed, but for "a)" as lists have it.
+bool has_pairs(std::string_view text) {
+    int open = 0;
+    bool ever = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool opens = text[i] == '(' || text[i] == '[', closes = text[i] == ')' || text[i] == ']';
+        if (closes && open == 0) {
+            const bool listed = !ever && i > 0 && (i == 1 || (i == 2 && (text[0] & 0x80) != 0));
+            if (!listed) return false;
+        } else
+            open += (opens ? 1 : 0) - (closes ? 1 : 0);
+        ever = ever || opens;
+    }
+    return open == 0;
+}
+
+// How many strokes side by side there are is not to be seen where each is a pixel wide: "ill" and "il".
+bool is_all_thin(const FormReading& reading) {
+    constexpr std::u32string_view kThin = U"ilI|!";
+    return std::all_of(reading.letters.begin(), reading.letters.end(),
+                       [&](const FormLetter& letter) { return kThin.find(letter.code) != kThin.npos; });
+}
+
+// A 0 that other figures follow has lost its point.
+bool has_lost_point(std::string_view text) {
+    return text.size() > 1 && text[0] == '0' &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
 // In small print a comma without its tail is a point, O and 0 look alike, the tick of a scale is a dash, and a long figure that
 // two readers do not both say is none.
 bool is_plain(const std::string& text, const std::string& other, bool agreed) {
@@ -90,7 +121,8 @@ bool is_plain(const std::string& text, const std::string& other, bool agreed) {
     const bool dash = digits > 0 && digits < static_cast<std::ptrdiff_t>(text.size()) &&
                       (text.back() == '-' || text.ends_with("\u2212") || text.ends_with("\u2013"));
     const bool either = text.find('0') != text.npos && text.find('O') != text.npos;
-    if (dash || either || count([](char c) { return c == '"'; }) % 2 == 1) return false;
+    if (dash || either || count([](char c) { return c == '"'; }) % 2 == 1 || !has_pairs(text) || has_lost_point(text))
+        return false;
     if (has_thousands(text) && !text.starts_with("0.") && (text != other || text.find(',') == text.npos)) return false;
     return letters > 0 || digits < 3 || agreed;
 }
@@ -98,8 +130,10 @@ bool is_plain(const std::string& text, const std::string& other, bool agreed) {
 // Letters of small print that touch look like one: rn and m, cl and d, Cl and O.
 bool is_no_pair(const FormWords& words, const ReadWords& other) {
     constexpr std::u32string_view kLikeTwo = U"mdOJjnwh";
-    constexpr double kClear = 0.86;    // of such a letter; two are like it with 0.8
-    constexpr double kTinyPrint = 13;  // pixels for an em, in which nothing tells a word that ends with m from one with rn
+    constexpr double kClear = 0.86;  // of such a letter; two are like it with 0.8
+    const bool tiny = words.reading.em < kTinyPrint;
+    // S and 8, or B and 8, are told apart by one reader no longer.
+    if (tiny && (!words.agreed || is_all_thin(words.reading))) return false;
     bool any = false, two = false, clear = true;
     for (const FormLetter& letter : words.reading.letters) {
         any = any || (letter.code | 32) - U'a' < 26;
@@ -107,7 +141,7 @@ bool is_no_pair(const FormWords& words, const ReadWords& other) {
         two = true;
         clear = clear && letter.likeness >= kClear && !letter.pair;
     }
-    if (any && words.reading.em < kTinyPrint && words.text.size() > 2 && words.text.back() == 'm') return false;
+    if (any && tiny && words.text.size() > 2 && words.text.back() == 'm') return false;
     return !any || (words.agreed && (!two || (clear && other.sureness >= kSureWords)));
 }
 
@@ -152,6 +186,10 @@ Belief believe(const FormWords& words, const ReadWords& other) {
                                   reading.margin >= kClearMargin);
     belief.sure = belief.sure || (clear && telling >= kLetters && kOfItself.holds(reading) && reading.margin >= margin);
     belief.tell = telling > 0 && kTold.holds(reading);
+    // Nor does the other reader see by what print beside the line its size could be told; and no figure is a wrong word.
+    const bool figure = std::all_of(letters.begin(), letters.end(), [](const FormLetter& one) { return !is_of_words(one.code); });
+    if (reading.em < kSmallPrint && reading.either && !words.sized) belief.sure = false;
+    if (reading.em < kTinyPrint && figure && !kBothSay.holds(reading)) belief.sure = false;
     if (reading.em < kSmallPrint)
         belief.sure = belief.sure && is_plain(words.text, other.text, words.agreed) && is_no_pair(words, other);
     return belief;

@@ -31,7 +31,14 @@ constexpr std::u32string_view kWide = U"%\u2030\u00bd\u00bc\u00be\"\u201c\u201d\
 constexpr std::u32string_view kLikeOne[] = {U"rn", U"cl", U"ri", U"li", U"Cl", U"vv", U"Fi", U"fi"};
 
 bool is_accented(char32_t code) { return code >= 0xC0 && code <= 0xFF; }
+bool is_raised_figure(char32_t code) { return code == 0xB9 || code == 0xB2 || code == 0xB3; }
 bool is_thin(char32_t code) { return kThin.find(code) != kThin.npos; }
+// Letters that differ by their height alone, which a pixel more or less does not tell. A 0 is seldom an o.
+bool is_same_in_two_sizes(char32_t one, char32_t other) {
+    constexpr std::u32string_view kSame = U"cosuvwxz";
+    if (one == U'o' || one == U'O') return other == U'0' || other == (one ^ 32);
+    return (one ^ other) == 32 && kSame.find(one | 32) != kSame.npos;
+}
 bool may_be_off_line(char32_t code) {
     return is_digit(code) || is_minus(code) || code == '+' || (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z');
 }
@@ -226,13 +233,18 @@ private:
         return std::nullopt;
     }
 
-    FormLetter letter_of(const Span& one, const Rule& rule) const {
+    // What is raised or lowered follows something: figures of an axis with a larger em and a lower foot would be such.
+    bool may_be_at(std::size_t unit, const FormLetter::Place place, char32_t code) const {
+        return unit > 0 || (place == FormLetter::Place::on_line && !is_raised_figure(code));
+    }
+
+    FormLetter letter_of(std::size_t first, const Span& one, const Rule& rule) const {
         FormLetter letter;
         letter.box = one.box;
         double best = 0;
         for (const Choice& choice : one.choices) {
             const auto place = place_of(one.box, choice, rule);
-            if (!place) continue;
+            if (!place || !may_be_at(first, *place, choice.code)) continue;
             const double worth = choice.likeness - (*place == FormLetter::Place::on_line ? 0 : kOffLine);
             if (worth > best) {
                 best = worth;
@@ -243,8 +255,10 @@ private:
         }
         for (const Choice& choice : one.choices) {
             const bool thin = rule.em < kSmallPrint && is_thin(letter.code) && is_thin(choice.code);
-            const double off = thin || (is_accented(letter.code) && choice.code < 0x80) ? kAccent : kAsAlike;
-            if (choice.code == letter.code || !place_of(one.box, choice, rule)) continue;
+            const bool sizes = rule.em < kSmallPrint && is_same_in_two_sizes(letter.code, choice.code);
+            const double off = thin || sizes || (is_accented(letter.code) && choice.code < 0x80) ? kAccent : kAsAlike;
+            const auto place = place_of(one.box, choice, rule);
+            if (choice.code == letter.code || !place || !may_be_at(first, *place, choice.code)) continue;
             letter.pair = letter.pair || (rule.em < kSmallPrint && choice.likeness >= letter.likeness - kAsPair &&
                                           !font_.joined(choice.code).empty() && font_.joined(letter.code).empty());
             if (choice.likeness >= letter.likeness - off)
@@ -268,7 +282,7 @@ private:
         std::vector<FormLetter> last(count_ + 1);
         for (std::size_t end = 1; end <= count_; ++end) {
             for (std::size_t length = 1; length <= std::min(end, kMostLetterPieces); ++length) {
-                FormLetter letter = letter_of(span(end - length, end - 1), rule);
+                FormLetter letter = letter_of(end - length, span(end - length, end - 1), rule);
                 if (length > 1 && letter.code == 0) continue;
                 const double value = best[end - length] + worth(letter);
                 if (length > 1 && value <= best[end]) continue;

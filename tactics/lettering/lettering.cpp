@@ -131,6 +131,8 @@ Asked ask_tesseract(const Image& grey, std::vector<LetteringLine> lines, bool as
             guess = joined(base, one.line.raised.empty() ? nullptr : &read.guesses[at++]);
         }
         one.words = print_of(grey, one.line);
+        for (const Guess& guess : guesses)
+            if (!guess.text.empty()) one.readings.push_back(guess.text);
         one.words.text = guesses[0].text;
         one.words.sureness = std::min(guesses[0].sureness, guesses[1].sureness);
         const auto parts = static_cast<std::size_t>(std::count(one.words.text.begin(), one.words.text.end(), ' ')) + 1;
@@ -165,8 +167,9 @@ Lettering read_upright(const Image& grey, std::string_view language, double leas
     Lettering lettering;
     lettering.width = grey.width;
     lettering.height = grey.height;
-    std::vector<LetteringLine> climbing;
-    std::vector<LetteringLine> lines = find_lettering(grey, fonts ? &climbing : nullptr);
+    std::vector<LetteringLine> climbing, low;
+    std::vector<LetteringLine> lines = find_lettering(grey, fonts ? &climbing : nullptr, &low);
+    add_low_print(grey, lines, std::move(low));
     lettering.found_any = std::any_of(lines.begin(), lines.end(), is_words) || (fonts && !lines.empty());
     if (!lettering.found_any) return lettering;
     std::stable_partition(lines.begin(), lines.end(), is_words);
@@ -176,8 +179,16 @@ Lettering read_upright(const Image& grey, std::string_view language, double leas
     if (!lettering.trouble.empty()) return lettering;
     std::vector<ReadLine>& all = asked.all;
     if (!fonts || !hold_against_fonts(grey, all, std::move(climbing), fonts)) believe_lone_letters(all);
+    hold_against_axes(all);
     for (ReadLine& one : all) one.likely = may_be_words(one, all);
-    const std::vector<bool> unread = unread_print(grey, all), certain = certain_print(all);
+    std::vector<bool> unread = unread_print(grey, all), certain = certain_print(all);
+    const std::vector<SmallPrint> small = small_print(grey, all);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool mark = small[i] == SmallPrint::mark;
+        all[i].tell = all[i].tell && !mark;
+        unread[i] = !mark && (unread[i] || small[i] != SmallPrint::none);
+        certain[i] = certain[i] || small[i] == SmallPrint::out;
+    }
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i].words.sure && !all[i].tell && !unread[i]) continue;
         // Two marks of a plot are read as two letters, but seldom three as three.

@@ -17,7 +17,8 @@ namespace tactics {
 
 namespace {
 
-constexpr int kLeastTallest = 7;  // of a line: an x of 5 pixels stands beside capitals of 7
+constexpr int kLeastTallest = 7;        // of a line: an x of 5 pixels stands beside capitals of 7
+constexpr std::size_t kLowUpwards = 3;  // letters that none is as tall as that in a line that climbs
 // Of the height of the taller of two letters, which may both be small ones (0.52 em): a word space is 0.25 to 0.33 em and its
 // letters' side bearings.
 constexpr double kWordGap = 1.0;
@@ -139,11 +140,21 @@ double share_of_ink(const InkPiece& piece) {
     return ink / (static_cast<double>(piece.box.width()) * piece.box.height());
 }
 
+// Dots and bars, or most of it.
+bool are_blocks(const LetteringLine& line) {
+    constexpr double kFilled = 0.8;
+    const auto blocks = std::count_if(line.letters.begin(), line.letters.end(),
+                                      [](const InkPiece& letter) { return share_of_ink(letter) >= kFilled; });
+    return 2 * blocks > static_cast<std::ptrdiff_t>(line.letters.size());
+}
+
 class Finder {
 public:
     explicit Finder(const Image& grey) : grey_(grey) {}
 
-    std::vector<LetteringLine> run(std::vector<LetteringLine>* climbing) {
+    // `low` are in the order in which they should be taken, one for each level of grey.
+    std::vector<LetteringLine> run(std::vector<LetteringLine>* climbing, std::vector<LetteringLine>* low) {
+        keeps_low_ = low != nullptr;
         for (const bool light : {false, true})
             for (const int level : kLevels) look(level, light);
         drop_holes();
@@ -156,6 +167,10 @@ public:
         std::stable_sort(found_.begin(), found_.end(), [&](const Found& a, const Found& b) { return key(a) < key(b); });
         FoundBoxes taken(grey_.width, grey_.height), of_words(grey_.width, grey_.height);
         std::vector<LetteringLine> lines = take(found_, taken);
+        std::stable_sort(low_.begin(), low_.end(), [&](const Found& a, const Found& b) { return key(a) < key(b); });
+        for (Found& one : low_)
+            if (!taken.any_on(one.line.box, [](std::size_t, const PixelBox&) { return true; }))
+                low->push_back(std::move(one.line));
         if (climbing == nullptr) return lines;
         for (const LetteringLine& line : lines)
             if (line.letters.size() > 1) of_words.add(line.box);
@@ -298,7 +313,8 @@ private:
         line.level = level;
         drop_ticks(boxes, group);
         for (const std::size_t letter : group.letters) line.letter_height = std::max(line.letter_height, boxes[letter].height());
-        if (line.letter_height < kLeastTallest) return;
+        const bool low = line.letter_height < kLeastTallest;
+        if (low && (!keeps_low_ || (upwards && group.letters.size() < kLowUpwards))) return;
         // The baseline of most letters: their median foot, ignoring descenders.
         int top = boxes[group.letters.front()].top, bottom = boxes[group.letters.front()].bottom;
         PixelBox seen = boxes[group.letters.front()];
@@ -317,10 +333,11 @@ private:
             seen = around(seen, box);
             line.box = around(line.box, pieces[letter].box);
         }
+        if (low && are_blocks(line)) return;
         attach_marks(pieces, boxes, group, seen, line);
         found.rank = off_middle(grey_, line);
         if (found.rank > 255) return;
-        to.push_back(std::move(found));
+        (low ? low_ : to).push_back(std::move(found));
     }
 
     // The ticks of an axis stand beside what hangs below the line, as the tail of a y does; they are all below it.
@@ -366,12 +383,15 @@ private:
     const Image& grey_;
     std::vector<Found> found_;
     std::vector<Found> short_;  // lines that may climb
+    std::vector<Found> low_;    // and such as have no tall letter
+    bool keeps_low_ = false;
 };
 
 }  // namespace
 
-std::vector<LetteringLine> find_lettering(const Image& grey, std::vector<LetteringLine>* climbing) {
-    std::vector<LetteringLine> lines = Finder(grey).run(climbing);
+std::vector<LetteringLine> find_lettering(const Image& grey, std::vector<LetteringLine>* climbing,
+                                          std::vector<LetteringLine>* low) {
+    std::vector<LetteringLine> lines = Finder(grey).run(climbing, low);
     for (LetteringLine& line : lines) add_pale_ink(grey, line);
     if (climbing != nullptr)
         for (LetteringLine& line : *climbing) add_pale_ink(grey, line);

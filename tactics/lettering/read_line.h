@@ -2,6 +2,9 @@
 // A line of lettering on its way from ink to words.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "tactics/lettering/lettering.h"
 #include "tactics/lettering/lines.h"
 
@@ -10,10 +13,11 @@ namespace tactics {
 struct ReadLine {
     LetteringLine line;
     PrintedWords words;
-    bool alike = false;    ///< read the same at two sizes
-    bool counted = false;  ///< it has as many words as there are gaps
-    bool tell = false;     ///< it is print, whether it can be read or not
-    bool likely = false;   ///< it was read as words that may be none
+    bool alike = false;                      ///< read the same at two sizes
+    bool counted = false;                    ///< it has as many words as there are gaps
+    bool tell = false;                       ///< it is print, whether it can be read or not
+    bool likely = false;                     ///< it was read as words that may be none
+    std::vector<std::string> readings = {};  ///< what any reader has made of it
 };
 
 inline bool is_words(const LetteringLine& line) { return line.letters.size() > 1; }
@@ -40,5 +44,24 @@ std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& l
 /// for sure, or read themselves with high sureness, and figures in line with such print. A lone mark
 /// that may be drawn is none.
 std::vector<bool> certain_print(const std::vector<ReadLine>& lines);
+
+/// Pixels, of the tallest letter of a line. A setting: an x of larger print is as high as the smallest thing whose shape tells.
+inline constexpr int kMostSmallPrint = 13;
+
+/// Adds those of `low`, as find_lettering gives them, that are print: there is small print of about that size and as thick among
+/// `lines`, and a letter by itself stands in line with it.
+void add_low_print(const Image& grey, std::vector<LetteringLine>& lines, std::vector<LetteringLine> low);
+
+enum class SmallPrint { none, told, out, mark };
+
+/// Which of the lines that are neither sure nor told are small print all the same: what is as high and as thick as small print
+/// that is known, stands free, is no bar, block, or mark that is there several times, and stands in line with print or was read
+/// as likely words; and figures in even steps with those of an axis. It is out if nothing drawn could be there.
+/// A mark is what lies among marks of a plot, one or a few that cover each other, and may have been taken for letters.
+std::vector<SmallPrint> small_print(const Image& grey, const std::vector<ReadLine>& lines);
+
+/// Where most numbers of a row or column were read and grow evenly, one that is not sure becomes sure if a reader has read what
+/// its place says; and in small print one that was read for sure and is another is no longer sure, but told.
+void hold_against_axes(std::vector<ReadLine>& lines);
 
 }  // namespace tactics

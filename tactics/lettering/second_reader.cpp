@@ -118,10 +118,15 @@ Held held(const Image& grey, ReadLine read, FormWords form) {
     const WordCount count = words_in(read.line);
     const bool parted = is_words(read.line) && (parts < count.least || parts > count.most);
     if (parted && form.agreed && read.counted && read.words.sure) belief.text = read.words.text;
+    for (const std::string& text : {form.text, form.reading.text})
+        if (!text.empty()) read.readings.push_back(text);
     const bool lost = parted && belief.text != read.words.text;
     read.words.text = std::move(belief.text);
     read.words.sureness = belief.sureness;
-    read.words.sure = belief.sure && !cut && !lost && read.line.letter_height >= kLeastPrint;
+    // "new" has no letter as high as others of its size.
+    constexpr double kCapital = 0.7;  // em
+    const bool large = read.line.letter_height >= kLeastPrint || (form.sized && kCapital * form.reading.em >= kLeastPrint);
+    read.words.sure = belief.sure && !cut && !lost && large;
     read.tell = belief.tell || belief.sure;
     return {std::move(read), std::move(form)};
 }

@@ -13,6 +13,7 @@
 
 #include "tactics/drawing.h"
 #include "tactics/lettering/mark_shape.h"
+#include "tactics/lettering/print_company.h"
 #include "tactics/lettering/read_line.h"
 
 namespace tactics {
@@ -21,6 +22,8 @@ namespace {
 
 constexpr double kSurelyRead = 80;     // of 100, of three letters: rows of marks are read with less. A setting
 constexpr std::size_t kFewUnread = 8;  // where no print is known
+
+}  // namespace
 
 bool has_room_around(const Image& grey, const LetteringLine& line) {
     const int room = std::max(2, line.letter_height / 6);
@@ -118,6 +121,8 @@ bool is_on_scale(std::size_t which, const std::vector<ReadLine>& lines) {
     }
     return false;
 }
+
+namespace {
 
 struct Piece {
     const InkPiece* ink = nullptr;

@@ -54,6 +54,39 @@ TEST(Agreement, InSmallPrintSignsInFiguresAreNotGuessed) {
     EXPECT_FALSE(is_sure_in_small(U"1.000", "1.000", "1.000")) << "the tail of a comma is pale";
     EXPECT_FALSE(is_sure_in_small(U"4-", "4 -", "4 -")) << "the tick of a scale";
     EXPECT_FALSE(is_sure_in_small(U"00O", "00O", "00O"));
+    EXPECT_FALSE(is_sure_in_small(U"02", "02", "02")) << "0.2";
+    EXPECT_TRUE(is_sure_in_small(U"20", "20", "20"));
+    EXPECT_FALSE(is_sure_in_small(U"20", "20", "20", 0.76)) << "no word bears out a figure";
+}
+
+TEST(Agreement, InPrintOfFewPixelsBothReadersMustSayIt) {
+    FormWords words = line_of(U"88", "88");
+    words.reading.em = 10;
+    EXPECT_FALSE(believe(words, {"SB", 96, false, false}).sure) << "S8";
+    words.agreed = true;
+    EXPECT_TRUE(believe(words, {"88", 96, true, true}).sure);
+    words = line_of(U"88", "88");
+    EXPECT_TRUE(believe(words, {"SB", 96, false, false}).sure) << "of 20 pixels";
+}
+
+TEST(Agreement, BothReadersTakeSmallPrintInCapitalsForLowerCase) {
+    FormWords words = line_of(U"cl2", "cl2");
+    words.reading.em = 12;
+    words.agreed = true;
+    EXPECT_TRUE(believe(words, {"cl2", 96, true, true}).sure);
+    words.reading.either = true;
+    words.sized = false;
+    EXPECT_FALSE(believe(words, {"cl2", 96, true, true}).sure) << "Cl2";
+}
+
+TEST(Agreement, InSmallPrintThinStrokesAreNotCountedAndBracketsHavePairs) {
+    EXPECT_FALSE(is_sure_in_small(U"il", "il", "il")) << "ill";
+    EXPECT_TRUE(is_sure_in_small(U"ail", "ail", "ail"));
+    EXPECT_FALSE(is_sure_in_small(U"git)", "git)", "git)")) << "g(t)";
+    EXPECT_TRUE(is_sure_in_small(U"f(x)", "f(x)", "f(x)"));
+    EXPECT_TRUE(is_sure_in_small(U"a)", "a)", "a)"));
+    EXPECT_TRUE(is_sure_in_small(U"[0,1]", "[0,1]", "[0,1]"));
+    EXPECT_FALSE(is_sure_in_small(U"f(x", "f(x", "f(x"));
 }
 
 TEST(Agreement, WhatLooksLikeOtherLettersIsNotSure) {

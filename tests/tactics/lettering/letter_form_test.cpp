@@ -171,6 +171,26 @@ TEST(FormReader, SmallAndLargeLettersAreToldBySizesThatAreKnown) {
     EXPECT_EQ(read_by_forms(InkStrip(image, lines[0]), font, {}).text, "L");
 }
 
+// An L and a smaller one above the line, as a font has raised figures.
+TEST(FormReader, WhatBeginsALineIsNotRaised) {
+    FontShapes shapes = strokes();
+    shapes[U'\u00b9'] = {0.42, {box(0.06, 0.28, 0.12, 0.7), box(0.12, 0.28, 0.36, 0.34)}};
+    FormFont font(shapes);
+    Image image = make_image(200, 60, 1, 0, 255);
+    write(image, 20, 40, 18, U"L");
+    const auto alone = find_lettering(image);
+    ASSERT_EQ(alone.size(), 1u);
+    const FormReading reading = read_by_forms(InkStrip(image, alone[0]), font, {30});
+    EXPECT_EQ(reading.text, "L");
+    EXPECT_NEAR(reading.em, 18, 1);
+    image = make_image(200, 60, 1, 0, 255);
+    write(image, 20, 40, 30, U"L");
+    write(image, 41, 31.6, 18, U"L");
+    const auto power = find_lettering(image);
+    ASSERT_EQ(power.size(), 1u);
+    EXPECT_EQ(read_by_forms(InkStrip(image, power[0]), font, {30}).text, "L\u00b9");
+}
+
 TEST(FormReader, LettersThatTouchAreFoundByWhatTheyMaySay) {
     Image image = make_image(200, 60, 1, 0, 255);
     write(image, 20, 40, 30, U"LO");

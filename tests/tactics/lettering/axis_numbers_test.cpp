@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers of an axis against what their places say.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tactics/lettering/read_line.h"
+
+namespace tactics::axis_numbers_test {
+namespace {
+
+// A number of 8 pixels, right-aligned beside an upright axis or centred below a level one.
+ReadLine number(double x, double y, const std::string& text, bool sure, std::vector<std::string> readings = {}) {
+    ReadLine one;
+    const int width = 6 * static_cast<int>(text.size());
+    const int left = static_cast<int>(x) - width / 2, top = static_cast<int>(y) - 4;
+    one.line.box = {left, top, left + width, top + 8};
+    one.line.letter_height = 8;
+    one.line.letters.resize(text.size());
+    one.words.text = text;
+    one.words.sure = sure;
+    one.readings = readings.empty() ? std::vector<std::string>{text} : std::move(readings);
+    return one;
+}
+
+// What is sure, from the left to the right; "?" is not.
+std::string held(std::vector<ReadLine> lines) {
+    hold_against_axes(lines);
+    std::string said;
+    for (const ReadLine& one : lines) said += (said.empty() ? "" : " ") + (one.words.sure ? one.words.text : "?");
+    return said;
+}
+
+TEST(AxisNumbers, AReaderIsBorneOutByThePlace) {
+    EXPECT_EQ(held({number(40, 90, "o", false), number(100, 90, "1", true), number(160, 90, "2", true),
+                    number(220, 90, "3", true), number(280, 90, "A", false, {"A", "4"})}),
+              "0 1 2 3 4");
+    EXPECT_EQ(
+        held({number(40, 90, "8", false), number(100, 90, "1", true), number(160, 90, "2", true), number(220, 90, "3", true)}),
+        "? 1 2 3")
+        << "nobody read a 0";
+    EXPECT_EQ(
+        held({number(58, 90, "0", false), number(100, 90, "1", true), number(160, 90, "2", true), number(220, 90, "3", true)}),
+        "? 1 2 3")
+        << "it stands at no step";
+    EXPECT_EQ(held({number(40, 90, "0", false), number(100, 90, "1", true), number(160, 90, "2", true)}), "? 1 2") << "too few";
+    EXPECT_EQ(held({number(40, 90, "O", false), number(100, 90, "5", true), number(160, 90, "lo", false),
+                    number(220, 90, "I5", false), number(280, 90, "20", true), number(340, 90, "26", false)}),
+              "0 5 10 15 20 ?")
+        << "two, and most others say so, too";
+    EXPECT_EQ(held({number(40, 90, "O", false), number(100, 90, "5", true), number(160, 90, "lo", false),
+                    number(220, 90, "8", false), number(280, 90, "20", true), number(340, 90, "26", false)}),
+              "? 5 ? ? 20 ?");
+}
+
+TEST(AxisNumbers, SignsAreThoseOfTheOthers) {
+    EXPECT_EQ(held({number(40, 90, "1,000", true), number(100, 90, "2,000", true), number(160, 90, "3.000", false),
+                    number(220, 90, "4,000", true)}),
+              "1,000 2,000 3,000 4,000");
+    EXPECT_EQ(held({number(40, 90, "0,5", true), number(100, 90, "1,0", true), number(160, 90, "1,5", true),
+                    number(220, 90, "2.0", false)}),
+              "0,5 1,0 1,5 2,0");
+    EXPECT_EQ(held({number(40, 90, "~20", false), number(100, 90, "\u221210", true), number(160, 90, "0", true),
+                    number(220, 90, "10", true)}),
+              "\u221220 \u221210 0 10");
+}
+
+TEST(AxisNumbers, GrowByFactorsToo) {
+    EXPECT_EQ(held({number(40, 90, "1", true), number(100, 90, "10", true), number(160, 90, "1OO", false),
+                    number(220, 90, "1000", true)}),
+              "1 10 100 1000");
+    EXPECT_EQ(held({number(40, 90, "1", true), number(100, 90, "10", true), number(160, 90, "80", false),
+                    number(220, 90, "1000", true)}),
+              "1 10 ? 1000");
+}
+
+TEST(AxisNumbers, WhatThePlaceDeniesIsNotSureInSmallPrint) {
+    EXPECT_EQ(held({number(40, 90, "0.8", true), number(100, 90, "10", true), number(160, 90, "1.2", true),
+                    number(220, 90, "1.4", true), number(280, 90, "1.6", true)}),
+              "0.8 ? 1.2 1.4 1.6")
+        << "1.0";
+    std::vector<ReadLine> large{number(40, 90, "1", true), number(100, 90, "2", true), number(160, 90, "3", true),
+                                number(220, 90, "4", true), number(280, 90, "10", true)};
+    for (ReadLine& one : large) one.line.letter_height = 20, one.line.box.bottom += 12;
+    EXPECT_EQ(held(large), "1 2 3 4 10") << "names of classes";
+    EXPECT_EQ(
+        held({number(40, 90, "1", true), number(100, 90, "4", true), number(160, 90, "9", true), number(220, 90, "16", true)}),
+        "1 4 9 16");
+}
+
+// Beside an upright axis numbers end at one place.
+TEST(AxisNumbers, StandAboveEachOther) {
+    std::vector<ReadLine> lines;
+    const char* const texts[] = {"100", "80", "60", "4O", "20", "o"};
+    for (int i = 0; i < 6; ++i) {
+        lines.push_back(number(50, 40.0 + 30 * i, texts[i], i != 3 && i != 5));
+        PixelBox& box = lines.back().line.box;
+        box = {60 - box.width(), box.top, 60, box.bottom};
+    }
+    EXPECT_EQ(held(lines), "100 80 60 40 20 0");
+    lines[1].line.box.top += 9, lines[1].line.box.bottom += 9;  // of no step, so it is something else
+    EXPECT_EQ(held(lines), "100 80 60 40 20 0");
+}
+
+TEST(AxisNumbers, OfHostileLinesIsBounded) {
+    std::vector<ReadLine> lines;
+    for (int i = 0; i < 300; ++i) lines.push_back(number(10.0 + 9 * i, 90, std::to_string(i * i % 97), true));
+    hold_against_axes(lines);
+    for (const char* text : {"", ",", ".", "-", "1,", ",5", "1,2,3", "1.2.3", "00", "1e3", "\xff", "9999999999999999999999"})
+        hold_against_axes(lines = {number(40, 90, text, true), number(100, 90, text, true), number(160, 90, text, true),
+                                   number(220, 90, text, true)});
+}
+
+}  // namespace
+}  // namespace tactics::axis_numbers_test
