@@ -72,7 +72,9 @@ void leave_out_grid(FoundPage& figure) {
 void add_look(FoundPage& figure, std::size_t strokes, std::size_t areas, const Style& style, const Ground& ground) {
     const Page& page = figure.page;
     if (page.strokes.size() == strokes && page.areas.size() == areas) return;
-    const auto lightness = [&](const Paint& paint) { return paint.none ? -1 : ground.on_white(paint.lightness); };
+    const auto lightness = [&](const Paint& paint) {
+        return paint.none ? -1 : paint.pattern > 0 ? paint.pattern : ground.on_white(paint.lightness);
+    };
     const bool whole = style.dashes.empty() || style.dashes == "none";
     const std::size_t dashes =
         whole ? 0 : figure.dash_kinds.try_emplace(style.dashes, figure.dash_kinds.size() + 1).first->second;

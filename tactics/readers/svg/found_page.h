@@ -52,7 +52,7 @@ struct FoundPicture {
 /// How one element of a figure is painted, and which strokes and areas of the page are its.
 struct FoundLook {
     std::size_t stroke = 0, strokes_end = 0, area = 0, areas_end = 0;
-    double line = -1, fill = -1;  ///< lightness, which tells colours of one figure apart; -1: none
+    double line = -1, fill = -1;  ///< lightness, which tells colours of one figure apart; -1: none; over 1: a pattern
     std::size_t dashes = 0;       ///< in the page's dash_kinds; 0: a whole line
 };
 

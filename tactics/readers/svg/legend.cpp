@@ -9,6 +9,7 @@
 
 #include "tactics/geometry/course.h"
 #include "tactics/readers/svg/chart_parts.h"
+#include "tactics/readers/svg/legend_fills.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -71,6 +72,9 @@ public:
             words.thing = place_for(entry);
             told.push_back(phrase("\"{0}\"", beginning_of(words.text)));
         }
+        std::vector<std::size_t> samples;
+        for (const Entry& entry : entries_) samples.push_back(entry.sample);
+        fill_as_legend(figure_, samples);
         leave_out_frame();
         for (const Entry& entry : entries_) take_sample(boxes_[entry.sample], figure_.words[entry.words].height);
         figure_.notes.push_back(

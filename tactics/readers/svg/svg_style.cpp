@@ -26,10 +26,18 @@ std::string_view size_in(std::string_view font) {
     return {};
 }
 
+// From 1 to 2, the same for the same name.
+double number_of(std::string_view name) {
+    std::uint32_t hash = 2166136261u;  // FNV-1a
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return 1 + hash / 4294967296.0;
+}
+
 // `own` becomes the opacity of a gradient.
 void set_paint(Paint& paint, double& own, std::string_view value, double current, const MeanPaints& gradients, Missed& missed) {
     paint.none = value == "none";
     paint.fades = false;
+    paint.pattern = 0;
     own = 1;
     if (paint.none) return;
     if (value == "currentColor" || value == "currentcolor" || value == "context-fill" || value == "context-stroke") {
@@ -37,6 +45,7 @@ void set_paint(Paint& paint, double& own, std::string_view value, double current
     } else if (value.starts_with("url(")) {
         const auto mean = gradients.find(name_in_url(value));
         missed.textures += mean == gradients.end() ? 1 : 0;
+        paint.pattern = mean == gradients.end() ? number_of(name_in_url(value)) : 0;
         paint.lightness = mean == gradients.end() ? 0 : mean->second.lightness;
         paint.fades = mean != gradients.end() && mean->second.fades;
         own = mean == gradients.end() ? 1 : mean->second.opacity;

@@ -41,6 +41,7 @@ struct Paint {
     double lightness = 0;
     double opacity = 1;
     bool fades = false;                                                        ///< into nothing, as shadows do
+    double pattern = 0;                                                        ///< tells a pattern from others; 0: none
     double shown() const { return none ? 1 : 1 - opacity * (1 - lightness); }  ///< on white
     /// What is darker than half grey is raised.
     bool is_ink() const { return shown() < 0.5; }

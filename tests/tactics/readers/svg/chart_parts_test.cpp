@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "tactics/layout/texture.h"
 #include "tactics/readers/svg/figure.h"
 #include "tactics/readers/svg/plain_words.h"
 #include "tactics/readers/svg/svg.h"
@@ -147,6 +148,48 @@ TEST(Legend, NamesTheLargestOfSurfaces) {
     ASSERT_TRUE(words_named(found, "Men").thing);
     EXPECT_NEAR(words_named(found, "Men").thing->x, 70, 1e-6);
     EXPECT_NEAR(words_named(found, "Women").thing->y, 80, 1e-6);
+}
+
+// Three bars of two kinds with samples; what is drawn last lies on the others.
+std::string bars(std::string_view one, std::string_view other, std::string_view last) {
+    const auto fill = [](std::string_view paint) { return " fill='" + std::string(paint) + "'/>"; };
+    return "<rect x='20' y='50' width='20' height='40'" + fill(one) + "<rect x='60' y='30' width='20' height='60'" + fill(one) +
+           "<rect x='40' y='60' width='20' height='30'" + fill(other) + std::string(last) +
+           "<rect x='120' y='4' width='10' height='4'" + fill(one) + "<text x='133' y='7.5' font-size='4'>Men</text>" +
+           "<rect x='120' y='11' width='10' height='4'" + fill(other) + "<text x='133' y='14.5' font-size='4'>Women</text>";
+}
+
+std::vector<int> textures_in(const FoundPage& found) {
+    std::vector<int> textures;
+    for (const Area& area : found.page.textured) textures.push_back(area.texture);
+    return textures;
+}
+
+TEST(Legend, FillsWhatItTellsApartWithTextures) {
+    const FoundPage found = figure(bars("#1f77b4", "#ff7f0e", ""));
+    const std::vector<int> textures = textures_in(found);
+    ASSERT_EQ(textures.size(), 3u);
+    EXPECT_EQ(textures[0], textures[1]);
+    EXPECT_NE(textures[0], textures[2]);
+    EXPECT_GT(share_black(textures[0]), share_black(textures[2]));  // the darker colour
+    ASSERT_EQ(found.page.textured[1].rings.size(), 1u);
+    EXPECT_EQ(found.page.textured[1].rings[0].size(), 4u);
+}
+
+TEST(Legend, FillsPatternsByTheirNames) {
+    const FoundPage found = figure(bars("url(#a)", "url(#b)", ""));
+    const std::vector<int> textures = textures_in(found);
+    ASSERT_EQ(textures.size(), 3u);
+    EXPECT_EQ(textures[0], textures[1]);
+    EXPECT_NE(textures[0], textures[2]);
+}
+
+TEST(Legend, FillsNothingWhereSurfacesLieOnEachOther) {
+    EXPECT_TRUE(
+        textures_in(figure(bars("#1f77b4", "#ff7f0e", "<rect x='30' y='55' width='20' height='20' fill='#ff7f0e'/>"))).empty());
+    EXPECT_EQ(
+        textures_in(figure(bars("#1f77b4", "#ff7f0e", "<rect x='85' y='55' width='20' height='20' fill='#ff7f0e'/>"))).size(),
+        4u);
 }
 
 // Long ticks beside numbers look like samples, but all alike.
