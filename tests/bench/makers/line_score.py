@@ -189,11 +189,17 @@ def style_at(page, places):
     return max(found, key=found.get, default=None)
 
 
-def names_it(box, look, curves, bars):
+def is_within(p, ring):
+    sides = zip(ring, ring[1:] + ring[:1])
+    return sum((a[1] > p[1]) != (b[1] > p[1]) and p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) for a, b in sides) % 2 == 1
+
+
+def names_it(box, look, curves, bars, rings):
     """Words in that box name what looks so: they are in one of its bars, or its curve is near and nearer than any other."""
     x, y = (box[0] + box[2]) / 2, (box[1] + box[3]) / 2
     if look.startswith("fill"):
-        return any(other == look and left <= x <= right and top <= y <= bottom for other, left, top, right, bottom in bars)
+        return any(other == look and left <= x <= right and top <= y <= bottom for other, left, top, right, bottom in bars) or \
+            any(other == look and is_within((x, y), ring) for other, ring in rings)
     off = lambda p: math.hypot(max(box[0] - p[0], 0, p[0] - box[2]), max(box[1] - p[1], 0, p[1] - box[3]))
     away = {other: min(map(off, points)) for other, points in curves.items()}
     return look in away and away[look] <= BESIDE and away[look] == min(away.values())
@@ -243,7 +249,8 @@ def score(page_path, answer, figure):
         curves.setdefault(look, []).extend(one[:2] for one in along([place(*p) for p in points], 1))
     for look, text, x0, y0, x1, y1 in figure.samples:
         row["samples"] += 1
-        if any(names_it(at, look, curves, [(other, *place(a, b), *place(c, d)) for other, a, b, c, d in figure.bars])
+        if any(names_it(at, look, curves, [(other, *place(a, b), *place(c, d)) for other, a, b, c, d in figure.bars],
+                        [(other, [place(*p) for p in points]) for other, points in figure.curves if other.startswith("fill")])
                for at in page.places_named(text)):
             row["matched"] += 1
             continue

@@ -156,9 +156,8 @@ def counties(random):
 
 def harvest(random):
     a_map(random, 5, 4, ["#fee0a0", "#f09040", "#a03010"], "black", None)
-    for colour, name in (("#fee0a0", "Little"), ("#f09040", "Some"), ("#a03010", "Much")):
-        plt.bar(0, 0, color=colour, edgecolor="black", label=name)
-    plt.legend(loc="lower center", ncol=3)
+    plt.legend(handles=[patches.Patch(facecolor=colour, edgecolor="black", label=name)
+                        for colour, name in (("#fee0a0", "Little"), ("#f09040", "Some"), ("#a03010", "Much"))], loc="lower center", ncol=3)
     plt.gca().set_ylim(-1, 4.5)
     plt.title("Harvest of rye")
 
@@ -195,7 +194,7 @@ def truth_of(plot, wide, high):
                 xs, ys = [x for x, _ in ring], [y for _, y in ring]
                 truth["bars"].append((look_of(patch), min(xs), min(ys), max(xs), max(ys)))
             else:
-                truth["curves"].append(("line", ring))
+                truth["curves"].append((look_of(patch) if axes.get_legend() else "line", ring))
         for words in axes.texts:
             arrow = getattr(words, "arrow_patch", None)
             if arrow is None:
