@@ -40,6 +40,7 @@ constexpr Option kBordersOptions[] = {
 
 constexpr double kLeastRegion = 1.2;      // mm: a smaller one is no spot that a finger finds
 constexpr double kBesideBorders = 1;      // mm: a line as near to a border is drawn by the border
+constexpr int kClearInk = 64;             // levels: paler lines within a region are a grid or the frame of a legend
 constexpr double kWidestLine = 1.6;       // mm
 constexpr double kBorderTolerance = 0.1;  // mm; as that of simplify
 
@@ -108,13 +109,13 @@ public:
         for (const Border& border : borders_of(map_, kBorderTolerance / pixel_).borders)
             if (border.other >= 0) drawing_.strokes.push_back({placed(border.points), border.closed});
         InkMap spots(flat_.width, flat_.height), lines(flat_.width, flat_.height);
-        const cv::Mat away = from_borders(), thick = thick_ink();
+        const cv::Mat away = from_borders(), street = streets(away);
         for (int y = 0; y < flat_.height; ++y)
             for (int x = 0; x < flat_.width; ++x) {
                 const std::size_t i = flat_.index(x, y);
                 if (spots_[flat_.region[i]])
                     spots.row(y)[x] = 1;
-                else if (flat_.is_line(i) && thick.ptr(y)[x] == 0 &&
+                else if (flat_.unlike[i] > kClearInk && street.ptr(y)[x] == 0 &&
                          static_cast<double>(away.at<float>(y, x)) * pixel_ > kBesideBorders)
                     lines.row(y)[x] = 1;
             }
@@ -147,13 +148,21 @@ private:
         return away;
     }
 
-    // What is wider than a line: a street between two regions.
-    cv::Mat thick_ink() const {
-        cv::Mat ink(flat_.height, flat_.width, CV_8UC1), thick;
+    // What is wider than a line and has a border in it: a street between two regions.
+    cv::Mat streets(const cv::Mat& away) const {
+        cv::Mat ink(flat_.height, flat_.width, CV_8UC1), thick, piece;
         for (int y = 0; y < flat_.height; ++y)
             for (int x = 0; x < flat_.width; ++x) ink.ptr(y)[x] = flat_.is_line(flat_.index(x, y)) ? 255 : 0;
         const int across = 2 * static_cast<int>(std::ceil(kWidestLine / 2 / pixel_)) + 1;
         cv::morphologyEx(ink, thick, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {across, across}));
+        std::vector<bool> has_border(static_cast<std::size_t>(cv::connectedComponents(thick, piece, 8, CV_32S)));
+        for (int y = 0; y < flat_.height; ++y)
+            for (int x = 0; x < flat_.width; ++x)
+                if (away.at<float>(y, x) <= 1) has_border[static_cast<std::size_t>(piece.at<int>(y, x))] = true;
+        for (int y = 0; y < flat_.height; ++y)
+            for (int x = 0; x < flat_.width; ++x)
+                if (!has_border[static_cast<std::size_t>(piece.at<int>(y, x))]) thick.ptr(y)[x] = 0;
+        cv::dilate(thick, thick, cv::getStructuringElement(cv::MORPH_ELLIPSE, {across, across}));  // with its blurred rims
         return thick;
     }
 

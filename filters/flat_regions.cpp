@@ -8,11 +8,14 @@
 #include "filters/edge_noise.h"
 #include "filters/lab.h"
 #include "filters/opencv.h"
+#include "filters/region_borders.h"
+#include "tactics/geometry/course.h"
 
 namespace tactics {
 
 namespace {
 
+constexpr std::uint32_t kNoRegion = 0xffffffff;
 constexpr int kFlatRange = 12;  // levels that 3x3 pixels of one colour differ by in a channel: as JPEG of quality 75 leaves
 // Levels: what is paler between two regions of one colour is a grid, or the frame of a legend.
 constexpr int kBorderStep = 64;
@@ -75,11 +78,10 @@ int unlike(const std::array<std::uint8_t, 3>& a, const std::array<std::uint8_t, 
 
 // Each pixel's nearest pixel of a region says which is its own.
 void grow(FlatRegions& regions, const cv::Mat& picture, const cv::Mat& label, const std::vector<std::uint32_t>& number) {
-    constexpr std::uint32_t kNone = 0xffffffff;
     cv::Mat outside(picture.rows, picture.cols, CV_8UC1), away, nearest;
     for (int y = 0; y < picture.rows; ++y)
         for (int x = 0; x < picture.cols; ++x)
-            outside.ptr(y)[x] = number[static_cast<std::size_t>(label.at<int>(y, x))] == kNone ? 255 : 0;
+            outside.ptr(y)[x] = number[static_cast<std::size_t>(label.at<int>(y, x))] == kNoRegion ? 255 : 0;
     cv::distanceTransform(outside, away, nearest, cv::DIST_L2, cv::DIST_MASK_5, cv::DIST_LABEL_PIXEL);
     std::vector<std::uint32_t> own(static_cast<std::size_t>(picture.rows) * static_cast<std::size_t>(picture.cols) + 1, 0);
     for (int y = 0; y < picture.rows; ++y)
@@ -140,13 +142,12 @@ void join_alike(FlatRegions& regions) {
     for (const Contact& contact : contacts_of(regions))
         if (2 * contact.lined < contact.sides && unlike(regions.colour[contact.a], regions.colour[contact.b]) <= kAlikeColours)
             parent[root(contact.b)] = root(contact.a);
-    constexpr std::uint32_t kNone = 0xffffffff;
-    std::vector<std::uint32_t> number(regions.count(), kNone);
+    std::vector<std::uint32_t> number(regions.count(), kNoRegion);
     std::vector<float> wide;
     std::vector<std::array<std::uint8_t, 3>> colour;
     for (std::uint32_t i = 0; i < regions.count(); ++i) {
         std::uint32_t& now = number[root(i)];
-        if (now == kNone) {
+        if (now == kNoRegion) {
             now = static_cast<std::uint32_t>(wide.size());
             wide.push_back(0);
             colour.emplace_back();
@@ -162,7 +163,6 @@ void join_alike(FlatRegions& regions) {
 }  // namespace
 
 FlatRegions flat_regions_of(const Image& picture, double least, double road) {
-    constexpr std::uint32_t kNone = 0xffffffff;
     const cv::Mat colours = clean_colours(picture);
     const cv::Mat flat = flat_in(colours);
     cv::Mat label, depth;
@@ -170,7 +170,7 @@ FlatRegions flat_regions_of(const Image& picture, double least, double road) {
     cv::distanceTransform(flat, depth, cv::DIST_L2, cv::DIST_MASK_5);
     const std::vector<Piece> pieces = pieces_in(colours, label, depth, count);
     FlatRegions regions{picture.width, picture.height, {}, {}, {}, {}, {}};
-    std::vector<std::uint32_t> number(pieces.size(), kNone);
+    std::vector<std::uint32_t> number(pieces.size(), kNoRegion);
     for (std::size_t i = 1; i < pieces.size(); ++i) {
         const Piece& piece = pieces[i];
         if (!is_region(piece, least, road)) continue;
@@ -207,6 +207,23 @@ std::array<std::uint8_t, 3> ground_of(const FlatRegions& regions, const std::vec
         if (area > most) most = area, ground = regions.colour[i];
     }
     return ground;
+}
+
+// Of the borders between coloured regions, the share in pieces that are straight over a twentieth of the side.
+double straight_share(const FlatRegions& regions, const std::vector<bool>& coloured, double side) {
+    constexpr double kCourse = 1.5, kLongPiece = 0.05;  // pixels; of the side
+    const RegionMap map{regions.width, regions.height, regions.region, std::vector<std::uint8_t>(regions.count())};
+    double all = 0, straight = 0;
+    for (const Border& border : borders_of(map, kCourse).borders) {
+        if (border.other < 0 || !coloured[border.region] || !coloured[static_cast<std::size_t>(border.other)]) continue;
+        const std::vector<Point> course = course_of(border.points, kCourse);
+        for (std::size_t i = 0; i + 1 < course.size(); ++i) {
+            const double piece = distance(course[i], course[i + 1]);
+            all += piece;
+            straight += piece >= kLongPiece * side ? piece : 0;
+        }
+    }
+    return all > 0 ? straight / all : 0;
 }
 
 // Of the pixels of lines, those within `beside` pixels of a border; letters count for neither.
@@ -273,14 +290,16 @@ MapTraits map_traits_of(const Image& picture) {
             if (y > 0) meet(i, regions.index(x, y - 1));
         }
     traits.bordering = share_of(bordering, sides);
+    traits.straight = straight_share(regions, coloured, side);
     traits.explained = explained_by(regions, inner, kBesideBorder * side, kLetter * side);
     return traits;
 }
 
-// Of 18 political maps 16 have a share of .25 or more of their borders between colours and .85 of their lines explained by
-// borders; of 123 charts and other figures one, and none of 10 photographs.
+// Political maps have a fifth or more of their borders between colours, crooked, and .7 or more of their lines explained by
+// borders (18 maps, clean and as JPEG); charts and other figures that do are few (of 500 five), photographs none.
 bool is_coloured_map(const MapTraits& traits) {
-    return traits.flat >= 0.6 && traits.regions >= 5 && traits.colours >= 3 && traits.bordering >= 0.2 && traits.explained >= 0.7;
+    return traits.flat >= 0.6 && traits.regions >= 5 && traits.colours >= 3 && traits.bordering >= 0.2 &&
+           traits.explained >= 0.7 && traits.straight <= 0.75;
 }
 
 }  // namespace tactics

@@ -37,6 +37,7 @@ FlatRegions flat_regions_of(const Image& picture, double least, double road);
 struct MapTraits {
     double flat = 0;          ///< share of it in pieces of one colour
     double bordering = 0;     ///< of the borders, between two regions of which neither is of the ground's colour
+    double straight = 0;      ///< of those borders, the share in straight pieces: of a mosaic, a pie or stacked bars nearly all
     double explained = 0;     ///< of the pixels of lines, those at the borders of regions
     std::size_t regions = 0;  ///< that a finger could tell, without those of the ground's colour
     std::size_t colours = 0;  ///< of these

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "filters/darken.h"
@@ -246,6 +247,25 @@ std::vector<Area> take_fills(Image& picture) {
         area.texture = chosen[kind_of[i] + 1];
         if (area.texture > 0 && !area.rings.empty()) areas.push_back(std::move(area));
     }
+    return areas;
+}
+
+std::vector<Area> without_ground_around(std::vector<Area> areas, double width, double height) {
+    constexpr double kShareOfFrame = 0.3, kOnFrame = 1.5;  // mm
+    const auto on_frame = [&](Point a, Point b) {
+        return (std::max(a.x, b.x) < kOnFrame) || (std::max(a.y, b.y) < kOnFrame) || (std::min(a.x, b.x) > width - kOnFrame) ||
+               (std::min(a.y, b.y) > height - kOnFrame);
+    };
+    std::map<int, double> along;  // mm of the frame, by texture
+    for (const Area& area : areas)
+        for (const auto& ring : area.rings)
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                if (const Point a = ring[i], b = ring[(i + 1) % ring.size()]; on_frame(a, b))
+                    along[area.texture] += distance(a, b);
+    const auto most =
+        std::max_element(along.begin(), along.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (most != along.end() && most->second >= kShareOfFrame * 2 * (width + height))
+        std::erase_if(areas, [&](const Area& area) { return area.texture == most->first; });
     return areas;
 }
 

@@ -16,6 +16,9 @@ namespace tactics {
 /// Hatches are painted over in the picture with their mean, up to their outline, so that their lines are not drawn.
 std::vector<Area> take_fills(Image& picture);
 
+/// Without the surfaces of the fill that is around all others: along three tenths of the picture's frame or more.
+std::vector<Area> without_ground_around(std::vector<Area> areas, double width, double height);
+
 /// A place in the widest surface that is hatched, in pixels, if all that are have the same hatch. The picture need not have its
 /// size: it is taken to fill a page.
 std::optional<Point> hatched_place(const Image& picture);

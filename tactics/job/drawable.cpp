@@ -7,6 +7,7 @@
 
 #include "filters/chart.h"
 #include "filters/drawing_of.h"
+#include "filters/flat_regions.h"
 #include "filters/inked_fills.h"
 #include "filters/known_parts.h"
 #include "filters/list.h"
@@ -20,6 +21,7 @@
 #include "tactics/job/surface_heights.h"
 #include "tactics/job/table.h"
 #include "tactics/job/trimmed.h"
+#include "tactics/layout/texture.h"
 #include "tactics/readers/model.h"
 #include "tactics/readers/svg/figure.h"
 #include "tactics/readers/svg/own_page.h"
@@ -55,12 +57,13 @@ double setting_of(const Recipe& recipe, std::string_view name) {
 KnownParts known_parts_of(Image& picture, const Recipe& recipe, bool has_legend) {
     constexpr double kClosely = 100;  // dots per inch
     if (!recipe.has_words || !(picture.mm_per_pixel > 0)) return {};
-    // Colours of a map say which regions are neighbours, and no more; with a legend they say what a region is.
+    // Many colours of a map say which regions are neighbours, and no more; few, or those of a legend, may say what a region is.
     const bool is_map =
         std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name == "borders"; });
     KnownParts parts;
-    if (is_map && has_legend)
-        parts.areas = take_fills(picture);
+    if (is_map && (has_legend || map_traits_of(picture).colours <= textures().size()))
+        parts.areas = without_ground_around(take_fills(picture), picture.width * picture.mm_per_pixel,
+                                            picture.height * picture.mm_per_pixel);
     else if (!is_map && setting_of(recipe, "dpi") >= kClosely)
         parts = take_known_parts(picture, setting_of(recipe, "lines") > 0);
     return parts;

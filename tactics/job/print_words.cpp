@@ -134,11 +134,18 @@ std::size_t thin_out(std::vector<ToldWords>& told) {
     return in_rows + thin_out(told, &ToldWords::y, &ToldWords::x);
 }
 
+// One axis may have too many numbers and the other not: rows alone are tried first, then columns alone, then both.
 std::size_t thin_out_until(std::vector<ToldWords>& told, const std::function<bool()>& has_room) {
     constexpr int kThinnings = 2;
     std::size_t thinned = 0;
     int round = 0;
     while (!has_room() && round++ < kThinnings) {
+        const std::vector<ToldWords> before = told;
+        if (const std::size_t rows = thin_out(told, &ToldWords::x, &ToldWords::y); rows > 0 && has_room()) return thinned + rows;
+        told = before;
+        if (const std::size_t columns = thin_out(told, &ToldWords::y, &ToldWords::x); columns > 0 && has_room())
+            return thinned + columns;
+        told = before;
         const std::size_t more = thin_out(told);
         if (more == 0) break;
         thinned += more;

@@ -198,8 +198,15 @@ TEST(Borders, APictureWithoutPlainColoursHasNone) {
 }
 
 TEST(MapTraits, TellAMapFromAChart) {
-    EXPECT_TRUE(is_coloured_map(map_traits_of(map_with_outlines(1))));
-    EXPECT_TRUE(is_coloured_map(map_traits_of(map_with_outlines(0))));
+    const auto crooked = [](double half_width) {
+        return painted([all = provinces(), half_width](int x, int y) {
+            const TwoNearest at = nearest(all, x + 9 * std::sin(y / 7.0), y + 9 * std::sin(x / 6.0));
+            return at.edge < half_width ? kBlack : all[at.first].colour;
+        });
+    };
+    EXPECT_TRUE(is_coloured_map(map_traits_of(crooked(1))));
+    EXPECT_TRUE(is_coloured_map(map_traits_of(crooked(0))));
+    EXPECT_FALSE(is_coloured_map(map_traits_of(map_with_outlines(1))));  // all straight, as a mosaic's
     const auto bars = painted([](int x, int y) -> Colour {
         if (x == 60 || y == 420) return kBlack;
         const int bar = (x - 80) / 80, top = 60 + bar * 47 % 200;
