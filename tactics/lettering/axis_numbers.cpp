@@ -154,12 +154,9 @@ public:
         for (const Member& one : members_) {
             ReadLine& line = lines_[one.line];
             if (!progression.number_at(one.place)) continue;
-            if (one.value && progression.holds(one.place, *one.value)) {
-                line.words.sure = line.tell = true;
-                continue;
-            }
             if (line.words.sure) {
-                if (one.value && line.line.letter_height <= kMostTinyHeight) line.words.sure = false, line.tell = true;
+                const bool off = one.value && !progression.holds(one.place, *one.value);
+                if (off && line.line.letter_height <= kMostTinyHeight) line.words.sure = false, line.tell = true;
                 continue;
             }
             if (auto text = confirmed(line, one.place, progression)) {
