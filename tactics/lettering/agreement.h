@@ -21,6 +21,8 @@ struct Belief {
     double sureness = 0;
     bool sure = false;  ///< it may stand in braille
     bool tell = false;  ///< or a person should look at it
+    /// It is not sure only since its print is so small that one reader does not do: numbers of an axis may bear it out.
+    bool nearly = false;
 };
 
 Belief believe(const FormWords& words, const ReadWords& other);

@@ -74,8 +74,15 @@ std::string as_figure(std::string_view text, bool swap_signs) {
 struct Member {
     std::size_t line = 0;
     double place = 0;             // pixels along the axis
-    std::optional<double> value;  // if it is sure
+    std::optional<double> value;  // if it counts
 };
+
+// Pixels, of the tallest letter. In print that is larger two readers do not both say a wrong number, and one that is off the
+// steps of others names something else: years that were left out. A setting.
+constexpr int kMostTinyHeight = 9;
+
+// Whether it is among those that may make a progression.
+bool counts(const ReadLine& line) { return line.words.sure || line.nearly; }
 
 // Values that grow by `step` for each `pitch` pixels, as they are or as their logarithms.
 struct Progression {
@@ -106,7 +113,7 @@ public:
     Axis(std::vector<ReadLine>& lines, std::vector<Member> members, const Style& style)
         : lines_(lines), members_(std::move(members)), style_(style) {
         for (Member& one : members_)
-            if (lines_[one.line].words.sure) one.value = value_of(lines_[one.line].words.text, style_);
+            if (counts(lines_[one.line])) one.value = value_of(lines_[one.line].words.text, style_);
         std::vector<double> gaps;
         for (std::size_t i = 1; i < members_.size(); ++i)
             if (const double gap = members_[i].place - members_[i - 1].place; gap > 0) gaps.push_back(gap);
@@ -146,9 +153,10 @@ public:
     void apply(const Progression& progression) {
         for (const Member& one : members_) {
             ReadLine& line = lines_[one.line];
-            if (!progression.number_at(one.place) || (one.value && progression.holds(one.place, *one.value))) continue;
+            if (!progression.number_at(one.place)) continue;
             if (line.words.sure) {
-                if (one.value && line.line.letter_height <= kMostSmallPrint) line.words.sure = false, line.tell = true;
+                const bool off = one.value && !progression.holds(one.place, *one.value);
+                if (off && line.line.letter_height <= kMostTinyHeight) line.words.sure = false, line.tell = true;
                 continue;
             }
             if (auto text = confirmed(line, one.place, progression)) {
@@ -240,7 +248,7 @@ void hold_against_axes(std::vector<ReadLine>& lines) {
         std::vector<bool> done = held;
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const std::string& text = lines[i].words.text;
-            if (done[i] || !lines[i].words.sure || !(value_of(text, kStyles[0]) || value_of(text, kStyles[1]))) continue;
+            if (done[i] || !counts(lines[i]) || !(value_of(text, kStyles[0]) || value_of(text, kStyles[1]))) continue;
             const std::vector<Member> members = in_line_with(lines, lines[i].line, aligned);
             for (const Member& one : members) done[one.line] = true;
             if (members.size() > kMostNumbers) continue;

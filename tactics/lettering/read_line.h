@@ -16,6 +16,7 @@ struct ReadLine {
     bool alike = false;                      ///< read the same at two sizes
     bool counted = false;                    ///< it has as many words as there are gaps
     bool tell = false;                       ///< it is print, whether it can be read or not
+    bool nearly = false;                     ///< a number that others of an axis may bear out, as Belief has it
     bool likely = false;                     ///< it was read as words that may be none
     std::vector<std::string> readings = {};  ///< what any reader has made of it
 };
@@ -61,7 +62,7 @@ enum class SmallPrint { none, told, out, mark };
 std::vector<SmallPrint> small_print(const Image& grey, const std::vector<ReadLine>& lines);
 
 /// Where most numbers of a row or column were read and grow evenly, one that is not sure becomes sure if a reader has read what
-/// its place says; and in small print one that was read for sure and is another is no longer sure, but told.
+/// its place says; and in tiny print one that was read for sure and is another is no longer sure, but told.
 void hold_against_axes(std::vector<ReadLine>& lines);
 
 }  // namespace tactics

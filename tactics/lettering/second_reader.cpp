@@ -112,7 +112,7 @@ struct Held {
 
 Held held(const Image& grey, ReadLine read, FormWords form) {
     Belief belief = believe(form, {read.words.text, read.words.sureness, read.alike, read.words.sure});
-    const bool cut = belief.sure && (is_cut(grey, read.line) || has_strange_ink(grey, read.line));
+    const bool cut = (belief.sure || belief.nearly) && (is_cut(grey, read.line) || has_strange_ink(grey, read.line));
     // If the readers divide words differently, or the gaps disagree, one may have missed a point.
     const auto parts = static_cast<std::size_t>(std::count(belief.text.begin(), belief.text.end(), ' ')) + 1;
     const WordCount count = words_in(read.line);
@@ -128,6 +128,7 @@ Held held(const Image& grey, ReadLine read, FormWords form) {
     const bool large = read.line.letter_height >= kLeastPrint || (form.sized && kCapital * form.reading.em >= kLeastPrint);
     read.words.sure = belief.sure && !cut && !lost && large;
     read.tell = belief.tell || belief.sure;
+    read.nearly = belief.nearly && !cut && !lost && large;
     return {std::move(read), std::move(form)};
 }
 
@@ -176,21 +177,32 @@ bool go_together(const Held& a, const Held& b) {
 }
 
 // Numbers at an upright axis may climb, as its name does: two of them above each other, or what goes on with a line that climbs.
-// Letters that were read from the left to the right there are none then.
+// Letters that were read from the left to the right there are none then. One that is not sure is kept for its axis, which may
+// bear it out, or else to be told.
 void add_climbing(std::vector<Held>& lines, std::vector<Held> climbing) {
-    std::erase_if(climbing, [&](const Held& one) { return !one.sure() || has_ink_of(one.read.line.box, lines); });
+    std::erase_if(climbing, [&](const Held& one) { return one.form.font < 0 || has_ink_of(one.read.line.box, lines); });
     const auto in_column = [](const Held& a, const Held& b) {
         const PixelBox &one = a.read.line.box, &other = b.read.line.box;
         return a.form.font == b.form.font && std::abs(one.right - other.right) <= 2 &&
                std::abs(one.left - other.left) <= 0.3 * one.width();
     };
+    const auto is_read = [](const Held& one) { return one.sure() || one.read.nearly || one.read.tell; };
     std::vector<Held> kept;
-    for (std::size_t i = 0; i < climbing.size(); ++i)
-        for (std::size_t k = 0; k < climbing.size(); ++k)
-            if (i != k && in_column(climbing[i], climbing[k])) {
-                kept.push_back(climbing[i]);
-                break;
-            }
+    for (std::size_t i = 0; i < climbing.size(); ++i) {
+        std::size_t sure = 0, others = 0;
+        for (std::size_t k = 0; k < climbing.size(); ++k) {
+            if (i == k || !in_column(climbing[i], climbing[k])) continue;
+            sure += climbing[k].sure() ? 1 : 0;
+            others += is_read(climbing[k]) ? 1 : 0;
+        }
+        for (const Held& line : lines) others += line.read.line.upwards && is_read(line) && in_column(climbing[i], line) ? 1 : 0;
+        // A ring is a 0 only where others are numbers.
+        const std::size_t least = is_read(climbing[i]) ? 1 : 2;
+        if (!(climbing[i].sure() && sure > 0) && others < least) continue;
+        kept.push_back(climbing[i]);
+        kept.back().read.tell = true;
+    }
+    std::erase_if(climbing, [](const Held& one) { return !one.sure(); });
     for (const Held& one : climbing)
         if (std::any_of(lines.begin(), lines.end(), [&](const Held& line) { return line.sure() && go_together(line, one); }))
             kept.push_back(one);

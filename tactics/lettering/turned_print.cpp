@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tactics/lettering/read_line.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -67,6 +68,62 @@ std::uint8_t sampled(const Image& image, double x, double y) {
             sum += down[v] * across[u] * row[std::clamp(static_cast<int>(left) + u - 1, 0, image.width - 1)];
     }
     return static_cast<std::uint8_t>(std::lround(std::clamp(sum, 0.0, 255.0)));
+}
+
+// How many marks may stand above the letters of a text: dots, and accents, which may come in two pieces.
+std::size_t marks_above(std::string_view text) {
+    constexpr char32_t kFirstOther = 0xC0;
+    std::size_t count = 0;
+    while (!text.empty()) {
+        const char32_t letter = take_letter(text);
+        const bool sign = letter == '"' || letter == '\'' || letter == '*' || letter == '^' || letter == '%' || letter == 0xB0;
+        count += letter == 'i' || letter == 'j' ? 1 : letter >= kFirstOther || sign ? 2 : 0;
+    }
+    return count;
+}
+
+// Small ink by itself in the upper part of a word, however pale, such as what few pixels leave of an accent.
+std::size_t small_ink_above(const Image& grey, const SlopedWords& words, std::uint8_t ground) {
+    constexpr int kPale = 40, kDark = 110;         // grey levels off the ground
+    constexpr double kSmall = 0.5, kUpper = 0.35;  // of the height
+    const PixelBox box = wider(words.box, static_cast<int>(words.height / 2), grey);
+    const auto off = [&](int x, int y) { return words.light ? grey.row(y)[x] - ground : ground - grey.row(y)[x]; };
+    const auto is_near_dark = [&](int x, int y) {
+        for (int v = std::max(box.top, y - 1); v <= std::min(box.bottom - 1, y + 1); ++v)
+            for (int u = std::max(box.left, x - 1); u <= std::min(box.right - 1, x + 1); ++u)
+                if (off(u, v) >= kDark) return true;
+        return false;
+    };
+    // Dark ink, and what is pale without fading from it.
+    Image dark = make_image(box.width(), box.height(), 1, 0, 255), pale = dark;
+    for (int y = box.top; y < box.bottom; ++y)
+        for (int x = box.left; x < box.right; ++x) {
+            if (off(x, y) >= kDark)
+                dark.row(y - box.top)[x - box.left] = 0;
+            else if (off(x, y) >= kPale && !is_near_dark(x, y))
+                pale.row(y - box.top)[x - box.left] = 0;
+        }
+    const SlopedAxes axes(words.slope);
+    Leaning word;
+    for (const InkPiece& piece : words.pieces) word.add(leaning(piece, axes));
+    const double across = axes.across(box.left, box.top), along = axes.along(box.left, box.top);
+    std::vector<Leaning> small;
+    double top = 1e9;
+    for (const Image* part : {&dark, &pale})
+        for (const InkPiece& piece : pieces_of(*part, 128, false, std::max(part->width, part->height))) {
+            Leaning one = leaning(piece, axes);
+            one.left += along, one.right += along, one.top += across, one.bottom += across;
+            const bool is_own = one.right > word.left && one.left < word.right && one.bottom > word.top - kUpper * words.height &&
+                                one.top < word.bottom;
+            if (!is_own) continue;
+            if (std::max(one.width(), one.height()) > kSmall * words.height)
+                top = std::min(top, one.top);
+            else
+                small.push_back(one);
+        }
+    return static_cast<std::size_t>(std::count_if(small.begin(), small.end(), [&](const Leaning& one) {
+        return (one.top + one.bottom) / 2 < top + kUpper * words.height;
+    }));
 }
 
 }  // namespace
@@ -206,6 +263,9 @@ PrintedWords TurnedPrint::told(std::size_t which, const std::vector<const Printe
         one.sureness = std::min(one.sureness, part->sureness);
         one.letter_height = static_cast<int>(std::lround(part->letter_height / kTurnedScale));
     }
+    constexpr double kTiny = 12;  // pixels from the highest to the lowest ink of a line
+    if (one.sure && words.height <= kTiny && small_ink_above(grey_, words, ground_of(grey_, words)) > marks_above(one.text))
+        one.sure = false;
     one.print = true;
     one.out = !one.sure;
     one.at = end_of(words);

@@ -69,6 +69,29 @@ TEST(Agreement, InPrintOfFewPixelsBothReadersMustSayIt) {
     EXPECT_TRUE(believe(words, {"SB", 96, false, false}).sure) << "of 20 pixels";
 }
 
+TEST(Agreement, NumbersOfFewPixelsMayBeBorneOutByAnAxis) {
+    const auto at = [](double em, const std::u32string& codes, const ReadWords& other) {
+        FormWords words = line_of(codes, std::string(codes.begin(), codes.end()));
+        words.reading.em = em;
+        words.agreed = words.text == other.text;
+        return believe(words, other);
+    };
+    const Belief unasked = at(12, U"20", {}), climbing = at(20, U"20", {}), denied = at(12, U"20", {"26", 96, true, true});
+    EXPECT_TRUE(!unasked.sure && unasked.nearly && unasked.tell);
+    EXPECT_TRUE(climbing.sure);
+    EXPECT_FALSE(denied.sure || denied.nearly);
+    for (const char32_t figure : std::u32string_view(U"3689")) {
+        const std::u32string codes{figure, U'0'};
+        const std::string text(codes.begin(), codes.end());
+        const Belief speck = at(8, codes, {text, 96, true, true}), small = at(10, codes, {text, 96, true, true}),
+                     alone = at(8, {figure}, {});
+        EXPECT_TRUE(!speck.sure && speck.nearly && speck.tell) << text << ": 960 was 980";
+        EXPECT_TRUE(small.sure) << text;
+        EXPECT_TRUE(!alone.sure && alone.nearly && alone.tell) << text;
+    }
+    EXPECT_TRUE(at(8, U"120", {"120", 96, true, true}).sure);
+}
+
 TEST(Agreement, BothReadersTakeSmallPrintInCapitalsForLowerCase) {
     FormWords words = line_of(U"cl2", "cl2");
     words.reading.em = 12;

@@ -83,9 +83,35 @@ TEST(AxisNumbers, WhatThePlaceDeniesIsNotSureInSmallPrint) {
                                 number(220, 90, "4", true), number(280, 90, "10", true)};
     for (ReadLine& one : large) one.line.letter_height = 20, one.line.box.bottom += 12;
     EXPECT_EQ(held(large), "1 2 3 4 10") << "names of classes";
+    std::vector<ReadLine> years{number(40, 90, "1990", true), number(100, 90, "1995", true), number(160, 90, "2000", true),
+                                number(220, 90, "2008", true), number(280, 90, "2010", true)};
+    for (ReadLine& one : years) one.line.letter_height = 10, one.line.box.bottom += 2;
+    EXPECT_EQ(held(years), "1990 1995 2000 2008 2010") << "large enough to be read";
     EXPECT_EQ(
         held({number(40, 90, "1", true), number(100, 90, "4", true), number(160, 90, "9", true), number(220, 90, "16", true)}),
         "1 4 9 16");
+}
+
+// One reader is enough where three numbers say the same of their axis.
+TEST(AxisNumbers, BearEachOtherOutThoughNoneIsSure) {
+    const auto borne_out = [](const std::vector<std::string>& texts) {
+        std::vector<ReadLine> lines;
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            lines.push_back(number(50, 240 - 50.0 * static_cast<double>(i), texts[i], false));
+            ReadLine& one = lines.back();
+            one.line.upwards = one.nearly = one.tell = true;
+            const int across = one.line.box.height(), along = one.line.box.width();
+            one.line.box.right = one.line.box.left + across;
+            one.line.box.top -= along / 2 - across / 2;
+            one.line.box.bottom = one.line.box.top + along;
+            one.line.box.left = 46, one.line.box.right = 54;
+        }
+        return held(lines);
+    };
+    EXPECT_EQ(borne_out({"10", "20", "30", "40"}), "10 20 30 40");
+    EXPECT_EQ(borne_out({"10", "20", "80", "40"}), "10 20 ? 40");
+    EXPECT_EQ(borne_out({"10", "20"}), "? ?");
+    EXPECT_EQ(borne_out({"12", "35", "47", "58"}), "? ? ? ?");
 }
 
 // Beside an upright axis numbers end at one place.

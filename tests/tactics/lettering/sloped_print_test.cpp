@@ -45,6 +45,7 @@ constexpr double kAdvance = 11, kDigit = 14;
 struct Set {
     double x, y, degrees;
     std::string text;
+    double scale = 1;
 };
 void write(Image& image, const Set& set) {
     const double c = std::cos(set.degrees * kRadian), s = std::sin(set.degrees * kRadian),
@@ -58,7 +59,7 @@ void write(Image& image, const Set& set) {
             int ink = 0;
             for (int sample = 0; sample < 16; ++sample) {
                 const double dx = x + (sample % 4 + 0.5) / 4 - set.x, dy = y + (sample / 4 + 0.5) / 4 - set.y;
-                const double u = dx * c - dy * s, v = dx * s + dy * c;
+                const double u = (dx * c - dy * s) / set.scale, v = (dx * s + dy * c) / set.scale;
                 ink += std::any_of(bars.begin(), bars.end(), [&](const Bar& bar) {
                     return u >= bar.left && u < bar.right && v >= bar.top && v < bar.bottom;
                 });
@@ -190,6 +191,25 @@ TEST(SlopedPrint, IsToldAsAWholeIfAPartOfItIsLost) {
     ASSERT_EQ(lettering.words.size(), kNumbers.size());
     EXPECT_EQ(std::count_if(lettering.words.begin(), lettering.words.end(), [](const PrintedWords& one) { return one.sure; }), 3);
     EXPECT_EQ(std::count_if(lettering.words.begin(), lettering.words.end(), [](const PrintedWords& one) { return one.out; }), 1);
+}
+
+// As an accent over a letter is, which its readers did not see.
+TEST(SlopedPrint, OfFewPixelsWithMoreAboveItThanWasReadIsTold) {
+    constexpr double kScale = 0.6, kSlope = 30;
+    for (const int grey : {255, 160, 60}) {
+        Image image = make_image(460, 220, 1, 0, 255);
+        for (std::size_t i = 0; i < kNumbers.size(); ++i)
+            write(image, {110 + 80.0 * static_cast<double>(i), 60, kSlope, kNumbers[i], kScale});
+        const double c = std::cos(kSlope * kRadian), s = std::sin(kSlope * kRadian), u = kScale * (-2.5 * kAdvance), v = -2.5;
+        const int x = static_cast<int>(190 + u * c + v * s), y = static_cast<int>(60 - u * s + v * c);
+        image.row(y)[x] = image.row(y)[x + 1] = static_cast<std::uint8_t>(grey);
+        const TurnedPrint turned{Image(image)};
+        Lettering lettering = answer(turned, true);
+        ASSERT_TRUE(turned.put_back(lettering));
+        ASSERT_EQ(lettering.words.size(), kNumbers.size());
+        const auto sure = std::count_if(lettering.words.begin(), lettering.words.end(), [](const auto& one) { return one.sure; });
+        EXPECT_EQ(sure, grey == 255 ? 4 : 3) << grey;
+    }
 }
 
 TEST(SlopedPrint, ThatNobodyReadsStaysInThePicture) {
