@@ -22,6 +22,9 @@ constexpr double kBend = 3.5;
 // What files leave of a place: hundredths, at both ends.
 constexpr double kLeadRounding = 0.02;
 
+constexpr double kAlong = 1.5;     // mm: nearer than a finger tells two lines apart, and farther than two lines cross in
+constexpr double kSameWay = 0.98;  // cosine of 11 degrees
+
 // An alternative end along the same line if the nearest place is hemmed in: no farther than a fingertip feels at once.
 constexpr double kAside = 2;  // mm
 
@@ -38,6 +41,21 @@ Point point_at(const std::vector<Point>& points, double along) {
 }
 
 double side_of(Point p, Point a, Point b) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+
+// Of a lead line: how far a side runs the same way on it or right beside it, where a finger takes both for one line.
+double length_along(Point a, Point b, Point from, Point to) {
+    const double length = distance(from, to);
+    if (!(length > 0)) return 0;
+    const auto along = [&](Point p) { return ((p.x - from.x) * (to.x - from.x) + (p.y - from.y) * (to.y - from.y)) / length; };
+    const double one = along(a), other = along(b);
+    const double first = std::max(0.0, std::min(one, other)), last = std::min(length, std::max(one, other));
+    if (!(first < last) || std::abs(other - one) < kSameWay * distance(a, b)) return 0;
+    const auto apart = [&](double at) {
+        const double t = (at - one) / (other - one);
+        return std::abs(side_of({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, from, to)) / length;
+    };
+    return std::max(apart(first), apart(last)) <= kAlong ? last - first : 0;
+}
 
 // All of the lead line from all of that side.
 bool is_farther(const Lead& lead, Point a, Point b, double near) {
@@ -190,13 +208,14 @@ bool Leads::has_ink_near(Point place, double within) const {
 std::size_t Leads::crossings(const Lead& lead) const {
     const double length = distance(lead.from, lead.to);
     if (!(length > 0)) return 0;
-    const Box box = box_of(Segment{lead.from, lead.to}, 0);
+    const Box box = box_of(Segment{lead.from, lead.to}, kAlong);
     std::size_t count = 0;
     for (const std::size_t number : chains_near(box)) {
         const Chain& chain = chains_[number];
-        const std::size_t times = number < in_grid_ ? 1 : 4;
+        const std::size_t times = number < in_grid_ ? 1 : 4, before = count;
         const double end = std::max(0.0, 1 - (chain.half_width + half_ + kOn) / length);
         const Point to{lead.from.x + end * (lead.to.x - lead.from.x), lead.from.y + end * (lead.to.y - lead.from.y)};
+        double along = 0;
         for (const Block& block : chain.blocks) {
             if (!meet(block.box, box)) continue;
             for (std::size_t i = std::max<std::size_t>(1, block.first); i < block.end; ++i) {
@@ -205,8 +224,12 @@ std::size_t Leads::crossings(const Lead& lead) const {
                 if ((side_of(a, lead.from, to) > 0) != (side_of(b, lead.from, to) > 0) &&
                     (side_of(lead.from, a, b) > 0) != (side_of(to, a, b) > 0))
                     count += times;
+                along += length_along(a, b, lead.from, to);
             }
         }
+        const auto touches = [&](Point p) { return distance_to_segment(p, lead.from, to) <= chain.half_width + half_; };
+        const bool through_end = !chain.closed && (touches(chain.points.front()) || touches(chain.points.back()));
+        if (count == before && (through_end || along > kAlong)) count += times;
     }
     return count;
 }

@@ -12,6 +12,7 @@
 #include "tactics/geometry/box.h"
 #include "tactics/layout/label.h"
 #include "tactics/layout/lead_search.h"
+#include "tactics/layout/name_blocks.h"
 #include "tactics/layout/room.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/layout/thing_places.h"
@@ -31,52 +32,31 @@ constexpr double kOnePlace = 0.01;              // mm
 struct Piece {
     LabelBlock block;
     Name name;
-    std::string key;
+    const Region* thing;  // that it names; null: none that is told apart
+    std::string key = {};
 };
-
-bool reads_before(const PageName& a, const PageName& b) {
-    constexpr double kLine = 10;  // mm: about one line of braille
-    const double row_a = std::floor(a.place.top / kLine), row_b = std::floor(b.place.top / kLine);
-    return row_a != row_b ? row_a < row_b : a.place.left < b.place.left;
-}
-
-double dots_width(std::size_t cells, const Page& page) {
-    return (static_cast<double>(cells) - 1) * page.cell.cell_pitch + page.cell.dot_pitch + page.braille_dot;
-}
-
-LabelBlock block_of(const std::vector<std::uint8_t>& cells, const Page& page) {
-    LabelBlock block;
-    block.width = dots_width(cells.size(), page);
-    block.height = 2 * page.cell.dot_pitch + page.braille_dot;
-    block.braille.push_back({{page.braille_dot / 2, page.braille_dot / 2}, cells});
-    return block;
-}
-
-LabelBlock block_of(const Name& name, const Sheet& sheet) {
-    Sheet quiet = sheet;
-    quiet.print_title = sheet.braille_table.empty();  // print between the lines of a drawing is felt as lines
-    try {
-        return set_label(name.text, quiet);
-    } catch (const Error& error) {
-        if (name.origin.empty()) throw;
-        throw Error(error.fault(), name.origin, error.what());
-    }
-}
 
 using Way = LeadSearch::Way;
 
 using Texts = std::set<std::string>;
 
+// What gives way where names have no room.
+struct Yielding {
+    Texts in_letters = {};     // before others have words away from their places
+    bool all_letters = false;  // for names that must be there, even where one of them has room for its words
+    bool off_thing = false;    // names of nothing told apart go to the border of what lies there, if they must be there
+};
+
 class Naming {
 public:
-    Naming(Page& page, const Sheet& sheet, std::span<const Rect> windows, const Texts& in_letters)
-        : in_letters_(in_letters),
+    Naming(Page& page, const Sheet& sheet, std::span<const Rect> windows, const Yielding& yielding)
+        : yielding_(yielding),
           page_(page),
           sheet_(sheet),
           windows_(windows),
           room_(page, clear_of_braille(*sheet.medium)),
           leads_(page, *sheet.medium),
-          things_(page.regions) {
+          things_(page.regions, page.language) {
         for (const BrailleLine& line : page.braille)
             if (!line.cells.empty()) leads_.add(extent_of(line, page.cell, page.braille_dot));
     }
@@ -88,7 +68,8 @@ public:
             name.text = to_line(name.text);
             if (name.text.empty()) continue;
             LabelBlock block = block_of(name, sheet_);
-            pieces.push_back({std::move(block), std::move(name), ""});
+            const Region* thing = things_.thing_of(name.text, name.at);
+            pieces.push_back({std::move(block), std::move(name), thing});
         }
         // Names that must stand close go first, and among these the longest words, for which a place is hardest to find.
         std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
@@ -98,14 +79,15 @@ public:
         const std::size_t keys = count_of_keys();
         for (Piece& piece : pieces) {
             if (cost_ >= most) return {};
-            const bool is_of_thing = things_.thing_at(piece.name.at) != nullptr;
-            if (!stands_beside(piece) && !stands_beside_shape(piece) && !stands_apart(piece, !is_of_thing))
-                (in_letters_.contains(piece.name.text) ? first : waiting).push_back(std::move(piece));
+            if (yielding_.all_letters && !piece.name.optional)
+                first.push_back(std::move(piece));
+            else if (!stands_beside(piece) && !stands_beside_shape(piece) && !stands_apart(piece, piece.thing == nullptr))
+                (yielding_.in_letters.contains(piece.name.text) ? first : waiting).push_back(std::move(piece));
         }
         set_letters(first, most);
         for (Piece& piece : waiting) {
             if (cost_ >= most) return {};
-            if (things_.thing_at(piece.name.at) != nullptr && (stands_elsewhere(piece) || stands_apart(piece, true))) continue;
+            if (piece.thing != nullptr && (stands_elsewhere(piece) || stands_apart(piece, true))) continue;
             // Whatever the others find, not all will have a key: of thousands of names each would be looked for in vain.
             if (keyed.size() == keys && !sheet_.braille_table.empty())
                 leave_out(piece, phrase("a key"));
@@ -115,7 +97,7 @@ public:
         set_letters(keyed, most);
         if (cost_ >= most) return {};
         std::vector<KeyEntry> left = set_key();
-        std::stable_sort(page_.names.begin(), page_.names.end(), reads_before);
+        sort_as_read(page_.names);
         return left;
     }
 
@@ -178,19 +160,17 @@ private:
     // Where the place that it has is hemmed in: other ones on the border of the same thing, and what ink is there.
     std::vector<std::pair<Point, Point>> elsewhere(const Piece& piece, ThingPlaces::Border border) {
         constexpr double kDrawn = 1;  // mm: where it is hidden, its border has no line
-        const Region* thing = things_.thing_at(piece.name.at);
-        if (thing == nullptr || places_tried_ >= kMostPlacesOfPage) return {};
+        if (piece.thing == nullptr || places_tried_ >= kMostPlacesOfPage) return {};
         std::vector<std::pair<Point, Point>> places;
-        for (const Point at :
-             things_.on_border(*thing, piece.name.at, border, border == ThingPlaces::Border::own ? kMostPlaces : kMostOfAll))
+        for (const Point at : things_.on_border(*piece.thing, piece.name.at, border,
+                                                border == ThingPlaces::Border::own ? kMostPlaces : kMostOfAll))
             if (const Point end = leads_.ends_for(at).front(); leads_.has_ink_near(at, kDrawn)) places.push_back({at, end});
         return places;
     }
 
     bool stands_elsewhere(Piece& piece) {
-        const Region* thing = things_.thing_at(piece.name.at);
         const auto is_of_it = [&](const Rect& rect) {
-            return is_whole(rect) && things_.is_free_of_others(*thing, rect.middle());
+            return is_whole(rect) && things_.is_free_of_others(*piece.thing, rect.middle());
         };
         const Point before = piece.name.at;
         for (const auto& [place, end] : elsewhere(piece, ThingPlaces::Border::own)) {
@@ -272,15 +252,24 @@ private:
     // For two letters, the ways that are easiest to follow first.
     bool find_room(Piece& letters) {
         using Border = ThingPlaces::Border;
-        const bool is_of_thing = things_.thing_at(letters.name.at) != nullptr;
+        const bool is_of_thing = letters.thing != nullptr;
         return stands_beside(letters) || (is_of_thing && stands_apart(letters, false)) || stands_elsewhere(letters) ||
                stands_apart(letters, true) || (is_of_thing && stands_across(letters, Border::own, Way::across)) ||
-               stands_across(letters, Border::any, Way::anyhow);
+               stands_across(letters, Border::any, Way::anyhow) || stands_off_thing(letters);
+    }
+
+    bool stands_off_thing(Piece& letters) {
+        if (!yielding_.off_thing || letters.name.optional || letters.thing != nullptr) return false;
+        letters.thing = things_.thing_at(letters.name.at);
+        return letters.thing != nullptr &&
+               (stands_elsewhere(letters) || stands_across(letters, ThingPlaces::Border::any, Way::anyhow));
     }
 
     void set_letters(std::vector<Piece>& keyed, double most) {
         places_tried_ = 0;  // letters find room where words did not
-        std::stable_sort(keyed.begin(), keyed.end(), [](const Piece& a, const Piece& b) { return a.name.text < b.name.text; });
+        std::stable_sort(keyed.begin(), keyed.end(), [](const Piece& a, const Piece& b) {
+            return a.name.optional != b.name.optional ? b.name.optional : a.name.text < b.name.text;
+        });
         for (Piece& piece : keyed) {
             // Print has no two letters: it is small, and a sheet without braille is for eyes.
             if (sheet_.braille_table.empty()) {
@@ -330,7 +319,7 @@ private:
         return {};
     }
 
-    const Texts& in_letters_;
+    const Yielding& yielding_;
     Page& page_;
     const Sheet& sheet_;
     std::span<const Rect> windows_;
@@ -352,9 +341,9 @@ struct NamedPage {
 
 // Nothing if it costs `most` or more.
 std::optional<NamedPage> named_page(const Page& page, const std::vector<Name>& names, const Sheet& sheet,
-                                    std::span<const Rect> windows, const Texts& in_letters, double most) {
+                                    std::span<const Rect> windows, const Yielding& yielding, double most) {
     NamedPage made{page, {}, 0};
-    Naming naming(made.page, sheet, windows, in_letters);
+    Naming naming(made.page, sheet, windows, yielding);
     made.key = naming.run(names, most);
     made.cost = naming.cost();
     if (made.cost >= most) return std::nullopt;
@@ -365,23 +354,35 @@ std::optional<NamedPage> named_page(const Page& page, const std::vector<Name>& n
 // and at last all do.
 std::optional<NamedPage> best_named(const Page& page, const std::vector<Name>& names, const Sheet& sheet,
                                     std::span<const Rect> windows, double most) {
-    Texts in_letters;
+    Yielding yielding;
     std::optional<NamedPage> best;
     try {
-        best = named_page(page, names, sheet, windows, in_letters, most);
+        best = named_page(page, names, sheet, windows, yielding, most);
     } catch (const Error&) {  // no room for one that must be there
         if (page.regions.empty()) throw;
-        for (const Name& name : names) in_letters.insert(to_line(name.text));
-        return named_page(page, names, sheet, windows, in_letters, most);
+        for (const Name& name : names) yielding.in_letters.insert(to_line(name.text));
+        for (const bool off_thing : {false, true})
+            for (const bool all_letters : {off_thing, !off_thing}) {
+                yielding.off_thing = off_thing;
+                yielding.all_letters = all_letters;
+                try {
+                    return named_page(page, names, sheet, windows, yielding, most);
+                } catch (const Error&) {  // what gives way next may help
+                }
+            }
+        throw;
     }
     if (!best || page.regions.empty()) return best;
     const auto left_out = [&](const NamedPage& made) { return made.page.left_out.size() - page.left_out.size(); };
     for (const bool all : {false, true}) {
         if (left_out(*best) == 0) break;
         const std::vector<Name>& next = all ? names : best->page.left_out;
-        for (const Name& name : next) in_letters.insert(to_line(name.text));
-        auto other = named_page(page, names, sheet, windows, in_letters, std::numeric_limits<double>::infinity());
-        if (std::pair(left_out(*other), other->cost) < std::pair(left_out(*best), best->cost)) best = std::move(other);
+        for (const Name& name : next) yielding.in_letters.insert(to_line(name.text));
+        try {
+            auto other = named_page(page, names, sheet, windows, yielding, std::numeric_limits<double>::infinity());
+            if (std::pair(left_out(*other), other->cost) < std::pair(left_out(*best), best->cost)) best = std::move(other);
+        } catch (const Error&) {  // no room for one that must be there, which the page before has
+        }
     }
     if (best->cost >= most) return std::nullopt;
     return best;

@@ -3,6 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
+
+#include "tactics/geometry/distance.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -11,6 +16,7 @@ namespace {
 // A shape within the span of a hand names itself by words beside it; own choice.
 constexpr double kLargestShape = 45;      // mm
 constexpr double kInMiddle = 0.2;         // of its sides: so near to its middle stands what names it
+constexpr double kAtThing = 5;            // mm: what files and other sizes leave of a place on its border, and more
 constexpr double kEitherSide = 0.5;       // mm from a border to what lies on either side of it
 constexpr double kBorderStep = 2;         // mm along a border
 constexpr int kMostSteps = 200;           // along one side
@@ -21,8 +27,43 @@ constexpr std::size_t kMostSides = 1000;  // of a thing; a mesh has more, but no
 
 }  // namespace
 
-ThingPlaces::ThingPlaces(const std::vector<Region>& regions) : regions_(regions) {
-    for (const Region& region : regions) boxes_.push_back(box_of(region));
+ThingPlaces::ThingPlaces(const std::vector<Region>& regions, const std::string& language) : regions_(regions) {
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        boxes_.push_back(box_of(regions[i]));
+        if (regions[i].rings.empty()) continue;
+        const std::string text = to_line(regions[i].name.in(language));
+        of_text_[text].push_back(i);
+        if (const std::size_t end = text.rfind(": "); end != text.npos) of_end_[text.substr(end + 2)].push_back(i);
+    }
+}
+
+double ThingPlaces::apart(std::size_t region, Point at) const {
+    if (holds_at(region, at)) return 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& ring : regions_[region].rings)
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            least = std::min(least, distance_to_segment(at, ring[i], ring[(i + 1) % ring.size()]));
+    return least;
+}
+
+const Region* ThingPlaces::nearest_of(const std::vector<std::size_t>& regions, Point at) const {
+    const Region* thing = nullptr;
+    std::pair<double, double> best;
+    for (const std::size_t i : regions) {
+        if (!grown(boxes_[i], kAtThing).holds(at)) continue;
+        const std::pair<double, double> far{apart(i, at), boxes_[i].width() * boxes_[i].height()};
+        if (far.first > kAtThing || (thing != nullptr && far >= best)) continue;
+        best = far;
+        thing = &regions_[i];
+    }
+    return thing;
+}
+
+const Region* ThingPlaces::thing_of(const std::string& text, Point at) const {
+    for (const auto* texts : {&of_text_, &of_end_})
+        if (const auto found = texts->find(text); found != texts->end())
+            if (const Region* thing = nearest_of(found->second, at)) return thing;
+    return nullptr;
 }
 
 const Region* ThingPlaces::thing_at(Point at) const {

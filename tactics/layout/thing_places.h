@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "tactics/geometry/box.h"
@@ -14,9 +16,14 @@ namespace tactics {
 class ThingPlaces {
 public:
     /// `regions` must outlive it.
-    explicit ThingPlaces(const std::vector<Region>& regions);
+    explicit ThingPlaces(const std::vector<Region>& regions, const std::string& language = "en");
 
-    /// The smallest region that holds a place: the thing that a name there names.
+    /// The thing that a name names: the region with that text that holds the place, the smallest of several, else the nearest
+    /// within a few mm; null where no region has that text, as for words of the user's. "Cup: bottom" may be named
+    /// "bottom". What else lies there is not asked: a
+    /// thing may lie on top of the one that the name is of.
+    const Region* thing_of(const std::string& text, Point at) const;
+    /// The smallest region that holds a place.
     const Region* thing_at(Point at) const;
 
     enum class Border { own, any };
@@ -30,10 +37,14 @@ public:
 private:
     bool is_border(std::size_t thing, Point one, Point other, Border border) const;
     void add_places(std::size_t thing, Point a, Point b, Border border, std::vector<Point>& places) const;
+    const Region* nearest_of(const std::vector<std::size_t>& regions, Point at) const;
+    double apart(std::size_t region, Point at) const;
     bool holds_at(std::size_t region, Point at) const { return boxes_[region].holds(at) && holds(regions_[region], at); }
 
     const std::vector<Region>& regions_;
     std::vector<Box> boxes_;
+    std::unordered_map<std::string, std::vector<std::size_t>> of_text_,
+        of_end_;  // regions that are drawn, by all words and by those behind a colon
 };
 
 /// The box of the smallest closed line around a place, if a hand feels it as one thing and the place is near its middle.

@@ -26,7 +26,7 @@ TEST(Naming, AThingThatIsHemmedInIsNamedElsewhereOnItsBorder) {
     drawing.names.push_back({{70, 70}, "a long name that has no room beside any of these lines", "the model", 0, true});
     EXPECT_EQ(lay_out(drawing, sheet).left_out.size(), 1u);
     Region region;
-    region.name = Phrase("thing");
+    region.name = Phrase(drawing.names[0].text);
     region.rings = {{{60, 60}, {150, 60}, {150, 160}, {60, 160}}};
     region.at = {70, 70};
     drawing.regions.push_back(region);
@@ -39,6 +39,11 @@ TEST(Naming, AThingThatIsHemmedInIsNamedElsewhereOnItsBorder) {
     for (std::size_t i = 0; i < ring.size(); ++i)
         off = std::min(off, distance_to_segment(page.names[0].thing, ring[i], ring[(i + 1) % ring.size()]));
     EXPECT_LT(off, 0.01);
+    // What has another name is another thing; only a name that must be there goes to its border, before there is no page.
+    drawing.regions[0].name = Phrase("thing");
+    EXPECT_EQ(lay_out(drawing, sheet).left_out.size(), 1u);
+    drawing.names[0].optional = false;
+    EXPECT_EQ(lay_out(drawing, sheet).names.size(), 1u);
 }
 
 }  // namespace

@@ -85,5 +85,34 @@ TEST(Leads, EndOnTheNearestInkOfALongLine) {
     }
 }
 
+// On a line a finger does not leave it where the lead line does; at the end of one it takes both for one line.
+TEST(Leads, CrossWhatTheyRunOnAndTheEndsOfLines) {
+    Page page;
+    page.width = page.height = 200;
+    page.strokes.push_back({{{50, 100}, {90, 100}}, false, 1, Role::line});
+    page.strokes.push_back({{{120, 50}, {150, 50}, {150, 80}, {120, 80}}, true, 1, Role::line});
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        SCOPED_TRACE(quarter);
+        const Leads leads(page, 0.5, 3.2);
+        const auto crossings = [&](Point from, Point to) {
+            for (int i = 0; i < quarter; ++i) from = {200 - from.y, from.x}, to = {200 - to.y, to.x};
+            return leads.crossings({from, to});
+        };
+        EXPECT_EQ(crossings({40, 100}, {80, 100}), 1u);      // on it
+        EXPECT_EQ(crossings({100, 100}, {60, 100}), 1u);     // the other way
+        EXPECT_EQ(crossings({40, 100.5}, {80, 100.5}), 1u);  // beside it, as if on it
+        EXPECT_EQ(crossings({135, 79.5}, {165, 79.5}), 1u);  // on a side, across another
+        EXPECT_EQ(crossings({90, 80}, {90, 120}), 1u);       // its end
+        EXPECT_EQ(crossings({90.5, 80}, {90.5, 120}), 1u);   // right beside its end
+        EXPECT_EQ(crossings({92, 80}, {92, 120}), 0u);
+        EXPECT_EQ(crossings({70, 80}, {70, 120}), 1u);
+        EXPECT_EQ(crossings({70, 80}, {70, 100}), 0u);  // it ends there
+        EXPECT_EQ(crossings({120, 100}, {90, 100}), 0u);
+        EXPECT_EQ(crossings({60, 90}, {80, 90}), 0u);
+        for (PageStroke& stroke : page.strokes)
+            for (Point& p : stroke.points) p = {200 - p.y, p.x};
+    }
+}
+
 }  // namespace
 }  // namespace tactics::leads_test

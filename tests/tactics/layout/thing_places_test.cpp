@@ -50,12 +50,28 @@ TEST(ThingPlaces, WhatLiesOnSomethingHasABorderOfItsOwn) {
     const std::vector<Region> regions = {box("table", 10, 10, 100, 80), box("plate", 40, 40, 20, 20)};
     const ThingPlaces things(regions);
     EXPECT_GE(things.on_border(regions[1], {50, 50}, ThingPlaces::Border::own, 100).size(), 4u);
-    EXPECT_EQ(things.thing_at({50, 50}), &regions[1]);
-    EXPECT_EQ(things.thing_at({15, 15}), &regions[0]);
-    EXPECT_EQ(things.thing_at({5, 5}), nullptr);
     // Words on the table beside the plate may name the plate; words on the plate do not name the table.
     EXPECT_TRUE(things.is_free_of_others(regions[1], {30, 50}));
     EXPECT_FALSE(things.is_free_of_others(regions[0], {50, 50}));
+}
+
+TEST(ThingPlaces, BelongToTheThingThatHasTheNameNotToWhatLiesOnIt) {
+    const std::vector<Region> regions = {box("cup", 20, 20, 30, 30),   box("leg", 100, 20, 20, 20),
+                                         box("board", 10, 10, 70, 70), box("leg", 100, 60, 20, 20),
+                                         box("leg", 96, 56, 40, 40),   box("cup: bottom", 20, 60, 10, 10)};
+    const ThingPlaces things(regions);
+    EXPECT_EQ(things.thing_of("board", {35, 35}), &regions[2]);
+    EXPECT_EQ(things.thing_of("cup", {35, 35}), &regions[0]);
+    EXPECT_EQ(things.thing_of("sticker", {35, 35}), nullptr);
+    // Of several that which holds the place, the smallest; else the nearest, as files round places on a border.
+    EXPECT_EQ(things.thing_of("leg", {110, 30}), &regions[1]);
+    EXPECT_EQ(things.thing_of("leg", {110, 70}), &regions[3]);
+    EXPECT_EQ(things.thing_of("leg", {130, 90}), &regions[4]);
+    EXPECT_EQ(things.thing_of("leg", {110, 40.01}), &regions[1]);
+    EXPECT_EQ(things.thing_of("leg", {110, 54}), &regions[4]);
+    EXPECT_EQ(things.thing_of("cup", {75, 75}), nullptr);
+    EXPECT_EQ(things.thing_of("bottom", {25, 65}), &regions[5]);
+    EXPECT_EQ(things.thing_of("bottom", {110, 30}), nullptr);
 }
 
 TEST(ThingPlaces, AreTheNearestOnesFirst) {
