@@ -15,6 +15,7 @@
 #include "filters/traced.h"
 #include "tactics/filter.h"
 #include "tactics/medium.h"
+#include "tactics/text/number.h"
 
 namespace tactics {
 

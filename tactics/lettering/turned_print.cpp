@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tactics/lettering/read_line.h"
+#include "tactics/lettering/sloped_words.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
