@@ -202,17 +202,15 @@ Leaning leaning(const InkPiece& piece, const SlopedAxes& axes) {
 std::optional<double> common_slope(const std::vector<InkPiece>& pieces) {
     constexpr double kAlike = 5, kStep = 0.25;  // degrees
     constexpr std::size_t kLetters = 3, kGroups = 2;
-    std::vector<std::vector<std::size_t>> groups = near_groups(pieces);
+    std::vector<std::vector<std::size_t>> groups;
     std::vector<double> courses;
-    std::size_t kept = 0;
-    for (std::vector<std::size_t>& group : groups) {
+    for (const std::vector<std::size_t>& group : near_groups(pieces)) {
         if (group.size() < kLetters) continue;
         const auto course = course_of(pieces, group);
         if (!course || !is_slope(*course)) continue;
         courses.push_back(*course);
-        groups[kept++] = std::move(group);
+        groups.push_back(group);
     }
-    groups.resize(kept);
     const auto votes = [&](double at) {
         std::size_t count = 0;
         for (std::size_t i = 0; i < courses.size(); ++i) count += std::abs(courses[i] - at) <= kAlike ? groups[i].size() : 0;
