@@ -149,7 +149,7 @@ inline constexpr Flag kWordsFlag{"--words",
                                  "auto|read|leave|remove",
                                  "what to do with print in the picture: read replaces it by braille in the same place (with "
                                  "Tesseract), leave draws its letters as lines, remove takes it out; auto reads it if the "
-                                 "recipe is diagram, map or line-art and Tesseract is installed",
+                                 "recipe is diagram, map, borders, regions or line-art and Tesseract is installed",
                                  false,
                                  "auto read leave remove"};
 inline constexpr Flag kLanguageFlag{

@@ -121,7 +121,6 @@ public:
                     lines.row(y)[x] = 1;
             }
         for (const Outline& outline : outlines_of(spots)) add_area(drawing_, outline, pixel_, kLeastRegion);
-
         add_lines(drawing_, std::move(lines), nullptr, nullptr, pixel_, {settings_.number("shortest"), 3, 2});
         return std::move(drawing_);
     }

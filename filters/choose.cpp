@@ -45,9 +45,6 @@ constexpr double kFewOfGrain = 0.01;  // a level; colours that grain has spread 
 // larger parts; `photo` breaks outlines and leaves parts out, `regions` fills the small ones, and `line-art` takes all that is
 // dark for a line. So only what is coloured all over is a map: charts and icons stand on one ground, which is white for most.
 constexpr double kMapColour = 0.1;
-// A second look, for maps in plain colours, is taken at what may be one: 19 of 20 photographs are softer.
-constexpr double kMapSoft = 0.25, kMapGround = 0.85;
-constexpr double kMapNoise = 0.6;  // uneven light makes regions of the ground of a scan
 constexpr double kWhiteGround = 0.4, kGround = 0.5;
 constexpr double kRim = 0.8;  // or one colour is all around it: of 54 charts 4 are taken for maps without this, none with it
 constexpr double kInkGround = 0.7;
@@ -55,6 +52,10 @@ constexpr double kInkFlat = 0.4;
 constexpr double kInkColour = 0.1;
 constexpr double kInkThick = 0.02;  // nearly all of the ink is lines
 constexpr int kInkRange = 64;       // less is no ink on paper
+
+// A second look, for maps in plain colours, is taken at what may be one. 19 of 20 photographs are softer, and a chart has more
+// ground; of a scan the uneven light makes regions of the ground, and its grain says that it is one.
+constexpr double kMapSoft = 0.25, kMapGround = 0.85, kMapNoise = 0.6;
 
 constexpr int kSoftRange = 40;  // grey levels between neighbours; more is an edge
 

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "filters/edge_noise.h"
 #include "filters/lab.h"
 #include "filters/opencv.h"
 #include "filters/region_borders.h"
 #include "tactics/geometry/course.h"
+#include "tactics/geometry/lots.h"
 
 namespace tactics {
 
@@ -133,20 +133,15 @@ std::vector<Contact> contacts_of(const FlatRegions& regions) {
 
 // Compression cuts one region into pieces, with nothing between them that looks like a line.
 void join_alike(FlatRegions& regions) {
-    std::vector<std::uint32_t> parent(regions.count());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t i) {
-        while (parent[i] != i) i = parent[i] = parent[parent[i]];
-        return i;
-    };
+    Lots lots(regions.count());
     for (const Contact& contact : contacts_of(regions))
         if (2 * contact.lined < contact.sides && unlike(regions.colour[contact.a], regions.colour[contact.b]) <= kAlikeColours)
-            parent[root(contact.b)] = root(contact.a);
+            lots.join(contact.a, contact.b);
     std::vector<std::uint32_t> number(regions.count(), kNoRegion);
     std::vector<float> wide;
     std::vector<std::array<std::uint8_t, 3>> colour;
     for (std::uint32_t i = 0; i < regions.count(); ++i) {
-        std::uint32_t& now = number[root(i)];
+        std::uint32_t& now = number[lots.find(i)];
         if (now == kNoRegion) {
             now = static_cast<std::uint32_t>(wide.size());
             wide.push_back(0);

@@ -23,7 +23,10 @@ struct FlatRegions {
 
     std::size_t count() const { return wide.size(); }
     /// Whether something is drawn on the region there.
-    bool is_line(std::size_t pixel) const { return unlike[pixel] > 40; }
+    bool is_line(std::size_t pixel) const {
+        constexpr std::uint8_t kLineStep = 40;  // levels; compression leaves less
+        return unlike[pixel] > kLineStep;
+    }
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }

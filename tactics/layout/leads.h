@@ -24,8 +24,8 @@ public:
     std::vector<Point> ends_for(Point thing) const;
 
     /// The lead line keeps clear of all ink except where it ends, and of other lead lines. With `across` it may also cross lines,
-    /// with `leads` lead lines, too. It meets ink at an angle
-    /// steep enough to be felt as a separate line (28 degrees, the limit for a meeting in the rule gap).
+    /// with `leads` lead lines, too. It meets ink at an angle steep enough to be felt as a separate line (28 degrees, the limit
+    /// for a meeting in the rule gap).
     bool is_clear(const Lead& lead, bool across, bool leads = false) const;
 
     /// A line or an area is no farther than that.

@@ -19,9 +19,8 @@ public:
     explicit ThingPlaces(const std::vector<Region>& regions, const std::string& language = "en");
 
     /// The thing that a name names: the region with that text that holds the place, the smallest of several, else the nearest
-    /// within a few mm; null where no region has that text, as for words of the user's. "Cup: bottom" may be named
-    /// "bottom". What else lies there is not asked: a
-    /// thing may lie on top of the one that the name is of.
+    /// within a few mm; null where no region has that text, as for words of the user's. "Cup: bottom" may be named "bottom". What
+    /// else lies there is not asked: a thing may lie on top of the one that the name is of.
     const Region* thing_of(const std::string& text, Point at) const;
     /// The smallest region that holds a place.
     const Region* thing_at(Point at) const;

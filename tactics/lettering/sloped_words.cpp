@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
+
+#include "tactics/geometry/lots.h"
 
 namespace tactics {
 
@@ -14,24 +16,13 @@ constexpr int kLeastSlopedSide = 4;
 constexpr double kLeastSlope = 12, kMostSlope = 78;
 constexpr double kRadian = 3.14159265358979323846 / 180;
 
-class JoinedPieces {
-public:
-    explicit JoinedPieces(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-    void join(std::size_t a, std::size_t b) { parent_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
-    std::vector<std::vector<std::size_t>> groups() {
-        std::vector<std::vector<std::size_t>> all(parent_.size());
-        for (std::size_t i = 0; i < parent_.size(); ++i) all[root(i)].push_back(i);
-        std::erase_if(all, [](const std::vector<std::size_t>& one) { return one.empty(); });
-        return all;
-    }
-
-private:
-    std::size_t root(std::size_t one) {
-        while (parent_[one] != one) one = parent_[one] = parent_[parent_[one]];
-        return one;
-    }
-    std::vector<std::size_t> parent_;
-};
+// The things of each group, groups and things in their order.
+std::vector<std::vector<std::size_t>> groups_of(Lots& lots, std::size_t count) {
+    std::vector<std::vector<std::size_t>> groups(count);
+    for (std::size_t i = 0; i < count; ++i) groups[lots.find(static_cast<std::uint32_t>(i))].push_back(i);
+    std::erase_if(groups, [](const std::vector<std::size_t>& one) { return one.empty(); });
+    return groups;
+}
 
 int side_of(const PixelBox& box) { return std::max(box.width(), box.height()); }
 
@@ -63,16 +54,17 @@ std::vector<std::vector<std::size_t>> near_groups(const std::vector<InkPiece>& p
         if (side_of(pieces[i].box) >= kLeastSlopedSide && side_of(pieces[i].box) <= kMostSlopedSide) order.push_back(i);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return pieces[a].box.left < pieces[b].box.left; });
-    JoinedPieces joined(order.size());
+    Lots joined(order.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         for (std::size_t k = i + 1; k < order.size(); ++k) {
             const PixelBox &a = pieces[order[i]].box, &b = pieces[order[k]].box;
             const double reach = std::max(2.0, kGap * std::max(side_of(a), side_of(b)));
             if (b.left - a.right > kGap * kMostSlopedSide) break;
             const int gap = std::max({0, b.left - a.right, a.top - b.bottom, b.top - a.bottom});
-            if (gap <= reach && std::max(side_of(a), side_of(b)) <= 3 * std::min(side_of(a), side_of(b))) joined.join(i, k);
+            if (gap <= reach && std::max(side_of(a), side_of(b)) <= 3 * std::min(side_of(a), side_of(b)))
+                joined.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k));
         }
-    std::vector<std::vector<std::size_t>> groups = joined.groups();
+    std::vector<std::vector<std::size_t>> groups = groups_of(joined, order.size());
     for (std::vector<std::size_t>& group : groups)
         for (std::size_t& one : group) one = order[one];
     return groups;
@@ -245,7 +237,7 @@ std::vector<SlopedGroup> groups_along(const std::vector<InkPiece>& pieces, const
             seen[i].width() <= 3 * seen[i].height())
             order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return seen[a].left < seen[b].left; });
-    JoinedPieces joined(order.size());
+    Lots joined(order.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         for (std::size_t k = i + 1; k < order.size(); ++k) {
             const Leaning &a = seen[order[i]], &b = seen[order[k]];
@@ -253,11 +245,11 @@ std::vector<SlopedGroup> groups_along(const std::vector<InkPiece>& pieces, const
             if (b.left - a.right > kWordSpace * kUnlikeHeights * a.height()) break;
             if (b.left - a.right <= kWordSpace * high && high <= kUnlikeHeights * low &&
                 std::min(a.bottom, b.bottom) - std::max(a.top, b.top) >= 0.5 * low)
-                joined.join(i, k);
+                joined.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k));
         }
     std::vector<SlopedGroup> words;
     std::vector<bool> known(pieces.size(), false);
-    for (const std::vector<std::size_t>& group : joined.groups()) {
+    for (const std::vector<std::size_t>& group : groups_of(joined, order.size())) {
         SlopedGroup word;
         word.box = pieces[order[group.front()]].box;
         for (const std::size_t one : group) {

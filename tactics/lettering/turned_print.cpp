@@ -15,7 +15,6 @@ namespace tactics {
 namespace {
 
 constexpr int kPatchMargin = 3;      // pixels around a patch, in which letters fade
-constexpr double kTurnedScale = 1;   // pixels of the turned print to one of the picture: what is turned loses less so
 constexpr double kPatchesApart = 3;  // heights between pieces of print, so that none is taken for the next word of another
 
 // What most pixels around its ink have.
@@ -131,12 +130,10 @@ std::size_t small_ink_above(const Image& grey, const SlopedWords& words, std::ui
 
 TurnedPrint::TurnedPrint(Image grey) : grey_(std::move(grey)), sloped_(find_sloped_print(grey_)) {
     if (sloped_.empty()) return;
-    int x = 0, top = grey_.height, next = top, width = grey_.width;
     double height = 0;
     for (const SlopedWords& words : sloped_) height = std::max(height, words.height);
-    const int far = static_cast<int>(kTurnedScale * kPatchesApart * height);
-    top += far;
-    next = top;
+    const int far = static_cast<int>(kPatchesApart * height);
+    int x = 0, top = grey_.height + far, next = top, width = grey_.width;
     for (const SlopedWords& words : sloped_) {
         const SlopedAxes axes(words.slope);
         double left = 1e9, right = -1e9, upper = 1e9, lower = -1e9;
@@ -147,8 +144,8 @@ TurnedPrint::TurnedPrint(Image grey) : grey_(std::move(grey)), sloped_(find_slop
                         left = std::min(left, axes.along(column, row)), right = std::max(right, axes.along(column, row));
                         upper = std::min(upper, axes.across(column, row)), lower = std::max(lower, axes.across(column, row));
                     }
-        const int wide = static_cast<int>(std::ceil(kTurnedScale * (right - left + 2 * kPatchMargin))),
-                  high = static_cast<int>(std::ceil(kTurnedScale * (lower - upper + 2 * kPatchMargin)));
+        const int wide = static_cast<int>(std::ceil(right - left + 2 * kPatchMargin)),
+                  high = static_cast<int>(std::ceil(lower - upper + 2 * kPatchMargin));
         if (x > 0 && x + wide > std::max(grey_.width, 1000)) x = 0, top = next + far;
         patches_.push_back({{x + far, top, x + far + wide, top + high}, left - kPatchMargin, upper - kPatchMargin});
         x += wide + far;
@@ -185,7 +182,7 @@ void TurnedPrint::set_upright(const SlopedWords& words, const Patch& patch) {
     const SlopedAxes axes(words.slope);
     for (int y = 0; y < patch.box.height(); ++y)
         for (int x = 0; x < patch.box.width(); ++x) {
-            const double along = patch.along + (x + 0.5) / kTurnedScale, across = patch.across + (y + 0.5) / kTurnedScale;
+            const double along = patch.along + x + 0.5, across = patch.across + y + 0.5;
             const double px = along * axes.cosine + across * axes.sine - box.left,
                          py = across * axes.cosine - along * axes.sine - box.top;
             if (px < -1 || py < -1 || px > alone.width + 1 || py > alone.height + 1) continue;
@@ -246,8 +243,8 @@ PrintedWords TurnedPrint::told(std::size_t which, const std::vector<const Printe
     for (const InkPiece& piece : words.pieces)
         for (const InkRun& run : piece.runs) {
             const double x = (run.left + run.right) / 2.0, y = run.y + 0.5, ink = run.right - run.left;
-            const int u = patch.box.left + static_cast<int>(kTurnedScale * (axes.along(x, y) - patch.along)),
-                      v = patch.box.top + static_cast<int>(kTurnedScale * (axes.across(x, y) - patch.across));
+            const int u = patch.box.left + static_cast<int>(axes.along(x, y) - patch.along),
+                      v = patch.box.top + static_cast<int>(axes.across(x, y) - patch.across);
             all += ink;
             if (std::any_of(read.begin(), read.end(), [&](const PrintedWords* part) {
                     const PixelBox& box = part->box;
@@ -262,7 +259,7 @@ PrintedWords TurnedPrint::told(std::size_t which, const std::vector<const Printe
         one.text += (one.text.empty() ? "" : " ") + part->text;
         one.sure = one.sure && part->sure && !part->upwards;
         one.sureness = std::min(one.sureness, part->sureness);
-        one.letter_height = static_cast<int>(std::lround(part->letter_height / kTurnedScale));
+        one.letter_height = part->letter_height;
     }
     constexpr double kTiny = 12;  // pixels from the highest to the lowest ink of a line
     if (one.sure && words.height <= kTiny && small_ink_above(grey_, words, ground_of(grey_, words)) > marks_above(one.text))

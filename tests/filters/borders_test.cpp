@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "filters/choose.h"
 #include "filters/flat_regions.h"
 #include "filters/list.h"
 #include "tests/tactics/readers/pictures.h"
@@ -197,15 +198,21 @@ TEST(Borders, APictureWithoutPlainColoursHasNone) {
     EXPECT_FALSE(is_coloured_map(map_traits_of(image)));
 }
 
+Image crooked_map(double half_width) {
+    return painted([all = provinces(), half_width](int x, int y) {
+        const TwoNearest at = nearest(all, x + 9 * std::sin(y / 7.0), y + 9 * std::sin(x / 6.0));
+        return at.edge < half_width ? kBlack : all[at.first].colour;
+    });
+}
+
+TEST(MapTraits, ChooseTheRecipe) {
+    EXPECT_EQ(choose_recipe(crooked_map(1)).recipe, "borders");
+    EXPECT_NE(choose_recipe(map_with_outlines(1)).recipe, "borders");
+}
+
 TEST(MapTraits, TellAMapFromAChart) {
-    const auto crooked = [](double half_width) {
-        return painted([all = provinces(), half_width](int x, int y) {
-            const TwoNearest at = nearest(all, x + 9 * std::sin(y / 7.0), y + 9 * std::sin(x / 6.0));
-            return at.edge < half_width ? kBlack : all[at.first].colour;
-        });
-    };
-    EXPECT_TRUE(is_coloured_map(map_traits_of(crooked(1))));
-    EXPECT_TRUE(is_coloured_map(map_traits_of(crooked(0))));
+    EXPECT_TRUE(is_coloured_map(map_traits_of(crooked_map(1))));
+    EXPECT_TRUE(is_coloured_map(map_traits_of(crooked_map(0))));
     EXPECT_FALSE(is_coloured_map(map_traits_of(map_with_outlines(1))));  // all straight, as a mosaic's
     const auto bars = painted([](int x, int y) -> Colour {
         if (x == 60 || y == 420) return kBlack;

@@ -28,7 +28,7 @@ bool is_within(const Surface& surface, Point p) {
     for (const auto& ring : surface.rings)
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+            if (ray_meets(p, a, b)) inside = !inside;
             away = std::min(away, distance_to_segment(p, a, b));
         }
     return inside && away > kOnEachOther;
