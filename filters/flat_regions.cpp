@@ -290,8 +290,9 @@ MapTraits map_traits_of(const Image& picture) {
     return traits;
 }
 
-// Political maps have a fifth or more of their borders between colours, crooked, and .7 or more of their lines explained by
-// borders (18 maps, clean and as JPEG); charts and other figures that do are few (of 500 five), photographs none.
+// Of political maps a fifth or more of the borders lie between colours and are crooked, and .7 or more of the lines are borders.
+// `convert` takes 47 of 52 maps of KGeography for such, and 7 of 278 figures in the documentation of Python packages, most of
+// which have flat fields as a map has.
 bool is_coloured_map(const MapTraits& traits) {
     return traits.flat >= 0.6 && traits.regions >= 5 && traits.colours >= 3 && traits.bordering >= 0.2 &&
            traits.explained >= 0.7 && traits.straight <= 0.75;
