@@ -24,6 +24,12 @@ std::optional<FoundPlace> place_at(std::string_view text) {
     return FoundPlace{part, at + 1};
 }
 
+// A row is of two rows. If each of ten thousand were the row before and one more, a copy of it would be ten thousand deep.
+Phrase row_of_halves(const Phrase* parts, std::size_t count) {
+    if (count == 1) return *parts;
+    return phrase("{0}, {1}", row_of_halves(parts, count / 2), row_of_halves(parts + count / 2, count - count / 2));
+}
+
 }  // namespace
 
 Phrase phrase_of(SourceWords one, SourceWords many, std::size_t count, std::vector<Phrase> parts) {
@@ -67,12 +73,7 @@ std::string Phrase::in(std::string_view language) const {
     return text;
 }
 
-Phrase row_of(const std::vector<Phrase>& parts) {
-    if (parts.empty()) return {};
-    Phrase text = parts.front();
-    for (std::size_t i = 1; i < parts.size(); ++i) text = phrase("{0}, {1}", std::move(text), parts[i]);
-    return text;
-}
+Phrase row_of(const std::vector<Phrase>& parts) { return parts.empty() ? Phrase() : row_of_halves(parts.data(), parts.size()); }
 
 Phrase listed(const std::vector<Phrase>& parts) {
     if (parts.size() < 2) return row_of(parts);

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "tactics/error.h"
 #include "tactics/text/catalogue.h"
 
@@ -38,6 +41,18 @@ TEST(Phrase, ListsHaveTheirLastWord) {
     EXPECT_EQ(listed({"1", "2", "3"}).in("de"), "1, 2 und 3");
     EXPECT_EQ(either_of({"1", "2", "3"}).in("fr"), "1, 2 ou 3");
     EXPECT_EQ(row_of({"1", "2", "3"}).english(), "1, 2, 3");
+}
+
+// Where it took the square of their number, this took hours.
+TEST(Phrase, AHundredThousandAreListed) {
+    std::vector<Phrase> parts;
+    std::string row;
+    for (int i = 0; i < 100000; ++i) {
+        parts.emplace_back(std::to_string(i));
+        row += (i > 0 ? ", " : "") + std::to_string(i);
+    }
+    const Phrase listed_here = row_of(parts), copy = listed_here;
+    EXPECT_EQ(copy.english(), row);
 }
 
 TEST(Phrase, NumbersHaveTheMarkOfTheLanguageOfTheWords) {
