@@ -84,22 +84,6 @@ bool has_thousands(std::string_view text) {
     return is_one();
 }
 
-// Each closing bracket was opened, and each opened one is closed, but for "a)" as lists have it.
-bool has_pairs(std::string_view text) {
-    int open = 0;
-    bool ever = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool opens = text[i] == '(' || text[i] == '[', closes = text[i] == ')' || text[i] == ']';
-        if (closes && open == 0) {
-            const bool listed = !ever && i > 0 && (i == 1 || (i == 2 && (text[0] & 0x80) != 0));
-            if (!listed) return false;
-        } else
-            open += (opens ? 1 : 0) - (closes ? 1 : 0);
-        ever = ever || opens;
-    }
-    return open == 0;
-}
-
 // How many strokes side by side there are is not to be seen where each is a pixel wide: "ill" and "il".
 bool is_all_thin(const FormReading& reading) {
     constexpr std::u32string_view kThin = U"ilI|!";
@@ -122,8 +106,7 @@ bool is_plain(const std::string& text, const std::string& other, bool agreed) {
     const bool dash = digits > 0 && digits < static_cast<std::ptrdiff_t>(text.size()) &&
                       (text.back() == '-' || text.ends_with("\u2212") || text.ends_with("\u2013"));
     const bool either = text.find('0') != text.npos && text.find('O') != text.npos;
-    if (dash || either || count([](char c) { return c == '"'; }) % 2 == 1 || !has_pairs(text) || has_lost_point(text))
-        return false;
+    if (dash || either || count([](char c) { return c == '"'; }) % 2 == 1 || has_lost_point(text)) return false;
     if (has_thousands(text) && !text.starts_with("0.") && (text != other || text.find(',') == text.npos)) return false;
     return letters > 0 || digits < 3 || agreed;
 }
@@ -131,19 +114,20 @@ bool is_plain(const std::string& text, const std::string& other, bool agreed) {
 // Letters of small print that touch look like one: rn and m, cl and d, Cl and O.
 bool is_no_pair(const FormWords& words, const ReadWords& other) {
     constexpr std::u32string_view kLikeTwo = U"mdOJjnwh";
-    constexpr double kClear = 0.86;  // of such a letter; two are like it with 0.8
+    constexpr double kClear = 0.86, kCertain = 0.92;  // of such a letter; two are like it with 0.8
     const bool tiny = words.reading.em < kTinyPrint;
     // S and 8, or B and 8, are told apart by one reader no longer.
     if (tiny && (!words.agreed || is_all_thin(words.reading))) return false;
-    bool any = false, two = false, clear = true;
+    bool any = false, two = false, clear = true, certain = !tiny;
     for (const FormLetter& letter : words.reading.letters) {
         any = any || (letter.code | 32) - U'a' < 26;
         if (kLikeTwo.find(letter.code) == kLikeTwo.npos) continue;
         two = true;
         clear = clear && letter.likeness >= kClear && !letter.pair;
+        certain = certain && letter.likeness >= kCertain;
     }
     if (any && tiny && words.text.size() > 2 && words.text.back() == 'm') return false;
-    return !any || (words.agreed && (!two || (clear && other.sureness >= kSureWords)));
+    return !any || (words.agreed && (!two || (clear && (certain || other.sureness >= kSureWords))));
 }
 
 // In print of so few pixels two readers say the same wrong figure.
@@ -163,11 +147,28 @@ bool is_alone_alike(const FormReading& reading) {
     return reading.mean >= kAlike || (figure && reading.mean >= kSmallAlike && reading.margin >= kUnlikeOthers);
 }
 
+bool has_pairs(std::string_view text) {
+    int open = 0;
+    bool ever = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool opens = text[i] == '(' || text[i] == '[', closes = text[i] == ')' || text[i] == ']';
+        if (closes && open == 0) {
+            const bool listed = !ever && i > 0 && (i == 1 || (i == 2 && (text[0] & 0x80) != 0));
+            if (!listed) return false;
+        } else
+            open += (opens ? 1 : 0) - (closes ? 1 : 0);
+        ever = ever || opens;
+    }
+    return open == 0;
+}
+
 Belief believe(const FormWords& words, const ReadWords& other) {
     const FormReading& reading = words.reading;
     if (words.text.empty()) {
         const bool borne_out = other.sureness >= kSureWords && bears_out(reading, other.text);
-        return {other.text, other.sureness, other.sure && borne_out, other.sure};
+        Belief belief{other.text, other.sureness, other.sure && borne_out, other.sure};
+        belief.open = belief.sure && !has_pairs(belief.text);
+        return belief;
     }
     Belief belief{words.text, 100 * reading.mean, false, false};
     const auto& letters = reading.letters;
@@ -206,6 +207,8 @@ Belief believe(const FormWords& words, const ReadWords& other) {
     if (reading.em < kSmallPrint)
         belief.sure = belief.sure && is_plain(words.text, other.text, words.agreed) && is_no_pair(words, other);
     belief.sure = belief.sure && !may_be_other_figure(reading);
+    belief.open = belief.sure && !has_pairs(words.text);
+    if (reading.em < kSmallPrint) belief.sure = belief.sure && !belief.open;
     return belief;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "tactics/lettering/form_words.h"
 
@@ -23,7 +24,12 @@ struct Belief {
     bool tell = false;  ///< or a person should look at it
     /// It is not sure only since its print is so small that one reader does not do: numbers of an axis may bear it out.
     bool nearly = false;
+    /// One of its brackets has no partner, which may stand in what goes on after a gap. In small print it is not sure by itself.
+    bool open = false;
 };
+
+/// Each closing bracket was opened, and each opened one is closed, but for "a)" as lists have it.
+bool has_pairs(std::string_view text);
 
 Belief believe(const FormWords& words, const ReadWords& other);
 

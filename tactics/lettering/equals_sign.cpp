@@ -30,7 +30,7 @@ bool stands_beside(const PixelBox& letter, const PixelBox& upper, const PixelBox
 
 }  // namespace
 
-void join_equals_signs(std::vector<InkPiece>& pieces) {
+std::vector<bool> join_equals_signs(std::vector<InkPiece>& pieces) {
     std::vector<std::size_t> strokes;
     for (std::size_t i = 0; i < pieces.size(); ++i)
         if (pieces[i].box.width() >= 3 * pieces[i].box.height() && pieces[i].box.width() <= kMostInkHeight) strokes.push_back(i);
@@ -40,7 +40,7 @@ void join_equals_signs(std::vector<InkPiece>& pieces) {
         return std::any_of(pieces.begin(), pieces.end(),
                            [&](const InkPiece& piece) { return stands_beside(piece.box, upper, lower); });
     };
-    std::vector<bool> gone(pieces.size(), false);
+    std::vector<bool> gone(pieces.size(), false), joined(pieces.size(), false);
     for (std::size_t i = 0; i < strokes.size(); ++i)
         for (std::size_t k = i + 1; k < strokes.size(); ++k) {
             InkPiece &a = pieces[strokes[i]], &b = pieces[strokes[k]];
@@ -51,10 +51,13 @@ void join_equals_signs(std::vector<InkPiece>& pieces) {
             if (!are_equals_sign(upper, lower) || !in_line(upper, lower)) continue;
             a.box = around(a.box, b.box);
             a.runs.insert(a.runs.end(), b.runs.begin(), b.runs.end());
-            gone[strokes[k]] = true;
+            joined[strokes[i]] = gone[strokes[k]] = true;
         }
     std::size_t at = 0;
+    std::erase_if(joined, [&](bool) { return gone[at++]; });
+    at = 0;
     std::erase_if(pieces, [&](const InkPiece&) { return gone[at++]; });
+    return joined;
 }
 
 }  // namespace tactics

@@ -38,6 +38,14 @@ bool is_letter(const PixelBox& box) {
     return box.height() >= kLeastInkHeight && box.height() <= kMostInkHeight && box.width() <= 3 * box.height();
 }
 
+// In small print an equals sign is three rows of pixels.
+PixelBox as_high_as_letters(PixelBox box) {
+    const int lacking = std::max(0, kLeastInkHeight - box.height());
+    box.top -= lacking - lacking / 2;
+    box.bottom += lacking / 2;
+    return box;
+}
+
 bool is_mark(const PixelBox& box, int letter_height) {
     return box.height() < 0.6 * letter_height && box.width() <= letter_height;
 }
@@ -263,11 +271,11 @@ private:
     void look(int level, bool light) {
         std::vector<InkPiece> pieces = pieces_of(grey_, level, light, 2 * kMostInkHeight);
         if (pieces.empty() || pieces.size() > kMostPieces) return;
-        join_equals_signs(pieces);
+        const std::vector<bool> signs = join_equals_signs(pieces);
         std::vector<PixelBox> upright, turned_boxes;
-        for (const InkPiece& piece : pieces) {
-            upright.push_back(piece.box);
-            turned_boxes.push_back(turned(piece.box, grey_.height));
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            upright.push_back(signs[i] ? as_high_as_letters(pieces[i].box) : pieces[i].box);
+            turned_boxes.push_back(turned(pieces[i].box, grey_.height));
         }
         std::vector<bool> climbs(pieces.size(), false);
         std::vector<std::size_t> in_row(pieces.size(), 0);  // letters of the line to the right that it is in

@@ -104,6 +104,7 @@ bool has_strange_ink(const Image& grey, const LetteringLine& line) {
 struct Held {
     ReadLine read;
     FormWords form;
+    bool open = false;  // as Belief has it
     bool sure() const { return read.words.sure; }
     double foot() const {
         return (read.line.upwards ? read.line.box.left : read.line.box.top) + form.reading.foot;
@@ -112,7 +113,8 @@ struct Held {
 
 Held held(const Image& grey, ReadLine read, FormWords form) {
     Belief belief = believe(form, {read.words.text, read.words.sureness, read.alike, read.words.sure});
-    const bool cut = (belief.sure || belief.nearly) && (is_cut(grey, read.line) || has_strange_ink(grey, read.line));
+    const bool cut =
+        (belief.sure || belief.nearly || belief.open) && (is_cut(grey, read.line) || has_strange_ink(grey, read.line));
     // If the readers divide words differently, or the gaps disagree, one may have missed a point.
     const auto parts = static_cast<std::size_t>(std::count(belief.text.begin(), belief.text.end(), ' ')) + 1;
     const WordCount count = words_in(read.line);
@@ -129,7 +131,7 @@ Held held(const Image& grey, ReadLine read, FormWords form) {
     read.words.sure = belief.sure && !cut && !lost && large;
     read.tell = belief.tell || belief.sure;
     read.nearly = belief.nearly && !cut && !lost && large;
-    return {std::move(read), std::move(form)};
+    return {std::move(read), std::move(form), belief.open && !cut && !lost && large};
 }
 
 // Print in a font that is not installed is accepted only with the highest confidence. Leaves and stones, which match no font
@@ -147,7 +149,7 @@ bool has_ink_of(const PixelBox& box, const std::vector<Held>& lines) {
                        [&](const Held& one) { return one.sure() && overlap(one.read.line.box, box); });
 }
 
-// Signs between two sides: the text on both sides is one label, however wide the gaps.
+// Signs between two sides: the text on both sides is one label, however wide the gaps. So is what stands between two brackets.
 bool is_sign(std::string_view text) {
     constexpr std::string_view kSigns[] = {"=", "<", ">", "\u2248", "\u2264", "\u2265", "\u2260"};
     return std::find(std::begin(kSigns), std::end(kSigns), text) != std::end(kSigns);
@@ -165,14 +167,15 @@ std::pair<int, int> reach_of(const LetteringLine& line) {
 bool go_together(const Held& a, const Held& b) {
     constexpr double kGap = 0.75;  // em; a setting
     const auto may = [](const Held& one) {
-        return one.form.sized && !one.form.text.empty() && (one.sure() || is_sign(one.form.text));
+        return one.form.sized && !one.form.text.empty() && (one.sure() || one.open || is_sign(one.form.text));
     };
     const LetteringLine &one = a.read.line, &other = b.read.line;
     if (!may(a) || !may(b) || a.form.font != b.form.font || one.light != other.light || one.upwards != other.upwards)
         return false;
     const double em = a.form.reading.em;
     const int gap = reach_of(other).first - reach_of(one).second;
-    return (ends_with_sign(a.form.text) || begins_with_sign(b.form.text)) && gap >= 0 && gap <= kGap * em &&
+    const bool closes = a.open && b.open && has_pairs(a.form.text + b.form.text);
+    return (closes || ends_with_sign(a.form.text) || begins_with_sign(b.form.text)) && gap >= 0 && gap <= kGap * em &&
            std::abs(b.form.reading.em - em) <= 0.08 * em && std::abs(a.foot() - b.foot()) <= 1 + 0.05 * em;
 }
 
@@ -226,7 +229,8 @@ void put_together(Held& a, const Held& b) {
     one.words.sureness = std::min(one.words.sureness, other.words.sureness);
     a.form.text = one.words.text;
     a.form.reading.foot = foot - (one.line.upwards ? one.line.box.left : one.line.box.top);
-    one.words.sure = true;
+    a.open = (a.open || b.open) && !has_pairs(one.words.text);
+    one.words.sure = !a.open || a.form.reading.em >= kSmallPrint;
 }
 
 void join_at_signs(std::vector<Held>& lines) {

@@ -152,6 +152,21 @@ TEST_F(PrintFonts, OfSmallPrintMostIsSetAndNothingWrong) {
     }
 }
 
+// In print of few pixels a bracket alone may be anything. Its partner may stand in what goes on behind a colon or a sign.
+TEST_F(PrintFonts, WhatStandsBetweenTwoBracketsIsOneLabel) {
+    constexpr double kSize = 3.53;  // mm: 10 pt
+    const auto set = [&](const std::string& text, int dpi) {
+        const Image image = picture_of({{10, 8, kSize, "Density"}, {60, 8, kSize, "Area"}, {10, 30, kSize, text}}, {},
+                                       static_cast<int>(110 * dpi / 25.4));
+        const auto words = words_in(image);
+        return std::find(words.begin(), words.end(), text) != words.end();
+    };
+    for (const int dpi : {90, 100, 150}) EXPECT_TRUE(set("Forest (area = 0.98)", dpi)) << dpi;
+    EXPECT_TRUE(set("Rate (class: Tree)", 150));
+    EXPECT_FALSE(set("Rate (class", 90));
+    EXPECT_TRUE(set("Rate class", 90));
+}
+
 // A word that runs out of the picture, and one with a sign that no font was asked for.
 TEST_F(PrintFonts, WhatIsCutOffOrHasAStrangeSignIsNotSet) {
     const Image image = picture_of({{20, 12, 4.2, "Flow chart"}, {100.5, 30, 4.2, "Winter"}, {30, 50, 4.2, "speed_max"}});

@@ -59,6 +59,33 @@ TEST(Agreement, InSmallPrintSignsInFiguresAreNotGuessed) {
     EXPECT_FALSE(is_sure_in_small(U"20", "20", "20", 0.76)) << "no word bears out a figure";
 }
 
+TEST(Agreement, ABracketWithoutAPartnerWaitsForIt) {
+    FormWords words = line_of(U"0.98)", "0.98)");
+    words.agreed = true;
+    const ReadWords other{"0.98)", 96, true, true};
+    EXPECT_TRUE(believe(words, other).sure && believe(words, other).open);
+    words.reading.em = 14;
+    EXPECT_TRUE(!believe(words, other).sure && believe(words, other).open);
+    words.reading.least = words.reading.mean = 0.5;
+    EXPECT_FALSE(believe(words, other).open) << "nor is it read";
+    words = line_of(U"(b)", "(b)");
+    words.reading.em = 14;
+    words.agreed = true;
+    EXPECT_FALSE(believe(words, {"(b)", 96, true, true}).open);
+}
+
+TEST(Agreement, AnMBeyondDoubtNeedsNoSurerReader) {
+    const auto sure = [](double em, double likeness, double sureness) {
+        FormWords words = line_of(U"Random", "Random", likeness);
+        words.reading.em = em;
+        words.agreed = words.sized = true;
+        return believe(words, {"Random", sureness, true, sureness >= 60}).sure;
+    };
+    EXPECT_TRUE(sure(14, 0.95, 80));
+    EXPECT_FALSE(sure(14, 0.9, 80));
+    EXPECT_TRUE(sure(14, 0.9, 90));
+}
+
 TEST(Agreement, InPrintOfFewPixelsBothReadersMustSayIt) {
     FormWords words = line_of(U"88", "88");
     words.reading.em = 10;

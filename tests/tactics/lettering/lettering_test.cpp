@@ -104,6 +104,18 @@ TEST(Lettering, AnEqualsSignIsAsMuchOfALineAsALetter) {
     EXPECT_EQ(lines[0].box, (PixelBox{20, 20, 57, 32}));
 }
 
+TEST(Lettering, AnEqualsSignOfThreeRowsIsALetterToo) {
+    Image image = make_image(160, 60, 1, 0, 255);
+    write_blocks(image, 20, 20, "x", 0);
+    fill(image, {37, 25, 45, 26}, 0);
+    fill(image, {37, 27, 45, 28}, 0);
+    write_blocks(image, 54, 20, "x", 0);
+    const auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].letters.size(), 3u);
+    EXPECT_EQ(lines[0].box, (PixelBox{20, 20, 62, 32}));
+}
+
 TEST(Lettering, SamplesOfALegendAreNoEqualsSign) {
     // As far apart as the rows, and beside each a word of that row alone.
     Image image = make_image(160, 80, 1, 0, 255);
