@@ -97,6 +97,7 @@ bool InkWays::known_within(const Station& from, const Station& to, double most) 
 bool InkWays::joined_within(const Station& from, const Station& to, double most) {
     if (geometry_.figure_of[from.chain] != geometry_.figure_of[to.chain]) return false;
     if (known_within(from, to, most)) return true;
+    if (exhausted()) return false;
     Denied& no = denied(from, to);
     if (no.excludes(geometry_, from, to, most)) return false;
     ++question_;
