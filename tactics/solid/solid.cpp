@@ -13,6 +13,7 @@
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/course.h"
 #include "tactics/geometry/triangulate.h"
+#include "tactics/solid/grown_patches.h"
 #include "tactics/solid/ranks.h"
 
 namespace tactics {
@@ -21,104 +22,12 @@ namespace {
 
 using Corner = std::uint32_t;
 
-// Two faces are one plane to a finger: half a degree over 10 cm lifts it by
-// less than 1 mm. Cylinders of up to 360 sides stay round.
-const double kOnePlane = std::cos(0.5 * 3.14159265358979323846 / 180);
-constexpr double kOffPlane = 20;  // tolerances of welding that a corner may be off the plane of its patch
-
-struct Half {
-    Corner from, to;
-    std::uint32_t face;
-};
-
-// All that is worked on, by the places of the shell's faces.
-struct Shell {
-    const WeldedSurface& surface;
-    std::vector<CornerRing> rings;
-    std::vector<Point3> doubled;
-    std::vector<Half> halves;                                               // by their corners
-    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> by_side;  // halves from a corner to a corner
-    std::vector<std::uint32_t> patch;                                       // of each face
-
-    static std::uint64_t key(Corner from, Corner to) { return static_cast<std::uint64_t>(from) << 32 | to; }
-    // The faces on the other side of that side.
-    const std::vector<std::uint32_t>* beyond(Corner from, Corner to) const {
-        const auto found = by_side.find(key(to, from));
-        return found == by_side.end() ? nullptr : &found->second;
-    }
-};
-
-Point3 middle_of_ring(const WeldedSurface& surface, const CornerRing& ring) {
-    Point3 sum;
-    for (const Corner corner : ring) sum = sum + surface.corners[corner];
-    return (1.0 / static_cast<double>(ring.size())) * sum;
-}
-
-bool before(const Point3& a, const Point3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
-
-// Rounded, so that what differs by less than that is equal.
-double coarse(double value, double grain) { return std::round(value / grain); }
-
 constexpr double kCertain = 50;  // tolerances of welding, by which a place may differ from file to file
-
-// Faces in the order of their size, so that a patch grows from its largest.
-std::vector<std::uint32_t> by_size(const Shell& shell) {
-    std::vector<std::uint32_t> order(shell.rings.size());
-    std::vector<Point3> middles;
-    double largest = 0;
-    for (std::uint32_t face = 0; face < order.size(); ++face) {
-        order[face] = face;
-        middles.push_back(middle_of_ring(shell.surface, shell.rings[face]));
-        largest = std::max(largest, length_of(shell.doubled[face]));
-    }
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        const double one = coarse(length_of(shell.doubled[a]), largest * 1e-4),
-                     other = coarse(length_of(shell.doubled[b]), largest * 1e-4);
-        if (one != other) return one > other;
-        return before(middles[a], middles[b]);
-    });
-    return order;
-}
-
-std::uint32_t grow_patches(Shell& shell) {
-    constexpr std::uint32_t kNone = ~0u;
-    shell.patch.assign(shell.rings.size(), kNone);
-    const double off_plane = kOffPlane * shell.surface.tolerance;
-    std::uint32_t count = 0;
-    for (const std::uint32_t first : by_size(shell)) {
-        if (shell.patch[first] != kNone) continue;
-        const Point3 normal = (1 / length_of(shell.doubled[first])) * shell.doubled[first];
-        const Point3 origin = middle_of_ring(shell.surface, shell.rings[first]);
-        const auto fits = [&](std::uint32_t face) {
-            return dot(normal, shell.doubled[face]) >= kOnePlane * length_of(shell.doubled[face]) &&
-                   std::all_of(shell.rings[face].begin(), shell.rings[face].end(), [&](Corner corner) {
-                       return std::abs(dot(normal, shell.surface.corners[corner] - origin)) <= off_plane;
-                   });
-        };
-        shell.patch[first] = count;
-        std::vector<std::uint32_t> waiting = {first};
-        while (!waiting.empty()) {
-            const CornerRing& ring = shell.rings[waiting.back()];
-            waiting.pop_back();
-            for (std::size_t i = 0; i < ring.size(); ++i) {
-                const auto* others = shell.beyond(ring[i], ring[(i + 1) % ring.size()]);
-                if (others == nullptr) continue;
-                for (const std::uint32_t other : *others)
-                    if (shell.patch[other] == kNone && fits(other)) {
-                        shell.patch[other] = count;
-                        waiting.push_back(other);
-                    }
-            }
-        }
-        ++count;
-    }
-    return count;
-}
 
 // Sides of a patch whose other side is not of it, by where they begin.
 using Border = std::map<Corner, std::vector<Corner>>;
 
-std::vector<Border> borders_of(const Shell& shell, std::uint32_t patches) {
+std::vector<Border> borders_of(const FaceShell& shell, std::uint32_t patches) {
     std::vector<Border> borders(patches);
     for (const auto& half : shell.halves) {
         const std::uint32_t patch = shell.patch[half.face];
@@ -331,7 +240,7 @@ void put_in_order(Solid& solid, double tolerance) {
 }  // namespace
 
 Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& faces) {
-    Shell shell{.surface = surface, .rings = {}, .doubled = {}, .halves = {}, .by_side = {}, .patch = {}};
+    FaceShell shell{.surface = surface, .rings = {}, .doubled = {}, .halves = {}, .by_side = {}, .patch = {}};
     for (const std::uint32_t face : faces) {
         shell.rings.push_back(surface.faces[face]);
         shell.doubled.push_back(doubled_area(surface.corners, surface.faces[face]));
@@ -340,7 +249,7 @@ Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& f
         const CornerRing& ring = shell.rings[face];
         for (std::size_t i = 0; i < ring.size(); ++i) {
             shell.halves.push_back({ring[i], ring[(i + 1) % ring.size()], face});
-            shell.by_side[Shell::key(ring[i], ring[(i + 1) % ring.size()])].push_back(face);
+            shell.by_side[FaceShell::key(ring[i], ring[(i + 1) % ring.size()])].push_back(face);
         }
     }
     const std::uint32_t count = grow_patches(shell);
@@ -359,7 +268,7 @@ Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& f
         made.rings.push_back(corners_of(surface, shell.rings[static_cast<std::size_t>(face)], made.normal));
         made.area = length_of(doubled(made.rings.front())) / 2;
     }
-    for (const Half& half : shell.halves) {
+    for (const FaceSide& half : shell.halves) {
         const std::uint32_t one = shell.patch[half.face];
         const auto* others = shell.beyond(half.from, half.to);
         if (others == nullptr) {

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <set>
 #include <span>
 #include <unordered_map>
 
 #include "tactics/geometry/lots.h"
 #include "tactics/geometry/triangulate.h"
+#include "tactics/solid/face_sides.h"
+#include "tactics/solid/ranks.h"
 
 namespace tactics {
 
@@ -65,68 +67,30 @@ void tidy(CornerRing& ring) {
     if (ring.size() < 3) ring.clear();
 }
 
-bool is_bent(const std::vector<Point3>& corners, const CornerRing& ring, const Point3& doubled, double tolerance) {
-    const Point3 normal = (1 / length_of(doubled)) * doubled;
-    Point3 middle;
-    for (const Corner corner : ring) middle = middle + corners[corner];
-    middle = (1.0 / static_cast<double>(ring.size())) * middle;
-    return std::any_of(ring.begin(), ring.end(),
-                       [&](Corner corner) { return std::abs(dot(normal, corners[corner] - middle)) > 10 * tolerance; });
-}
-
-struct Side {
-    Corner from, to;
-    std::uint32_t face;
-};
-
-std::uint64_t key_of(Corner one, Corner other) {
-    return static_cast<std::uint64_t>(std::min(one, other)) << 32 | std::max(one, other);
-}
-
-// By their two corners, whichever way they are gone.
-std::vector<Side> sides_of(const std::vector<CornerRing>& faces) {
-    std::vector<Side> sides;
-    for (std::uint32_t face = 0; face < faces.size(); ++face)
-        for (std::size_t i = 0; i < faces[face].size(); ++i)
-            sides.push_back({faces[face][i], faces[face][(i + 1) % faces[face].size()], face});
-    std::stable_sort(sides.begin(), sides.end(),
-                     [](const Side& a, const Side& b) { return key_of(a.from, a.to) < key_of(b.from, b.to); });
-    return sides;
-}
-
-// `take` is handed the sides that share their two corners.
-template <typename Take>
-void each_edge(const std::vector<Side>& sides, Take take) {
-    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-        while (end < sides.size() && key_of(sides[end].from, sides[end].to) == key_of(sides[begin].from, sides[begin].to)) ++end;
-        take(std::span(sides).subspan(begin, end - begin));
-    }
-}
-
-// Corners of others that lie on a side become its own.
+// Corners of others that lie on a side become its own: those where faces hang together by no side. Also on a side that has two
+// faces; they may be of two solids that touch, of which others are cut there.
 void split_sides(WeldedSurface& surface) {
-    const std::vector<Side> sides = sides_of(surface.faces);
-    std::vector<Side> open;
-    double total = 0;
-    each_edge(sides, [&](std::span<const Side> edge) {
-        if (edge.size() == 2) return;
-        open.push_back(edge.front());
-        total += length_of(surface.corners[edge.front().to] - surface.corners[edge.front().from]);
-    });
-    if (open.empty() || !(total > 0)) return;
-    const double cell = std::max(total / static_cast<double>(open.size()), 4 * surface.tolerance);
-    Cells cells(cell);
+    const std::vector<FaceSide> sides = sides_of(surface.faces);
+    std::vector<FaceSide> edges;
     std::vector<Corner> ends;
-    for (const Side& side : open) ends.insert(ends.end(), {side.from, side.to});
+    double total = 0;
+    each_edge(sides, [&](std::span<const FaceSide> edge) {
+        edges.push_back(edge.front());
+        total += length_of(surface.corners[edge.front().to] - surface.corners[edge.front().from]);
+        if (edge.size() != 2) ends.insert(ends.end(), {edge.front().from, edge.front().to});
+    });
+    if (ends.empty() || !(total > 0)) return;
+    const double cell = std::max(total / static_cast<double>(edges.size()), 4 * surface.tolerance);
+    Cells cells(cell);
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     for (const Corner corner : ends) cells.put(surface.corners[corner], corner);
     std::unordered_map<std::uint64_t, std::vector<std::pair<double, Corner>>> between;
-    for (const Side& side : open) {
+    for (const FaceSide& side : edges) {
         const Corner low = std::min(side.from, side.to), high = std::max(side.from, side.to);
         const Point3 begin = surface.corners[low], along = surface.corners[high] - begin;
         const double length = length_of(along);
-        auto& found = between[key_of(low, high)];
+        std::vector<std::pair<double, Corner>> found;
         for (double at = 0; at <= length; at += cell)
             cells.near(begin + (at / length) * along, [&](Corner corner) {
                 if (corner == low || corner == high) return;
@@ -137,13 +101,14 @@ void split_sides(WeldedSurface& surface) {
             });
         std::sort(found.begin(), found.end());
         found.erase(std::unique(found.begin(), found.end()), found.end());
+        if (!found.empty()) between.emplace(key_of_side(low, high), std::move(found));
     }
     for (CornerRing& ring : surface.faces) {
         CornerRing split;
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const Corner from = ring[i], to = ring[(i + 1) % ring.size()];
             split.push_back(from);
-            const auto found = between.find(key_of(from, to));
+            const auto found = between.find(key_of_side(from, to));
             if (found == between.end()) continue;
             if (from < to)
                 for (auto one = found->second.begin(); one != found->second.end(); ++one) split.push_back(one->second);
@@ -157,13 +122,13 @@ void split_sides(WeldedSurface& surface) {
 
 // Faces with the same corners, whichever way round: the first stays.
 std::size_t drop_copies(std::vector<CornerRing>& faces) {
-    std::map<CornerRing, bool> seen;
+    std::set<CornerRing> seen;
     const std::size_t before = faces.size();
     std::erase_if(faces, [&](const CornerRing& ring) {
         if (ring.empty()) return true;
         CornerRing sorted = ring;
         std::sort(sorted.begin(), sorted.end());
-        return !seen.emplace(std::move(sorted), true).second;
+        return !seen.insert(std::move(sorted)).second;
     });
     return before - faces.size();
 }
@@ -172,6 +137,30 @@ std::size_t drop_copies(std::vector<CornerRing>& faces) {
 
 Point3 doubled_area(const std::vector<Point3>& corners, const CornerRing& ring) {
     return doubled_area(ring.size(), [&](std::size_t i) { return corners[ring[i]]; });
+}
+
+std::vector<std::array<std::uint32_t, 3>> cut_if_bent(std::vector<Point3> ring, double tolerance) {
+    constexpr double kCertainPlace = 50;  // tolerances, by which a place may differ from file to file
+    constexpr double kInOnePlane = 0.05;  // of those; what is left as it is needs no patch to put it together again
+    const std::size_t count = ring.size();
+    const Point3 normal = unit(doubled_area(count, [&](std::size_t i) { return ring[i]; }));
+    Point3 middle;
+    for (const Point3& at : ring) middle = middle + (1.0 / static_cast<double>(count)) * at;
+    if (count < 4 || std::all_of(ring.begin(), ring.end(),
+                                 [&](const Point3& at) { return std::abs(dot(normal, at - middle)) <= kInOnePlane * tolerance; }))
+        return {};
+    auto first = first_corner(ring, kCertainPlace * tolerance);
+    if (count == 4) {
+        const auto across = [&](std::size_t i) { return length_of(ring[i + 2] - ring[i]); };
+        const double one = across(0), other = across(1);
+        if (std::abs(one - other) > 1e-3 * one) first = ring.begin() + (one < other ? 0 : 1);
+    }
+    const auto turned = static_cast<std::uint32_t>(first - ring.begin());
+    std::rotate(ring.begin(), first, ring.end());
+    auto triangles = triangulate(ring);
+    for (auto& triangle : triangles)
+        for (std::uint32_t& corner : triangle) corner = static_cast<std::uint32_t>((corner + turned) % count);
+    return triangles;
 }
 
 WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, double tolerance, std::size_t& dropped) {
@@ -210,11 +199,12 @@ WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, 
             longest = std::max(longest, length_of(surface.corners[ring[i]] - surface.corners[ring[(i + 1) % ring.size()]]));
         if (!(length_of(doubled) > 2 * tolerance * longest)) {
             ring.clear();
-        } else if (ring.size() > 3 && is_bent(surface.corners, ring, doubled, tolerance)) {
+        } else if (ring.size() > 3) {
             std::vector<Point3> corners;
             for (const Corner corner : ring) corners.push_back(surface.corners[corner]);
-            for (const auto& cut : triangulate(corners)) surface.faces.push_back({ring[cut[0]], ring[cut[1]], ring[cut[2]]});
-            continue;
+            const auto triangles = cut_if_bent(std::move(corners), tolerance);
+            for (const auto& cut : triangles) surface.faces.push_back({ring[cut[0]], ring[cut[1]], ring[cut[2]]});
+            if (!triangles.empty()) continue;
         }
         surface.faces.push_back(std::move(ring));
     }
@@ -226,9 +216,9 @@ WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, 
 
 std::vector<std::vector<std::uint32_t>> shells_of(const WeldedSurface& surface) {
     Lots lots(surface.faces.size());
-    const std::vector<Side> sides = sides_of(surface.faces);
-    each_edge(sides, [&](std::span<const Side> edge) {
-        for (const Side& side : edge) lots.join(edge.front().face, side.face);
+    const std::vector<FaceSide> sides = sides_of(surface.faces);
+    each_edge(sides, [&](std::span<const FaceSide> edge) {
+        for (const FaceSide& side : edge) lots.join(edge.front().face, side.face);
     });
     std::vector<std::vector<std::uint32_t>> shells;
     std::unordered_map<std::uint32_t, std::size_t> place;
@@ -243,13 +233,13 @@ std::vector<std::vector<std::uint32_t>> shells_of(const WeldedSurface& surface) 
 void face_outwards(WeldedSurface& surface, const std::vector<std::uint32_t>& shell) {
     std::vector<CornerRing> rings;
     for (const std::uint32_t face : shell) rings.push_back(surface.faces[face]);
-    const std::vector<Side> sides = sides_of(rings);
+    const std::vector<FaceSide> sides = sides_of(rings);
     std::vector<std::vector<std::pair<std::uint32_t, bool>>> neighbours(rings.size());  // and whether they agree
     bool closed = true;
-    each_edge(sides, [&](std::span<const Side> edge) {
+    each_edge(sides, [&](std::span<const FaceSide> edge) {
         closed = closed && edge.size() == 2;
         if (edge.size() != 2) return;
-        const Side &one = edge.front(), &other = edge.back();
+        const FaceSide &one = edge.front(), &other = edge.back();
         const bool agree = one.from != other.from;
         neighbours[one.face].push_back({other.face, agree});
         neighbours[other.face].push_back({one.face, agree});

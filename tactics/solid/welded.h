@@ -4,6 +4,7 @@
 // of that neighbour, and all faces are seen from the same side.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,10 @@ struct WeldedSurface {
 /// counted in `dropped`. A face that is bent is cut into triangles. Takes time
 /// in proportion to the corners, but for sorting.
 WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, double tolerance, std::size_t& dropped);
+
+/// The triangles that stand for a polygon of which a corner is off its plane by more than that, as places in it; the same
+/// wherever the polygon begins. None for one that is plane.
+std::vector<std::array<std::uint32_t, 3>> cut_if_bent(std::vector<Point3> ring, double tolerance);
 
 /// Shells: faces that hang together by sides, as places in `surface.faces`; in
 /// the order of their first faces.
