@@ -268,7 +268,7 @@ Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, N
     if (job.model.view != ModelView::heights && !(automatic && (job.recipe || asks_for_a_way(job.chain)))) {
         const std::string format(model_format(source));
         std::vector<Phrase> told;
-        auto model = std::make_shared<const Model>(read_model(source, told));
+        auto model = std::make_shared<const Model>(turned_up(read_model(source, told), job.model.fold.up));
         if (!automatic || !is_terrain(*model)) {
             notes.insert(notes.end(), told.begin(), told.end());
             return drawable_of_folded(std::move(model), format, job, sheet, notes);

@@ -178,11 +178,16 @@ Mesh read_mesh(Source& source, std::vector<Phrase>& notes) {
 
 Model read_model(Source& source, std::vector<Phrase>& notes) {
     const Form* form = form_of(source);
-    if (is_world(form)) return read_vrml(source, notes);
+    if (is_world(form)) {
+        Model model = read_vrml(source, notes);
+        model.had_y_up = true;
+        return model;
+    }
     if (form == nullptr || form == &kStl) return model_of(read_mesh(source, notes), true);
     auto [mesh, parents] = read_with_assimp(source, *form, notes);
     Model model = model_of(std::move(mesh), false);
     for (std::size_t i = 0; i < parents.size(); ++i) model.objects[i].parent = parents[i];
+    model.had_y_up = has_unit(form->name);
     return model;
 }
 

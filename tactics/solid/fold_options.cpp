@@ -19,6 +19,10 @@ constexpr Option kOptions[] = {
                 "file, or "
                 "facing the largest face",
      .choices = "auto above front side view face"},
+    {.name = "up",
+     .type = choice,
+     .summary = "axis of the file that points upwards; file: as its format has it, which is z for OBJ, PLY and STL, and else y",
+     .choices = "file z y x"},
     {.name = "fold", .type = choice, .summary = "whether faces are folded out", .choices = "yes no"},
     {.name = "simplify",
      .type = choice,
@@ -89,6 +93,8 @@ FoldPlane plane_named(std::string_view name) {
     return FoldPlane::automatic;
 }
 
+UpAxis up_named(std::string_view name) { return name == "x" ? UpAxis::x : name == "y" ? UpAxis::y : UpAxis::z; }
+
 }  // namespace
 
 std::span<const Option> fold_options() { return kOptions; }
@@ -112,6 +118,7 @@ void take_settings(FoldWish& wish, const Settings& settings, std::string_view pa
         if (!settings.is_default(name)) value = settings.number(name);
     };
     if (!settings.is_default("plane")) wish.plane = plane_named(settings.choice("plane"));
+    if (!settings.is_default("up")) wish.up = up_named(settings.choice("up"));
     take("hand", wish.reach.hand);
     if (!settings.is_default("floor")) wish.reach.floor = settings.choice("floor") == "yes";
     if (!settings.is_default("move")) wish.move = settings.choice("move") == "yes";

@@ -14,12 +14,14 @@
 #include "tactics/solid/layout.h"
 #include "tactics/solid/plane_choice.h"
 #include "tactics/solid/reach.h"
+#include "tactics/solid/up_axis.h"
 #include "tactics/text/phrase.h"
 
 namespace tactics {
 
 struct FoldWish {
     FoldPlane plane = FoldPlane::automatic;
+    UpAxis up = UpAxis::of_file;  ///< for who reads the model; it is drawn as it is
     std::string part = {};  ///< only this object and what belongs to it: "Table/Top"; empty: all
     PartWish parts = {};
     ReachWish reach = {};
