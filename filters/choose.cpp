@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "filters/edge_noise.h"
+#include "filters/field_levels.h"
 #include "filters/flat_regions.h"
 #include "filters/frame.h"
 #include "filters/opencv.h"
@@ -368,6 +369,7 @@ Traits traits_of(const Image& picture) {
 }
 
 Choice choose_recipe(const Image& picture) {
+    if (const Phrase field = levels_told(picture); !field.empty()) return {"levels", field};
     const Traits traits = traits_of(picture);
     const Phrase ground = phrase("{0} % is one ground", percent(traits.ground)),
                  seen = phrase("{0} % flat, {1} % soft, eight colours cover {2} %, {3} % of steps clear", percent(traits.flat),

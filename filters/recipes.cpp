@@ -88,6 +88,12 @@ constexpr NamedRecipe kRecipes[] = {
      "borders\n"
      "simplify\n",
      true},
+    // Fine enough for the frame and the curves on a field; a level line is smoothed wider than that.
+    {"levels", "heat maps, filled contours and pictures with a colour bar: a few levels of value, each with a texture",
+     "resample dpi=75\n"
+     "levels\n"
+     "simplify\n",
+     true},
     // Clean, soft borders first: what a median of 3 mm takes away has no room for a texture. The numbers of colours and of
     // regions are chosen from the picture (kmeans k=0, regions smallest=0).
     {"regions", "maps, diagrams of areas and simple scenes: each region with its outline and a texture",

@@ -73,6 +73,7 @@ constexpr Shown kShown[] = {
     {"simplify", "", "tolerance=1mm"},
     {"regions", "kmeans k=3", "smallest=6mm clear=3mm"},
     {"borders", "kmeans k=3", "smallest=3mm"},
+    {"levels", "", "smallest=4mm"},
 };
 
 Artwork input_for(const Filter& filter, std::string_view before) {
