@@ -141,7 +141,8 @@ FieldLevels field_levels_of(const Image& picture, const ColourField& field, cons
 std::vector<double> ticks_of(const Image& picture, const ColourField& field) {
     if (!field.bar) return {};
     const cv::Mat pixels = three_channels(picture);
-    const auto& [box, upright] = *field.bar;
+    const PixelBox box = field.bar->box;
+    const bool upright = field.bar->upright;
     const int length = upright ? box.height() : box.width();
     const auto grey_at = [&](int x, int y) {
         return x < 0 || y < 0 || x >= picture.width || y >= picture.height
