@@ -22,7 +22,7 @@ namespace tactics {
 struct FoldWish {
     FoldPlane plane = FoldPlane::automatic;
     UpAxis up = UpAxis::of_file;  ///< for who reads the model; it is drawn as it is
-    std::string part = {};  ///< only this object and what belongs to it: "Table/Top"; empty: all
+    std::string part = {};        ///< only this object and what belongs to it: "Table/Top"; empty: all
     PartWish parts = {};
     ReachWish reach = {};
     ReaderWish reader = {};
