@@ -103,10 +103,9 @@ public:
         }
         InkMap marks(picture_.width, picture_.height);
         for (const ColourField& field : fields) add(field, marks);
-        if (found) {
-            for (const ColourField& field : fields) frame(field.box);
-            add_rest(fields, std::move(marks));
-        }
+        if (!found && drawing_.strokes.empty()) return std::move(drawing_);  // of one lightness: there is nothing to be framed
+        for (const ColourField& field : fields) frame(field.box);
+        if (found) add_rest(fields, std::move(marks));
         return std::move(drawing_);
     }
 

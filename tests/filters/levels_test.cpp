@@ -150,6 +150,18 @@ TEST(Levels, ACurveOnTheFieldStays) {
         EXPECT_LT(distance_to(lines, {x * kPixel, 181.5 * kPixel}), 1) << x;
 }
 
+TEST(Levels, WithoutAFieldTheLightnessIsDrawnInAFrame) {
+    Image image = make_image(kWidth, kHeight, 3, kPixel, 240);
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth / 2; ++x) set(image, x, y, {30, 30, 30});
+    const Drawing drawing = levels_in(image);
+    ASSERT_EQ(drawing.strokes.size(), 2u);
+    EXPECT_TRUE(drawing.strokes[1].closed);
+    ASSERT_FALSE(drawing.remarks.empty());
+    EXPECT_NE(drawing.remarks[0].english().find("No field"), std::string::npos);
+    EXPECT_TRUE(levels_in(make_image(kWidth, kHeight, 3, kPixel, 240)).strokes.empty());
+}
+
 TEST(ColourFields, AreChosenWithTheirBarAndWithoutOneIfTheyHaveHues) {
     for (const Scale& scale : {kGrey, kRainbow, kLeaf}) EXPECT_EQ(choose_recipe(figure(bump, scale)).recipe, "levels");
     Image alone = figure(bump, kLeaf, false);
