@@ -15,7 +15,8 @@ enum class UpAxis : std::uint8_t {
     z,
 };
 
-/// The same model with that axis of its file upwards, turned and not mirrored: x stays to the right, but for `x`.
+/// The same model with that axis of its file upwards (COLLADA is read as if it had y upwards, whichever axis it says), turned and
+/// not mirrored: x stays to the right, but for `x`.
 Model turned_up(Model model, UpAxis up);
 
 }  // namespace tactics
