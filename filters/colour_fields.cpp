@@ -100,9 +100,8 @@ struct ScaleAgreement {
 
 ScaleAgreement agreement_with(const cv::Mat& picture, const PixelBox& box, const ColourScale& scale, const PlainGround& ground,
                               double side) {
-    constexpr double kOnScale = 24;  // levels, with what compression adds
-    constexpr double kEnds = 0.05;   // of the pixels are beyond each end of the span
-    constexpr double kHole = 0.02;   // of the picture's side: wider than a line
+    constexpr double kEnds = 0.05;  // of the pixels are beyond each end of the span
+    constexpr double kHole = 0.02;  // of the picture's side: wider than a line
     constexpr double kMostHoles = 0.02;
     cv::Mat off(box.height(), box.width(), CV_8UC1, cv::Scalar(0));
     std::vector<double> positions;

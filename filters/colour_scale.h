@@ -14,6 +14,9 @@ class Mat;
 
 namespace tactics {
 
+/// Levels that a pixel may be off the colours of its scale: blur and compression leave something between.
+inline constexpr double kOnScale = 24;
+
 /// A smooth course through colours, from 0 to 1. One that no bar shows runs towards the darker end.
 class ColourScale {
 public:

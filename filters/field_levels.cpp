@@ -21,7 +21,7 @@ struct FieldValues {
 
 // What has none of the scale's colours has the value of what is nearest.
 FieldValues field_values_of(const cv::Mat& picture, const ColourField& field) {
-    constexpr double kOnScale = 24, kMark = 60;  // levels; blur and compression leave something between
+    constexpr double kMark = 60;  // levels off the scale
     const int width = field.box.width(), height = field.box.height();
     FieldValues values{cv::Mat(height, width, CV_8UC1),
                        std::vector<bool>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
@@ -212,8 +212,7 @@ bool is_table_of_cells(const Image& picture, const ColourField& field) {
     return colours <= kFew && static_cast<double>(covered) >= kNearlyAll * all;
 }
 
-}  // namespace
-
+// Levels tell of it what it shows: not so of a texture, noise or a photograph, where too much is lost, nor of a table of cells.
 bool is_told_by_levels(const Image& picture, const ColourField& field) {
     // A page of 250 mm, on which a level is 9 mm wide at least.
     constexpr double kPage = 250, kWide = 9, kMostLost = 0.12, kMostJumps = 0.03;
@@ -223,6 +222,8 @@ bool is_told_by_levels(const Image& picture, const ColourField& field) {
     // Filled contours jump, and their bar does, too. Other pictures with jumps may be no field.
     return share_of_jumps(levels) <= kMostJumps || (field.bar && !has_all_shades(field));
 }
+
+}  // namespace
 
 Phrase levels_told(const Image& picture) {
     const std::vector<ColourField> fields = colour_fields_in(picture);

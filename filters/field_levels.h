@@ -32,10 +32,6 @@ FieldLevels field_levels_of(const Image& picture, const ColourField& field, cons
 /// The ticks of its bar.
 std::vector<double> ticks_of(const Image& picture, const ColourField& field);
 
-/// Whether levels tell of the field what it shows: not so of a texture, noise or a photograph, where too much is lost, nor of
-/// a table of cells, whose borders say more.
-bool is_told_by_levels(const Image& picture, const ColourField& field);
-
 /// Why the picture is one of fields whose colours stand for values; empty: it is not surely so.
 Phrase levels_told(const Image& picture);
 

@@ -60,7 +60,6 @@ constexpr Option kLevelsOptions[] = {
 
 constexpr double kLevelsTolerance = 0.1;  // mm; as that of simplify
 constexpr double kBesideFrame = 3;        // mm: a line as near to a frame is the frame, or its blur
-constexpr double kRowOfTexture = 2;       // mm; rows of a pattern begin where they begin on the page
 constexpr double kMostOutwards = 5;       // mm that a bar grows towards its numbers
 
 // From the lowest level to the highest, the more ink the higher; neighbours differ in kind. Number of textures.inc.
@@ -158,7 +157,7 @@ private:
     Rect widened(const ColourBar& bar, const PixelBox& field) const {
         const PixelBox& box = bar.box;
         Rect rect{box.left * pixel_, box.top * pixel_, box.width() * pixel_, box.height() * pixel_};
-        const double clear = settings_.number("clear"), wish = kLeastTexture + 2 * clear + kRowOfTexture;
+        const double clear = settings_.number("clear"), wish = width_for_texture(clear);
         const double more = std::max(0.0, wish - (bar.upright ? rect.width : rect.height));
         const bool after = bar.upright ? box.left >= field.right : box.top >= field.bottom;
         const int between = bar.upright ? (after ? box.left - field.right : field.left - box.right)

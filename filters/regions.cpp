@@ -52,10 +52,7 @@ constexpr Option kRegionsOptions[] = {
      .summary = "maximum number of regions if smallest is 0"},
 };
 
-// Rows of a pattern begin where they begin on the page, not where the region does: that can take a row.
-constexpr double kRow = 2;
-
-double needed_by_texture(const Settings& settings) { return std::ceil(kLeastTexture + 2 * settings.number("clear") + kRow); }
+double needed_by_texture(const Settings& settings) { return std::ceil(width_for_texture(settings.number("clear"))); }
 
 struct RegionClasses {
     ClassMap map;

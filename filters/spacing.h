@@ -3,11 +3,19 @@
 #pragma once
 
 #include "tactics/drawing.h"
+#include "tactics/layout/texture.h"
 
 namespace tactics {
 
 /// The amount by which simplify may narrow a gap afterwards: its tolerance on both sides.
 inline constexpr double kMovedLater = 0.2;  // mm
+
+/// Width of an area whose texture keeps `clear` from the lines around it and is felt, mm. Rows of a pattern begin where they
+/// begin on the page, not where the area does: that can take a row.
+inline double width_for_texture(double clear) {
+    constexpr double kRow = 2;
+    return kLeastTexture + 2 * clear + kRow;
+}
 
 /// Takes strokes in order of their evidence, cuts away the parts of each that run within `gap` (between middle lines) of an
 /// earlier one, or of an earlier part of itself, and drops pieces shorter than `shortest`. A line that ends on another at a steep

@@ -21,8 +21,8 @@ constexpr Option kOptions[] = {
      .choices = "auto above front side view face"},
     {.name = "up",
      .type = choice,
-     .summary = "axis of the file that points upwards; file: as its format has it, which is z for OBJ, PLY and STL, and else y. "
-                "COLLADA is turned to y before that, whichever axis it says",
+     .summary = "axis of the file that points upwards; file: the one that its format implies, z for OBJ, PLY and STL and y for "
+                "the others. A COLLADA file counts as having y upwards, whichever axis it names",
      .choices = "file z y x"},
     {.name = "fold", .type = choice, .summary = "whether faces are folded out", .choices = "yes no"},
     {.name = "simplify",

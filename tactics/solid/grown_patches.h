@@ -6,7 +6,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "tactics/solid/face_sides.h"
 #include "tactics/solid/welded.h"
 
 namespace tactics {

@@ -10,7 +10,6 @@
 
 #include "tactics/geometry/lots.h"
 #include "tactics/geometry/triangulate.h"
-#include "tactics/solid/face_sides.h"
 #include "tactics/solid/ranks.h"
 
 namespace tactics {
@@ -67,8 +66,34 @@ void tidy(CornerRing& ring) {
     if (ring.size() < 3) ring.clear();
 }
 
-// Corners of others that lie on a side become its own: those where faces hang together by no side. Also on a side that has two
-// faces; they may be of two solids that touch, of which others are cut there.
+std::uint64_t key_of_side(std::uint32_t one, std::uint32_t other) {
+    return static_cast<std::uint64_t>(std::min(one, other)) << 32 | std::max(one, other);
+}
+
+// By their two corners, whichever way they are gone, and of those by their faces.
+std::vector<FaceSide> sides_of(const std::vector<CornerRing>& faces) {
+    std::vector<FaceSide> sides;
+    for (std::uint32_t face = 0; face < faces.size(); ++face)
+        for (std::size_t i = 0; i < faces[face].size(); ++i)
+            sides.push_back({faces[face][i], faces[face][(i + 1) % faces[face].size()], face});
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const FaceSide& a, const FaceSide& b) { return key_of_side(a.from, a.to) < key_of_side(b.from, b.to); });
+    return sides;
+}
+
+// `take` is handed the sides that share their two corners.
+template <typename Take>
+void each_edge(const std::vector<FaceSide>& sides, Take take) {
+    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+        while (end < sides.size() &&
+               key_of_side(sides[end].from, sides[end].to) == key_of_side(sides[begin].from, sides[begin].to))
+            ++end;
+        take(std::span(sides).subspan(begin, end - begin));
+    }
+}
+
+// Corners that lie on a side of another face become corners of that side, but only ends of sides at which no two faces are
+// joined. The side may have two faces already: they may be of two solids that touch, and others are cut there.
 void split_sides(WeldedSurface& surface) {
     const std::vector<FaceSide> sides = sides_of(surface.faces);
     std::vector<FaceSide> edges;

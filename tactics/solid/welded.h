@@ -26,6 +26,11 @@ struct WeldedSurface {
 /// in proportion to the corners, but for sorting.
 WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, double tolerance, std::size_t& dropped);
 
+/// One side of a face, the way that the face goes round.
+struct FaceSide {
+    std::uint32_t from, to, face;
+};
+
 /// The triangles that stand for a polygon of which a corner is off its plane by more than that, as places in it; the same
 /// wherever the polygon begins. None for one that is plane.
 std::vector<std::array<std::uint32_t, 3>> cut_if_bent(std::vector<Point3> ring, double tolerance);

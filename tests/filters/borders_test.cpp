@@ -9,10 +9,13 @@
 #include "filters/choose.h"
 #include "filters/flat_regions.h"
 #include "filters/list.h"
+#include "tests/near_strokes.h"
 #include "tests/tactics/readers/pictures.h"
 
 namespace tactics::borders_test {
 namespace {
+
+using tests::distance_to;
 
 constexpr double kPixel = 0.25;  // mm
 constexpr int kWidth = 640, kHeight = 480;
@@ -76,25 +79,13 @@ Drawing drawn(const Image& image, const std::string& settings = "") {
     return std::get<Drawing>(step.filter->apply(image, step.settings));
 }
 
-double distance_to(const Drawing& drawing, Point p) {
-    double least = 1e9;
-    for (const Stroke& stroke : drawing.strokes)
-        for (std::size_t i = 0; i + (stroke.closed ? 0 : 1) < stroke.points.size(); ++i) {
-            const Point a = stroke.points[i], b = stroke.points[(i + 1) % stroke.points.size()];
-            const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
-            const double t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
-            least = std::min(least, distance(p, {a.x + t * dx, a.y + t * dy}));
-        }
-    return least;
-}
-
 // The borders by the provinces themselves: all of them are drawn, and nothing else is.
 void expect_all_borders(const Drawing& drawing, double tolerance) {
     const std::vector<Province> all = provinces();
     for (int y = 8; y < kHeight - 8; y += 3)
         for (int x = 8; x < kWidth - 8; x += 3)
             if (nearest(all, x, y).edge < 0.5) {
-                EXPECT_LT(distance_to(drawing, {x * kPixel, y * kPixel}), tolerance) << x << ", " << y;
+                EXPECT_LT(distance_to(drawing.strokes, {x * kPixel, y * kPixel}), tolerance) << x << ", " << y;
             }
     for (const Stroke& stroke : drawing.strokes)
         for (const Point& p : stroke.points)

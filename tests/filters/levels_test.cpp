@@ -10,9 +10,12 @@
 #include "filters/choose.h"
 #include "filters/colour_fields.h"
 #include "filters/list.h"
+#include "tests/near_strokes.h"
 
 namespace tactics::levels_test {
 namespace {
+
+using tests::distance_to;
 
 constexpr double kPixel = 0.5;  // mm
 constexpr int kWidth = 500, kHeight = 360;
@@ -74,18 +77,6 @@ std::vector<Stroke> level_lines(const Drawing& drawing) {
         if (middle.x > (kField.left + 5) * kPixel && middle.x < (kField.right - 5) * kPixel) lines.push_back(stroke);
     }
     return lines;
-}
-
-double distance_to(const std::vector<Stroke>& lines, Point p) {
-    double least = 1e9;
-    for (const Stroke& line : lines)
-        for (std::size_t i = 0; i + (line.closed ? 0 : 1) < line.points.size(); ++i) {
-            const Point a = line.points[i], b = line.points[(i + 1) % line.points.size()];
-            const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
-            const double t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
-            least = std::min(least, distance(p, {a.x + t * dx, a.y + t * dy}));
-        }
-    return least;
 }
 
 void expect_same_lines(const std::vector<Stroke>& a, const std::vector<Stroke>& b, double tolerance) {

@@ -12,9 +12,12 @@
 #include "tactics/measure/random.h"
 #include "tactics/page.h"
 #include "tactics/rules/rule.h"
+#include "tests/near_strokes.h"
 
 namespace tactics::repair_test {
 namespace {
+
+using tests::distance_to;
 
 const Medium& swell() { return find_medium("swell", "test"); }
 
@@ -41,14 +44,6 @@ std::size_t hard_places(const Drawing& drawing, const Medium& medium = swell()) 
 std::size_t count(const Repaired& repaired, Mend::Kind kind) {
     return static_cast<std::size_t>(
         std::count_if(repaired.changes.begin(), repaired.changes.end(), [kind](const Mend& mend) { return mend.kind == kind; }));
-}
-
-double distance_to(const Drawing& drawing, Point p) {
-    double nearest = 1e9;
-    for (const Stroke& stroke : drawing.strokes)
-        for (std::size_t i = 0; i + (stroke.closed ? 0 : 1) < stroke.points.size(); ++i)
-            nearest = std::min(nearest, distance_to_segment(p, stroke.points[i], stroke.points[(i + 1) % stroke.points.size()]));
-    return nearest;
 }
 
 bool same(const Drawing& a, const Drawing& b) {
@@ -113,10 +108,10 @@ TEST(Repair, BendsLinesApartThatAreNearlyFarEnough) {
     EXPECT_EQ(count(repaired, Mend::Kind::moved), repaired.changes.size());
     EXPECT_GT(repaired.kept, 0.99);
     for (const Stroke& stroke : repaired.drawing.strokes)
-        for (const Point& p : stroke.points) EXPECT_LE(distance_to(drawing, p), 1.001);
+        for (const Point& p : stroke.points) EXPECT_LE(distance_to(drawing.strokes, p), 1.001);
     Drawing second = blank();
     second.strokes.push_back(repaired.drawing.strokes[1]);
-    EXPECT_LT(distance_to(second, repaired.drawing.strokes[2].points[0]), 0.1);
+    EXPECT_LT(distance_to(second.strokes, repaired.drawing.strokes[2].points[0]), 0.1);
 }
 
 TEST(Repair, OfTwoLinesAlongEachOtherTheStrongerStays) {
@@ -166,7 +161,7 @@ TEST(Repair, BreaksTheLesserLineAtACrossing) {
     Drawing thick = blank();
     thick.strokes.push_back(drawing.strokes[0]);
     for (const std::size_t i : {1, 2})
-        for (const Point& p : repaired.drawing.strokes[i].points) EXPECT_GE(distance_to(thick, p), 3.2 + 1.5 + 0.35);
+        for (const Point& p : repaired.drawing.strokes[i].points) EXPECT_GE(distance_to(thick.strokes, p), 3.2 + 1.5 + 0.35);
     EXPECT_TRUE(same(repair(repaired.drawing, swell()).drawing, repaired.drawing));
 }
 
@@ -306,7 +301,7 @@ TEST(Repair, LeavesNothingBrokenWhateverIsDrawn) {
             // Nothing stands where nothing was: bends go a millimetre, and joints bridge half a gap.
             const double farthest = 1.001 + (medium.gap / 2 + medium.line) / 2;
             for (const Stroke& stroke : repaired.drawing.strokes)
-                for (const Point& p : stroke.points) EXPECT_LE(distance_to(drawing, p), farthest);
+                for (const Point& p : stroke.points) EXPECT_LE(distance_to(drawing.strokes, p), farthest);
             // Mended once it needs no more.
             const Repaired again = repair(repaired.drawing, medium);
             EXPECT_EQ(again.broken_before, 0u);
