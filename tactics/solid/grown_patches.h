@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "tactics/solid/welded.h"
+#include "tactics/solid/welded_surface.h"
 
 namespace tactics {
 

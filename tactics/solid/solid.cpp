@@ -275,8 +275,14 @@ Solid solid_of(const WeldedSurface& surface, const std::vector<std::uint32_t>& f
             solid.closed = false;
             continue;
         }
-        const std::uint32_t other = shell.patch[others->front()];
-        if (one >= other) continue;
+        // Where several meet, as at the wall between two cubes, the largest counts: not the first of the file.
+        std::uint32_t other = ~0u;
+        bool inside = false;
+        for (const std::uint32_t face : *others) {
+            other = std::min(other, shell.patch[face]);
+            inside = inside || shell.patch[face] == one;
+        }
+        if (inside || one >= other) continue;
         const Patch &left = solid.patches[one], &right = solid.patches[other];
         const Point3 from = surface.corners[half.from], to = surface.corners[half.to];
         const double angle = std::atan2(dot((1 / length_of(to - from)) * (to - from), cross(left.normal, right.normal)),

@@ -11,6 +11,7 @@
 #include "tactics/geometry/lots.h"
 #include "tactics/geometry/triangulate.h"
 #include "tactics/solid/ranks.h"
+#include "tactics/solid/sheet_backs.h"
 
 namespace tactics {
 
@@ -66,43 +67,37 @@ void tidy(CornerRing& ring) {
     if (ring.size() < 3) ring.clear();
 }
 
-std::uint64_t key_of_side(std::uint32_t one, std::uint32_t other) {
-    return static_cast<std::uint64_t>(std::min(one, other)) << 32 | std::max(one, other);
-}
-
-// By their two corners, whichever way they are gone, and of those by their faces.
-std::vector<FaceSide> sides_of(const std::vector<CornerRing>& faces) {
-    std::vector<FaceSide> sides;
-    for (std::uint32_t face = 0; face < faces.size(); ++face)
-        for (std::size_t i = 0; i < faces[face].size(); ++i)
-            sides.push_back({faces[face][i], faces[face][(i + 1) % faces[face].size()], face});
-    std::stable_sort(sides.begin(), sides.end(),
-                     [](const FaceSide& a, const FaceSide& b) { return key_of_side(a.from, a.to) < key_of_side(b.from, b.to); });
-    return sides;
-}
-
-// `take` is handed the sides that share their two corners.
-template <typename Take>
-void each_edge(const std::vector<FaceSide>& sides, Take take) {
-    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-        while (end < sides.size() &&
-               key_of_side(sides[end].from, sides[end].to) == key_of_side(sides[begin].from, sides[begin].to))
-            ++end;
-        take(std::span(sides).subspan(begin, end - begin));
-    }
-}
-
-// Corners that lie on a side of another face become corners of that side, but only ends of sides at which no two faces are
-// joined. The side may have two faces already: they may be of two solids that touch, and others are cut there.
-void split_sides(WeldedSurface& surface) {
-    const std::vector<FaceSide> sides = sides_of(surface.faces);
-    std::vector<FaceSide> edges;
+// Ends of sides at which no two faces are joined.
+std::vector<Corner> open_ends(const WeldedSurface& surface) {
+    const std::vector<Point3> areas = doubled_areas(surface);
     std::vector<Corner> ends;
+    each_edge(sides_of(surface.faces), [&](std::span<const FaceSide> edge) {
+        if (edge.size() != 2 || are_backs(areas[edge[0].face], areas[edge[1].face]))
+            ends.insert(ends.end(), {edge.front().from, edge.front().to});
+    });
+    return ends;
+}
+
+// Of solids that are joined with another.
+std::vector<Corner> joined_corners(const WeldedSurface& surface, const std::vector<SolidOfFace>& solid) {
+    std::vector<char> has_more(solid.size(), 0);  // a solid has the number of one of its faces
+    for (const SolidOfFace& one : solid)
+        if (one.own != one.joined) has_more[one.joined] = 1;
+    std::vector<Corner> corners;
+    for (std::size_t face = 0; face < solid.size(); ++face)
+        if (solid[face].joined != kNoSolid && has_more[solid[face].joined] != 0)
+            corners.insert(corners.end(), surface.faces[face].begin(), surface.faces[face].end());
+    return corners;
+}
+
+// Those corners become corners of all sides that they lie on. A side may have two faces already: they may be of two solids that
+// touch, and others are cut there.
+void split_sides(WeldedSurface& surface, std::vector<Corner> ends) {
+    std::vector<FaceSide> edges;
     double total = 0;
-    each_edge(sides, [&](std::span<const FaceSide> edge) {
+    each_edge(sides_of(surface.faces), [&](std::span<const FaceSide> edge) {
         edges.push_back(edge.front());
         total += length_of(surface.corners[edge.front().to] - surface.corners[edge.front().from]);
-        if (edge.size() != 2) ends.insert(ends.end(), {edge.front().from, edge.front().to});
     });
     if (ends.empty() || !(total > 0)) return;
     const double cell = std::max(total / static_cast<double>(edges.size()), 4 * surface.tolerance);
@@ -145,24 +140,21 @@ void split_sides(WeldedSurface& surface) {
     }
 }
 
-// Faces with the same corners, whichever way round: the first stays.
-std::size_t drop_copies(std::vector<CornerRing>& faces) {
+// Faces with the same corners that look the same way.
+std::size_t drop_copies(WeldedSurface& surface) {
     std::set<CornerRing> seen;
-    const std::size_t before = faces.size();
-    std::erase_if(faces, [&](const CornerRing& ring) {
+    const std::size_t before = surface.faces.size();
+    std::erase_if(surface.faces, [&](const CornerRing& ring) {
         if (ring.empty()) return true;
         CornerRing sorted = ring;
         std::sort(sorted.begin(), sorted.end());
+        sorted.push_back(looks_at_reader(doubled_area(surface.corners, ring)) ? 1 : 0);
         return !seen.insert(std::move(sorted)).second;
     });
-    return before - faces.size();
+    return before - surface.faces.size();
 }
 
 }  // namespace
-
-Point3 doubled_area(const std::vector<Point3>& corners, const CornerRing& ring) {
-    return doubled_area(ring.size(), [&](std::size_t i) { return corners[ring[i]]; });
-}
 
 std::vector<std::array<std::uint32_t, 3>> cut_if_bent(std::vector<Point3> ring, double tolerance) {
     constexpr double kCertainPlace = 50;  // tolerances, by which a place may differ from file to file
@@ -233,9 +225,13 @@ WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, 
         }
         surface.faces.push_back(std::move(ring));
     }
-    dropped += drop_copies(surface.faces);
-    split_sides(surface);
-    dropped += drop_copies(surface.faces);
+    dropped += drop_copies(surface);
+    split_sides(surface, open_ends(surface));
+    dropped += drop_copies(surface);
+    std::vector<SolidOfFace> solid = touching_solids(surface);
+    split_sides(surface, joined_corners(surface, solid));
+    dropped += drop_backs(surface, solid);
+    set_apart(surface, solid);
     return surface;
 }
 

@@ -9,30 +9,16 @@
 #include <vector>
 
 #include "tactics/model.h"
+#include "tactics/solid/welded_surface.h"
 
 namespace tactics {
 
-/// A polygon by its corners, counter-clockwise seen from outside.
-using CornerRing = std::vector<std::uint32_t>;
-
-struct WeldedSurface {
-    std::vector<Point3> corners;
-    std::vector<CornerRing> faces;
-    double tolerance = 0;  ///< mm: corners nearer than that were one
-};
-
-/// Some faces of a model. What has no area or is there twice is left out and
-/// counted in `dropped`. A face that is bent is cut into triangles. Takes time
-/// in proportion to the corners, but for sorting.
+/// Some faces of a model. What has no area or is there twice, also for both sides of a sheet, is left out and counted in
+/// `dropped`. A face that is bent is cut into triangles. Takes time in proportion to the corners, but for sorting.
 WeldedSurface weld(const Model& model, const std::vector<std::uint32_t>& faces, double tolerance, std::size_t& dropped);
 
-/// One side of a face, the way that the face goes round.
-struct FaceSide {
-    std::uint32_t from, to, face;
-};
-
 /// The triangles that stand for a polygon of which a corner is off its plane by more than that, as places in it; the same
-/// wherever the polygon begins. None for one that is plane.
+/// wherever the polygon begins. One of four corners is cut along its shorter diagonal. None for one that is plane.
 std::vector<std::array<std::uint32_t, 3>> cut_if_bent(std::vector<Point3> ring, double tolerance);
 
 /// Shells: faces that hang together by sides, as places in `surface.faces`; in
@@ -42,9 +28,5 @@ std::vector<std::vector<std::uint32_t>> shells_of(const WeldedSurface& surface);
 /// Turns faces that neighbours see from the other side, and a closed shell that
 /// is inside out.
 void face_outwards(WeldedSurface& surface, const std::vector<std::uint32_t>& shell);
-
-/// Twice the area, pointing outwards (M. E. Newell's sum; holds for polygons
-/// that are bent or not convex).
-Point3 doubled_area(const std::vector<Point3>& corners, const CornerRing& ring);
 
 }  // namespace tactics
