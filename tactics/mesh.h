@@ -31,6 +31,7 @@ struct Mesh {
     std::vector<Point3> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< places in `vertices`, counter-clockwise seen from outside
     std::vector<MeshPart> parts;                          ///< in order; either no parts, or parts that cover all triangles
+    UpAxis up = UpAxis::z;                                ///< the axis of the file that points upwards
 };
 
 }  // namespace tactics

@@ -49,7 +49,7 @@ struct ModelObject {
 /// In world coordinates: x to the right, y away from the reader, z upwards, all in mm and finite.
 struct Model {
     std::string title;                   ///< the file's name for the whole model; UTF-8, one line; may be empty
-    bool had_y_up = false;               ///< in its file y is upwards: z here; and z is -y here
+    UpAxis up = UpAxis::z;               ///< the axis of its file that points upwards
     Point3 viewed_from = {};             ///< the direction to the file's first viewpoint, of length 1; zero: it has none
     std::vector<Point3> vertices;        ///< several may coincide
     std::vector<std::uint32_t> corners;  ///< places in `vertices`

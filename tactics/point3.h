@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A position or a direction in space.
+// A position or a direction in space, and which way is up.
 #pragma once
 
 #include <cmath>
+#include <cstdint>
+#include <string_view>
 
 namespace tactics {
 
@@ -32,6 +34,20 @@ inline Point3 unit(const Point3& a) {
 inline Point3 within(const Point3& a, double most) {
     const double length = std::hypot(a.x, a.y, a.z);  // finite for all finite points
     return length > most ? Point3{a.x / length * most, a.y / length * most, a.z / length * most} : a;
+}
+
+/// Which axis of a file points upwards: OBJ, PLY and STL do not say, and tools for printing write z upwards, others, such as
+/// Blender, y. With x upwards, -y points to the right and -z away from the reader; with y upwards, x and -z; with z upwards, x
+/// and y (COLLADA 1.4.1, <up_axis>).
+enum class UpAxis : std::uint8_t { x, y, z };
+constexpr std::string_view name_of(UpAxis up) { return up == UpAxis::x ? "x" : up == UpAxis::y ? "y" : "z"; }
+
+/// A place in world coordinates, of a file in which the axis `from` pointed upwards, if it is `to` that does; turned and not
+/// mirrored.
+constexpr Point3 turned_up(const Point3& at, UpAxis from, UpAxis to) {
+    const auto [right, away, up] = at;
+    const Point3 file = from == UpAxis::x ? Point3{up, -right, -away} : from == UpAxis::y ? Point3{right, up, -away} : at;
+    return to == UpAxis::x ? Point3{-file.y, -file.z, file.x} : to == UpAxis::y ? Point3{file.x, -file.z, file.y} : file;
 }
 
 }  // namespace tactics

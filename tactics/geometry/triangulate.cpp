@@ -131,6 +131,7 @@ Mesh mesh_of(const Model& model, const std::string& file) {
         throw Error(Fault::failed, file,
                     phrase("has over {0} triangles; make it coarser first", std::to_string(kMostMeshTriangles)));
     Mesh mesh;
+    mesh.up = model.up;
     mesh.vertices = model.vertices;
     mesh.triangles.reserve(count);
     std::vector<Point3> ring;
@@ -155,6 +156,7 @@ Mesh mesh_of(const Model& model, const std::string& file) {
 
 Model model_of(Mesh mesh, bool one_sided) {
     Model model;
+    model.up = mesh.up;
     model.vertices = std::move(mesh.vertices);
     for (const Corners& triangle : mesh.triangles) {
         model.faces.push_back({static_cast<std::uint32_t>(model.corners.size()), 3});

@@ -268,14 +268,14 @@ Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, N
     if (job.model.view != ModelView::heights && !(automatic && (job.recipe || asks_for_a_way(job.chain)))) {
         const std::string format(model_format(source));
         std::vector<Phrase> told;
-        auto model = std::make_shared<const Model>(turned_up(read_model(source, told), job.model.fold.up));
+        auto model = std::make_shared<const Model>(read_model(source, told, job.model.fold.up));
         if (!automatic || !is_terrain(*model)) {
             notes.insert(notes.end(), told.begin(), told.end());
             return drawable_of_folded(std::move(model), format, job, sheet, notes);
         }
         std::rewind(source.file.get());  // its heights tell the same again
     }
-    const auto heights = std::make_shared<HeightFile>(model_for_picture(source));
+    const auto heights = std::make_shared<HeightFile>(model_for_picture(source, job.model.fold.up));
     const PictureInfo info{heights->format, heights->map.columns, heights->map.rows};
     const auto reading =
         std::make_shared<Reading>([heights](const ReadRequest& request) { return picture_of(*heights, request.longest); });

@@ -127,7 +127,8 @@ std::vector<Phrase> fold_lines(const FoldOut& made) {
 }
 
 std::string fold_json(const FoldOut& made) {
-    std::string text = "{\"seen_from\":" + json_text(tactics::name_of(made.plane)) + ",\"scale\":" + to_text(made.scale) +
+    std::string text = "{\"seen_from\":" + json_text(tactics::name_of(made.plane)) +
+                       ",\"up\":" + json_text(tactics::name_of(made.up)) + ",\"scale\":" + to_text(made.scale) +
                        ",\"spread\":" + to_text(made.spread) + ",\"rating\":{\"shown\":" + to_text(made.rating.shown) +
                        ",\"asked\":" + to_text(made.rating.asked) + "},\"objects\":[";
     for (std::size_t i = 0; i < made.objects.size(); ++i) {

@@ -21,8 +21,10 @@ public:
         require(answer_.read(caged::Frame::mesh, &counts, sizeof counts));
         if (counts.vertices > kMostMeshVertices || counts.triangles > kMostMeshTriangles || counts.parts > kMostMeshParts)
             fail(phrase("there is too much of it"));
+        if (counts.up_axis > 2) fail(phrase("it makes no sense"));
         AnsweredMesh answered;
         Mesh& mesh = answered.mesh;
+        mesh.up = static_cast<UpAxis>(counts.up_axis);
         std::uint64_t first = 0;
         for (std::uint32_t i = 0; i < counts.parts; ++i) {
             caged::PartFacts facts;

@@ -176,18 +176,29 @@ Mesh read_mesh(Source& source, std::vector<Phrase>& notes) {
     return mesh;
 }
 
-Model read_model(Source& source, std::vector<Phrase>& notes) {
+namespace {
+
+Model read_model_as_it_is(Source& source, std::vector<Phrase>& notes) {
     const Form* form = form_of(source);
-    if (is_world(form)) {
-        Model model = read_vrml(source, notes);
-        model.had_y_up = true;
-        return model;
-    }
+    if (is_world(form)) return read_vrml(source, notes);
     if (form == nullptr || form == &kStl) return model_of(read_mesh(source, notes), true);
     auto [mesh, parents] = read_with_assimp(source, *form, notes);
     Model model = model_of(std::move(mesh), false);
     for (std::size_t i = 0; i < parents.size(); ++i) model.objects[i].parent = parents[i];
-    model.had_y_up = has_unit(form->name);
+    return model;
+}
+
+}  // namespace
+
+Model read_model(Source& source, std::vector<Phrase>& notes, std::optional<UpAxis> up) {
+    Model model = read_model_as_it_is(source, notes);
+    if (!up || *up == model.up) return model;
+    const auto turn = [&](Point3& at) { at = turned_up(at, model.up, *up); };
+    for (Point3& at : model.vertices) turn(at);
+    for (ModelObject& object : model.objects)
+        for (Point3* at : {&object.frame.middle, &object.frame.a, &object.frame.b, &object.frame.c}) turn(*at);
+    turn(model.viewed_from);
+    model.up = *up;
     return model;
 }
 
@@ -196,14 +207,15 @@ bool has_unit(std::string_view format) {
     return std::find(kWithout.begin(), kWithout.end(), format) == kWithout.end();
 }
 
-Triangles triangles_of(Source& source, std::vector<Phrase>& notes) {
-    if (form_of(source) == &kStl) return [&source](const auto& take) { each_triangle(source, take); };
+Triangles triangles_of(Source& source, std::vector<Phrase>& notes, std::optional<UpAxis> up) {
+    if (form_of(source) == &kStl && up.value_or(UpAxis::z) == UpAxis::z)
+        return [&source](const auto& take) { each_triangle(source, take); };
     const auto mesh = std::make_shared<const Mesh>(read_mesh(source, notes));
-    return [mesh](const auto& take) {
+    return [mesh, to = up.value_or(mesh->up)](const auto& take) {
         for (const auto& corners : mesh->triangles) {
             Triangle triangle;
             for (std::size_t k = 0; k < 3; ++k) {
-                const Point3& at = mesh->vertices[corners[k]];
+                const Point3 at = turned_up(mesh->vertices[corners[k]], mesh->up, to);
                 triangle.corners[k] = {at.x, at.y, at.z};
             }
             take(triangle);

@@ -3,6 +3,8 @@
 // program of its own (caged/protocol.h).
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +26,9 @@ std::string_view model_format(Source& source);
 /// parts. Throws Error(failed) for invalid format, invalid numbers, no triangles or too many, or if the program is missing.
 Mesh read_mesh(Source& source, std::vector<Phrase>& notes);
 
-/// The same with all object data of the file. For formats that have only triangles, these are the faces.
-Model read_model(Source& source, std::vector<Phrase>& notes);
+/// The same with all object data of the file. For formats that have only triangles, these are the faces. `up`: the axis of the
+/// file that shall point upwards; none: the one that the file names or its format implies.
+Model read_model(Source& source, std::vector<Phrase>& notes, std::optional<UpAxis> up = {});
 
 /// By its name, as `model_format` gives it: it says how large things are.
 bool has_unit(std::string_view format);
@@ -33,6 +36,6 @@ bool has_unit(std::string_view format);
 /// Visits all triangles, in the same order each time. Those of an STL are read anew each time and not stored.
 using Triangles = std::function<void(const std::function<void(const Triangle&)>& take)>;
 /// The source must outlive it.
-Triangles triangles_of(Source& source, std::vector<Phrase>& notes);
+Triangles triangles_of(Source& source, std::vector<Phrase>& notes, std::optional<UpAxis> up = {});
 
 }  // namespace tactics

@@ -25,8 +25,8 @@ HeightMap on_ground(const HeightMap& map, float low) {
 
 }  // namespace
 
-HeightFile model_for_picture(Source& source) {
-    HeightFile file = read_model_heights(source, [](const ModelBox& box) -> HeightWish {
+HeightFile model_for_picture(Source& source, std::optional<UpAxis> up) {
+    HeightFile file = read_model_heights(source, up, [](const ModelBox& box) -> HeightWish {
         const double longer = std::max(box.size(0), box.size(1));
         if (!(longer > 0)) return {};  // it will be said what is wrong
         return {.pitch = kModelPitch, .width = kLonger * box.size(0) / longer};

@@ -182,10 +182,10 @@ std::optional<FoundHeights> find_heights(Source& source, HeightWords& words, Hei
     return found;
 }
 
-HeightFile model_heights(Source& source, std::string_view format, const ModelWish& model_wish) {
+HeightFile model_heights(Source& source, std::string_view format, std::optional<UpAxis> up, const ModelWish& model_wish) {
     HeightFile file;
     file.format = format;
-    const Triangles triangles = triangles_of(source, file.notes);
+    const Triangles triangles = triangles_of(source, file.notes, up);
     const ModelBox box = box_of(triangles);
     const HeightWish wish = model_wish(box);
     if (!(box.size(0) > 0 && box.size(1) > 0))
@@ -237,7 +237,7 @@ std::optional<HeightFile> read(Source& source, const HeightWish& wish, bool any_
         refuse(wished("width"), phrase("{0} is not over 0 and at most {1}; give another", mm(*wish.width), mm(kMostHeight)));
     if (source.file == nullptr) throw Error(Fault::failed, source.name, phrase("is empty; get a complete copy of it"));
     if (const std::string_view model = model_format(source); !model.empty())
-        return model_heights(source, model, [&wish](const ModelBox&) { return wish; });
+        return model_heights(source, model, std::nullopt, [&wish](const ModelBox&) { return wish; });
     HeightFile file;
     HeightWords words;
     std::optional<FoundHeights> found =
@@ -272,7 +272,9 @@ HeightFile read_heights(Source& source, const HeightWish& wish) { return *read(s
 
 std::optional<HeightFile> read_told_heights(Source& source, const HeightWish& wish) { return read(source, wish, false); }
 
-HeightFile read_model_heights(Source& source, const ModelWish& wish) { return model_heights(source, model_format(source), wish); }
+HeightFile read_model_heights(Source& source, std::optional<UpAxis> up, const ModelWish& wish) {
+    return model_heights(source, model_format(source), up, wish);
+}
 
 HeightFile read_heights(const std::string& path, const HeightWish& wish) {
     Source source = open_source(path);

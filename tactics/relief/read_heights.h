@@ -47,9 +47,9 @@ Phrase format_in_words(const std::string& format);
 HeightFile read_heights(Source& source, const HeightWish& wish);
 HeightFile read_heights(const std::string& path, const HeightWish& wish);  ///< "-": standard input
 
-/// The same for a model, with wishes that depend on its shape.
+/// The same for a model, with wishes that depend on its shape. `up` as for read_model.
 using ModelWish = std::function<HeightWish(const ModelBox& box)>;
-HeightFile read_model_heights(Source& source, const ModelWish& wish);
+HeightFile read_model_heights(Source& source, std::optional<UpAxis> up, const ModelWish& wish);
 
 /// The same for a height file: a model, floating-point numbers, 16-bit grey, or a picture that gives the heights of black and
 /// white. Nothing for any other picture. Throws as read_heights does.

@@ -21,8 +21,8 @@ constexpr Option kOptions[] = {
      .choices = "auto above front side view face"},
     {.name = "up",
      .type = choice,
-     .summary = "axis of the file that points upwards; file: the one that its format implies, z for OBJ, PLY and STL and y for "
-                "the others. A COLLADA file counts as having y upwards, whichever axis it names",
+     .summary = "axis of the file that points upwards; file: the one that the file names or its format implies, z for OBJ, PLY "
+                "and STL and y for the others",
      .choices = "file z y x"},
     {.name = "fold", .type = choice, .summary = "whether faces are folded out", .choices = "yes no"},
     {.name = "simplify",
@@ -94,8 +94,6 @@ FoldPlane plane_named(std::string_view name) {
     return FoldPlane::automatic;
 }
 
-UpAxis up_named(std::string_view name) { return name == "x" ? UpAxis::x : name == "y" ? UpAxis::y : UpAxis::z; }
-
 }  // namespace
 
 std::span<const Option> fold_options() { return kOptions; }
@@ -119,7 +117,8 @@ void take_settings(FoldWish& wish, const Settings& settings, std::string_view pa
         if (!settings.is_default(name)) value = settings.number(name);
     };
     if (!settings.is_default("plane")) wish.plane = plane_named(settings.choice("plane"));
-    if (!settings.is_default("up")) wish.up = up_named(settings.choice("up"));
+    for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z})
+        if (settings.choice("up") == name_of(up)) wish.up = up;
     take("hand", wish.reach.hand);
     if (!settings.is_default("floor")) wish.reach.floor = settings.choice("floor") == "yes";
     if (!settings.is_default("move")) wish.move = settings.choice("move") == "yes";

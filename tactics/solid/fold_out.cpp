@@ -211,6 +211,7 @@ FoldOut fold_out(const Model& whole, double width, double height, const Medium& 
     const IntoDrawing into{fitted.scale, box.left, box.top, edge};
     FoldOut made;
     made.plane = fitted.chosen.plane;
+    made.up = model.up;
     made.scale = fitted.scale;
     made.spread = laid.spread;
     made.rating = laid.layout.rating;

@@ -4,25 +4,26 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tactics/drawing.h"
 #include "tactics/medium.h"
+#include "tactics/model.h"
 #include "tactics/solid/folded_objects.h"
 #include "tactics/solid/layout.h"
 #include "tactics/solid/plane_choice.h"
 #include "tactics/solid/reach.h"
-#include "tactics/solid/up_axis.h"
 #include "tactics/text/phrase.h"
 
 namespace tactics {
 
 struct FoldWish {
     FoldPlane plane = FoldPlane::automatic;
-    UpAxis up = UpAxis::of_file;  ///< for who reads the model; it is drawn as it is
-    std::string part = {};        ///< only this object and what belongs to it: "Table/Top"; empty: all
+    std::optional<UpAxis> up = {};  ///< for who reads the model, which is drawn as it is; none: as its file implies
+    std::string part = {};          ///< only this object and what belongs to it: "Table/Top"; empty: all
     PartWish parts = {};
     ReachWish reach = {};
     ReaderWish reader = {};
@@ -41,8 +42,9 @@ struct FoldOut {
     Drawing drawing;  ///< with a name for each object that is drawn and has one, and a region for each
     std::vector<FoldedObject> objects;
     FoldPlane plane = FoldPlane::above;
-    double scale = 1;   ///< mm of the drawing for one of the model
-    double spread = 1;  ///< factor by which things are farther from the middle than in the model
+    UpAxis up = UpAxis::z;  ///< the axis of the file that points upwards
+    double scale = 1;       ///< mm of the drawing for one of the model
+    double spread = 1;      ///< factor by which things are farther from the middle than in the model
     Rating rating;
 };
 

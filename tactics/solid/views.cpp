@@ -349,6 +349,7 @@ FoldOut views_of(const Model& whole, double width, double height, const Medium& 
         cut_best(views[3], parts);
     Laying laying(model, parts, views, medium, wish.language);
     FoldOut made = laying.run(width, height);
+    made.up = model.up;
     if (laying.dropped() > medium.shortest)
         notes.push_back(
             phrase("{0} mm of lines are so close to others that they are left out of the views; draw a part alone to feel them",

@@ -151,7 +151,7 @@ void put_word(const std::string& text) { put(Frame::word, text.data(), text.size
 void put_mesh(const Taken& taken, const std::vector<std::string>& asked) {
     const Mesh& mesh = taken.mesh;
     const MeshCounts counts{static_cast<std::uint32_t>(mesh.vertices.size()), static_cast<std::uint32_t>(mesh.triangles.size()),
-                            static_cast<std::uint32_t>(mesh.parts.size())};
+                            static_cast<std::uint32_t>(mesh.parts.size()), static_cast<std::uint32_t>(mesh.up)};
     put(Frame::mesh, &counts, sizeof counts);
     for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
         const PartFacts facts{mesh.parts[i].count, taken.parents[i]};
@@ -211,6 +211,12 @@ void check_ply(std::string_view file) {
     }
 }
 
+// Assimp has no word for it: it turns the root, which COLLADA's scenes do not, so that what was upwards is y.
+tactics::UpAxis up_axis_of(const aiMatrix4x4& root) {
+    const ai_real sum = std::abs(root.b1) + std::abs(root.b2) + std::abs(root.b3);
+    return 2 * root.b1 > sum ? tactics::UpAxis::x : 2 * root.b3 > sum ? tactics::UpAxis::z : tactics::UpAxis::y;
+}
+
 void answer(const std::vector<std::string>& lines) {
     const std::string& format = lines[2];
     struct stat about {};
@@ -233,6 +239,7 @@ void answer(const std::vector<std::string>& lines) {
     }
     Taken taken;
     taken.upright = format == "gltf" || format == "glb" || format == "dae";
+    if (taken.upright) taken.mesh.up = format == "dae" ? up_axis_of(scene->mRootNode->mTransformation) : tactics::UpAxis::y;
     take_node(*scene, *scene->mRootNode, aiMatrix4x4(), -1, 0, taken);
     if (taken.mesh.triangles.empty()) fail("it has no triangles");
     put_mesh(taken, asked);

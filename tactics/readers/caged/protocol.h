@@ -19,7 +19,7 @@
 namespace tactics::caged {
 
 /// Increase it with every change of this file.
-inline constexpr char kVersion[] = "5";
+inline constexpr char kVersion[] = "6";
 struct Program {
     const char* name;
     const char* instead;  ///< what to do without it
@@ -50,6 +50,7 @@ struct MeshCounts {
     std::uint32_t vertices = 0;   ///< three doubles each, mm: x to the right, y away, z upwards
     std::uint32_t triangles = 0;  ///< three places of vertices each
     std::uint32_t parts = 0;      ///< one after another
+    std::uint32_t up_axis = 2;    ///< the axis that its file has upwards: 0 x, 1 y, 2 z
 };
 
 struct PartFacts {

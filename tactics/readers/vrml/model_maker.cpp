@@ -153,6 +153,7 @@ void ModelMaker::add_shape(const WorldShape& shape, const Placing& placing, std:
 }
 
 Model ModelMaker::finish(std::vector<Phrase>& notes) {
+    model_.up = UpAxis::y;
     Phrase all;
     for (const Left& left : left_) {
         const Phrase where = phrase("line {0}", std::to_string(left.line));
