@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <utility>
 
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/course.h"
@@ -28,23 +28,21 @@ struct Shadow {
 
 // Rings in cells, by the even-odd rule along each row.
 void fill(Shadow& shadow, const std::vector<std::vector<Point>>& rings) {
-    std::map<int, std::vector<double>> crossings;
+    std::vector<std::pair<int, double>> crossings;  // a row, and where along it
     for (const auto& ring : rings)
         for (std::size_t i = 0; i < ring.size(); ++i) {
             Point a = ring[i], b = ring[(i + 1) % ring.size()];
             if (a.y > b.y) std::swap(a, b);
             const int first = std::max(0, static_cast<int>(std::ceil(a.y - 0.5)));
             for (int row = first; row < shadow.rows && row + 0.5 < b.y; ++row)
-                crossings[row].push_back(a.x + (row + 0.5 - a.y) / (b.y - a.y) * (b.x - a.x));
+                crossings.push_back({row, a.x + (row + 0.5 - a.y) / (b.y - a.y) * (b.x - a.x)});
         }
-    for (auto& [row, at] : crossings) {
-        std::sort(at.begin(), at.end());
-        for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
-            const int from = std::max(0, static_cast<int>(std::ceil(at[i] - 0.5)));
-            const int to = std::min(shadow.columns, static_cast<int>(std::ceil(at[i + 1] - 0.5)));
-            for (int column = from; column < to; ++column)
-                shadow.dark[static_cast<std::size_t>(row) * shadow.columns + column] = 1;
-        }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {  // a row has an even number of them
+        const int from = std::max(0, static_cast<int>(std::ceil(crossings[i].second - 0.5)));
+        const int to = std::min(shadow.columns, static_cast<int>(std::ceil(crossings[i + 1].second - 0.5)));
+        const auto row = shadow.dark.begin() + static_cast<std::ptrdiff_t>(crossings[i].first) * shadow.columns;
+        if (from < to) std::fill(row + from, row + to, char{1});
     }
 }
 

@@ -90,6 +90,17 @@ std::vector<Corner> joined_corners(const WeldedSurface& surface, const std::vect
     return corners;
 }
 
+// Of the box round them, along the axes.
+double longest_side(const std::vector<Point3>& corners) {
+    double longest = 0;
+    for (double Point3::*along : {&Point3::x, &Point3::y, &Point3::z}) {
+        const auto [least, most] = std::minmax_element(corners.begin(), corners.end(),
+                                                       [&](const Point3& a, const Point3& b) { return a.*along < b.*along; });
+        longest = std::max(longest, *most.*along - *least.*along);
+    }
+    return longest;
+}
+
 // Those corners become corners of all sides that they lie on. A side may have two faces already: they may be of two solids that
 // touch, and others are cut there.
 void split_sides(WeldedSurface& surface, std::vector<Corner> ends) {
@@ -100,10 +111,12 @@ void split_sides(WeldedSurface& surface, std::vector<Corner> ends) {
         total += length_of(surface.corners[edge.front().to] - surface.corners[edge.front().from]);
     });
     if (ends.empty() || !(total > 0)) return;
-    const double cell = std::max(total / static_cast<double>(edges.size()), 4 * surface.tolerance);
-    Cells cells(cell);
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    // About as long as a side, or as wide as the room of a corner, if sides are much longer than that, as in a fan.
+    const double room = longest_side(surface.corners) / std::cbrt(static_cast<double>(ends.size()));
+    const double cell = std::max(std::min(total / static_cast<double>(edges.size()), room), 4 * surface.tolerance);
+    Cells cells(cell);
     for (const Corner corner : ends) cells.put(surface.corners[corner], corner);
     std::unordered_map<std::uint64_t, std::vector<std::pair<double, Corner>>> between;
     for (const FaceSide& side : edges) {

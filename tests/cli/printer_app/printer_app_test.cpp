@@ -161,8 +161,13 @@ TEST_F(PrinterApp, KeepsTheWordsOfAJobFromTheListOfProcesses) {
     std::atomic<bool> over = false;
     std::thread looking([&] {
         while (!over)
-            for (const auto& entry : fs::directory_iterator("/proc"))
-                if (std::string words = bytes_of(entry.path() / "cmdline"); holds(words, "convert-job")) lists += words + "\n";
+            for (const auto& entry : fs::directory_iterator("/proc")) {
+                try {
+                    const std::string words = bytes_of(entry.path() / "cmdline");
+                    if (holds(words, "convert-job")) lists += words + "\n";
+                } catch (const std::ios_base::failure&) {  // the process has ended
+                }
+            }
     });
     printed("secret", {"-o", "tactics-title='Hidden words'", "-o", "tactics-label='5%,5%=Hidden ring'", "disc.tif"});
     over = true;
