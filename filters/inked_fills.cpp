@@ -89,18 +89,7 @@ bool same_kind(const FillKind& a, const FillKind& b) {
 }
 
 // Parts of one colour, with the paler pixels of their border.
-cv::Mat flat_places(const cv::Mat& pixels) {
-    cv::Mat low, high, range;
-    cv::erode(pixels, low, cv::Mat());
-    cv::dilate(pixels, high, cv::Mat());
-    cv::subtract(high, low, range);
-    if (range.channels() == 3) {
-        std::array<cv::Mat, 3> planes;
-        cv::split(range, planes.data());
-        range = cv::max(planes[0], cv::max(planes[1], planes[2]));
-    }
-    return range <= kFlat;
-}
+cv::Mat flat_places(const cv::Mat& pixels) { return range_around(pixels) <= kFlat; }
 
 struct Found {
     std::vector<Part> flats;  // without the ground

@@ -18,6 +18,7 @@
 #include "filters/opencv.h"
 #include "filters/pale_fills.h"
 #include "filters/plot_symbols.h"
+#include "filters/quieted.h"
 #include "tactics/text/phrase.h"
 
 namespace tactics {
@@ -288,6 +289,7 @@ std::vector<Phrase> KnownParts::told() const {
 
 KnownParts take_known_parts(Image& picture, bool fills) {
     KnownParts parts;
+    quieten(picture);
     if (fills) parts.areas = take_fills(picture);
     if (fills && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
     KnownOfPicture known(picture);

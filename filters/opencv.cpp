@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "filters/opencv.h"
 
+#include <vector>
+
 namespace tactics {
 
 namespace {
@@ -36,6 +38,17 @@ cv::Mat view_of(std::span<float> plane, int width, int height) {
 const cv::Mat view_of(std::span<const float> column) {
     one_thread_a_picture();
     return {static_cast<int>(column.size()), 1, CV_32FC1, const_cast<float*>(column.data())};
+}
+
+cv::Mat range_around(const cv::Mat& pixels) {
+    cv::Mat low, high, range;
+    cv::erode(pixels, low, cv::Mat());
+    cv::dilate(pixels, high, cv::Mat());
+    cv::subtract(high, low, range);
+    if (range.channels() == 1) return range;
+    std::vector<cv::Mat> planes;
+    cv::split(range, planes);
+    return cv::max(planes[0], cv::max(planes[1], planes[2]));
 }
 
 }  // namespace tactics

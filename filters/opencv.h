@@ -28,4 +28,7 @@ cv::Mat view_of(std::span<float> plane, int width, int height);
 
 const cv::Mat view_of(std::span<const float> column);  ///< one value a row, to be read only
 
+/// The largest difference in any channel among each pixel and the eight around it.
+cv::Mat range_around(const cv::Mat& pixels);
+
 }  // namespace tactics
