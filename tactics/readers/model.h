@@ -22,8 +22,9 @@ namespace tactics {
 std::string_view model_format(Source& source);
 
 /// STL, OBJ and PLY have no unit and are taken as mm, and z as upwards; the others are in metres with y upwards by their
-/// standards (COLLADA and X3D may say another unit), and are turned. Files referenced by the model are not read. `notes`: omitted
-/// parts. Throws Error(failed) for invalid format, invalid numbers, no triangles or too many, or if the program is missing.
+/// standards (COLLADA and X3D may say another unit, COLLADA another axis), and are turned. Files referenced by the model are not
+/// read. `notes`: omitted parts. Throws Error(failed) for invalid format, invalid numbers, no triangles or too many, or if the
+/// program is missing.
 Mesh read_mesh(Source& source, std::vector<Phrase>& notes);
 
 /// The same with all object data of the file. For formats that have only triangles, these are the faces. `up`: the axis of the

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tactics/geometry/triangulate.h"
 #include "tactics/readers/model.h"
+#include "tactics/relief/height_picture.h"
 #include "tactics/solid/fold_out.h"
 #include "tests/solid/models.h"
 
@@ -141,6 +143,21 @@ TEST(UpAxis, OfAFileThatIsWrongIsTheUsersWord) {
             EXPECT_EQ(model.up, up);
             expect_stand(model, word + "_UP and in truth " + std::string(name_of(up)));
         }
+}
+
+TEST(UpAxis, HeightsGoAlongIt) {
+    const auto heights = [](UpAxis of_file, std::optional<UpAxis> said) {
+        const std::string bytes = obj(of_file);
+        Source source = memory_source({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, "stand.obj");
+        return model_for_picture(source, said).map;
+    };
+    const HeightMap map = heights(UpAxis::z, {});
+    ASSERT_FALSE(map.heights.empty());
+    for (const UpAxis up : kAxes) {
+        const HeightMap other = heights(up, up);
+        ASSERT_EQ(other.heights.size(), map.heights.size()) << name_of(up);
+        for (std::size_t i = 0; i < map.heights.size(); ++i) ASSERT_NEAR(other.heights[i], map.heights[i], 1e-3) << name_of(up);
+    }
 }
 
 TEST(UpAxis, IsToldOfTheDrawing) {
