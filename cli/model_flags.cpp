@@ -58,15 +58,23 @@ void take_reader(FoldWish& wish, const std::string& file) {
     take_settings(wish, settings, "", file);
 }
 
+// Objects are distinguished only where they are drawn; which way is up matters to heights, too.
+bool asks_for_objects(const Given& given, const char* flag) {
+    if (flag != std::string_view("--fold")) return given.has(flag);
+    for (const std::string& text : given.all(flag))
+        for (const std::string_view word : words_of(text))
+            if (!word.starts_with("up=")) return true;
+    return false;
+}
+
 }  // namespace
 
 ModelDrawingWish model_wish(const Given& given) {
     ModelDrawingWish wish;
     wish.view = model_view_of(given);
     wish.fold.part = given.value("--object");
-    // Objects are distinguished only where they are drawn.
     for (const char* of_objects : {"--object", "--fold", "--reader"}) {
-        if (!given.has(of_objects)) continue;
+        if (!asks_for_objects(given, of_objects)) continue;
         if (wish.view == ModelView::heights)
             throw Error(Fault::usage, of_objects,
                         phrase("does nothing with --model heights, which has no objects; leave one of them out"));

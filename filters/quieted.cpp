@@ -23,14 +23,24 @@ struct Smoothing {
 constexpr Smoothing kFirst{7, 2, 4}, kSecond{9, 3, 2};
 constexpr int kNoBorder = 10;  // levels between neighbours after both: less is no line and no border
 
+double noise_in(const cv::Mat& plane) {
+    Image grey = make_image(plane.cols, plane.rows, 1, 0, 0);
+    plane.copyTo(view_of(grey));
+    return noise_level(grey);
+}
+
+// Noise that was enlarged, or went through JPEG, is coarser than pixels; where they are put together by fours it still is noise,
+// and what differs from pixel to pixel has half its deviation.
 double noise_of_channels(const cv::Mat& pixels) {
     std::vector<cv::Mat> planes;
     cv::split(pixels, planes);
     double most = 0;
     for (const cv::Mat& plane : planes) {
-        Image grey = make_image(plane.cols, plane.rows, 1, 0, 0);
-        plane.copyTo(view_of(grey));
-        most = std::max(most, noise_level(grey));
+        most = std::max(most, noise_in(plane));
+        if (std::min(plane.cols, plane.rows) < 2) continue;
+        cv::Mat half;
+        cv::resize(plane, half, cv::Size(plane.cols / 2, plane.rows / 2), 0, 0, cv::INTER_AREA);
+        most = std::max(most, 2 * noise_in(half));
     }
     return most;
 }

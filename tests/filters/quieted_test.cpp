@@ -88,6 +88,19 @@ TEST(Quieted, BordersStaySharpAndPaleLinesStay) {
     }
 }
 
+// As where a scan was enlarged: each pixel is the mean of the four around it.
+TEST(Quieted, CoarserNoiseGoesToo) {
+    Image picture = scanned(12);
+    const Image before = picture;
+    for (int y = 0; y + 1 < picture.height; ++y)
+        for (int x = 0; x + 1 < picture.width; ++x)
+            picture.row(y)[x] = static_cast<std::uint8_t>(
+                (before.row(y)[x] + before.row(y)[x + 1] + before.row(y + 1)[x] + before.row(y + 1)[x + 1] + 2) / 4);
+    const double was = mean_of(picture, 90, 110, 150, 180).deviation;
+    quieten(picture);
+    EXPECT_LT(mean_of(picture, 90, 110, 150, 180).deviation, 0.5 * was);
+}
+
 TEST(Quieted, EveryChannelIs) {
     Image picture = scanned(6, 3);
     quieten(picture);

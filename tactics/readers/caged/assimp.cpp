@@ -72,8 +72,8 @@ std::string name_of(const aiString& name) {
     std::string text(name.C_Str(), std::min<std::size_t>(name.length, tactics::kMostMeshName));
     std::replace_if(
         text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, ' ');
-    // Assimp's, for a node of COLLADA without any.
-    return text.starts_with("$ColladaAutoName$") ? std::string() : text;
+    // Assimp's, for a node of COLLADA without any, and for an OBJ.
+    return text.starts_with("$ColladaAutoName$") || text == "defaultobject" ? std::string() : text;
 }
 
 struct Taken {

@@ -52,6 +52,22 @@ TEST_F(ModelCommand, APartAloneAndViewsAndHeights) {
     EXPECT_TRUE(holds(wrong.err, "Table/Top")) << wrong.err;
 }
 
+// A ridge, with z or with y upwards, in a file that has no names: it is a terrain.
+TEST_F(ModelCommand, WhichWayIsUpMattersToHeightsToo) {
+    const std::string faces = "f 1 2 5\nf 1 5 4\nf 2 3 6\nf 2 6 5\n";
+    write_bytes(folder / "z.obj", "v 0 0 0\nv 50 0 30\nv 100 0 0\nv 0 80 0\nv 50 80 30\nv 100 80 0\n" + faces);
+    write_bytes(folder / "y.obj", "v 0 0 0\nv 50 30 0\nv 100 0 0\nv 0 0 -80\nv 50 30 -80\nv 100 0 -80\n" + faces);
+    for (const Words& heights : {Words{}, Words{"--model", "heights"}}) {
+        Words z = {"z.obj", "-o", "z.svg", "-q"}, y = {"y.obj", "-o", "y.svg", "-q", "--fold", "up=y"};
+        z.insert(z.end(), heights.begin(), heights.end());
+        y.insert(y.end(), heights.begin(), heights.end());
+        ASSERT_EQ(convert(z).code, 0);
+        ASSERT_EQ(convert(y).code, 0);
+        EXPECT_EQ(bytes_of(folder / "z.svg"), bytes_of(folder / "y.svg"));
+    }
+    EXPECT_EQ(convert({"y.obj", "-o", "no.svg", "--model", "heights", "--fold", "up=y fold=no"}).code, 1);
+}
+
 // Python's own reading of both files: what the list says lies where the SVG has it.
 constexpr char kCheck[] = R"py(
 import json, re, sys
