@@ -2,6 +2,9 @@
 // A model as a source, as the user meets it.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+
 #include "tests/cli/converting.h"
 
 namespace tactics::model_test {
@@ -66,6 +69,24 @@ TEST_F(ModelCommand, WhichWayIsUpMattersToHeightsToo) {
         EXPECT_EQ(bytes_of(folder / "z.svg"), bytes_of(folder / "y.svg"));
     }
     EXPECT_EQ(convert({"y.obj", "-o", "no.svg", "--model", "heights", "--fold", "up=y fold=no"}).code, 1);
+}
+
+TEST_F(ModelCommand, ASmoothTerrainIsNotAnEmptyPage) {
+    std::string text, faces;
+    for (int i = 0; i < 40; ++i)
+        for (int j = 0; j < 40; ++j) {
+            text += "v " + std::to_string(i) + " " + std::to_string(j) + " " +
+                    std::to_string(3 * std::sin(i / 8.0) * std::cos(j / 9.0)) + "\n";
+            const int a = 40 * i + j + 1;
+            if (i == 39 || j == 39) continue;
+            for (const int c : {a + 40, a + 41})
+                faces += "f " + std::to_string(a) + " " + std::to_string(c) + " " + std::to_string(c == a + 40 ? a + 41 : a + 1) +
+                         "\n";
+        }
+    write_bytes(folder / "waves.obj", text + faces);
+    const Ending ending = convert({"waves.obj", "-o", "waves.svg"});
+    EXPECT_EQ(ending.code, 0);
+    EXPECT_FALSE(holds(ending.err, "nothing")) << ending.err;
 }
 
 // Python's own reading of both files: what the list says lies where the SVG has it.
