@@ -79,7 +79,8 @@ std::string model_text() {
         "Of several ways to fold, tactics draws the one that shows most for the effort\n"
         "it asks of the reader. The cost-... settings say how hard a reader finds each\n"
         "thing; --reader takes a file of such lines, as cost-fold = 0.3. A terrain, one\n"
-        "surface without a name, is drawn by its heights.\n"
+        "surface without a name, is drawn by its heights; a smooth one in levels\n"
+        "(recipe regions).\n"
         "\n"
         "Settings of --fold:\n";
     for (const Option& option : fold_options())

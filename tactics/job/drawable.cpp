@@ -265,7 +265,6 @@ Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view
 Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, Notes& notes) {
     // A terrain is drawn by its heights, and so is a model for which the user named a recipe.
     const bool automatic = job.model.view == ModelView::automatic;
-    Job drawn = job;
     if (job.model.view != ModelView::heights && !(automatic && (job.recipe || asks_for_a_way(job.chain)))) {
         const std::string format(model_format(source));
         std::vector<Phrase> told;
@@ -275,13 +274,15 @@ Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, N
             return drawable_of_folded(std::move(model), format, job, sheet, notes);
         }
         std::rewind(source.file.get());  // its heights tell the same again
-        // A smooth one has no edges that another recipe would draw, and levels in any case.
-        if (automatic && job.wish.empty()) drawn.recipe = find_recipe("regions", "auto");
     }
     const auto heights = std::make_shared<HeightFile>(model_for_picture(source, job.model.fold.up));
     const PictureInfo info{heights->format, heights->map.columns, heights->map.rows};
     const auto reading =
         std::make_shared<Reading>([heights](const ReadRequest& request) { return picture_of(*heights, request.longest); });
+    // What is smooth has no edges, but levels.
+    Job drawn = job;
+    if (automatic && !job.recipe && !asks_for_a_way(job.chain) && job.wish.empty() && choose(*reading).recipe == "photo")
+        drawn.recipe = find_recipe("regions", "auto");
     return drawable_of_pixels(info, reading, WordsWish::leave, drawn, sheet);
 }
 
