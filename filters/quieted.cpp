@@ -15,7 +15,8 @@ namespace {
 constexpr double kNoisy = 2;
 // Two passes of a bilateral filter (C. Tomasi and R. Manduchi 1998): pixels count less the farther they are and the more they
 // differ. The first keeps pale lines, the second, which is wider, only counts where there are none. Deviations in pixels and in
-// those of the noise; settings that left no marks in grey surfaces of scanned figures and all lines and steps between them.
+// those of the noise; settings, tried on the scans of tests/bench/figures, where few marks are left in grey surfaces and a step
+// of some ten levels between two surfaces may go.
 struct Smoothing {
     int window;
     double near, alike;

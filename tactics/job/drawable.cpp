@@ -264,8 +264,8 @@ Drawable drawable_of_folded(std::shared_ptr<const Model> model, std::string_view
 // Folded out, or seen straight from above: the lowest place is black and the highest white. There is no print on it.
 Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, Notes& notes) {
     // A terrain is drawn by its heights, and so is a model for which the user named a recipe.
-    const bool automatic = job.model.view == ModelView::automatic;
-    if (job.model.view != ModelView::heights && !(automatic && (job.recipe || asks_for_a_way(job.chain)))) {
+    const bool automatic = job.model.view == ModelView::automatic, names_way = job.recipe || asks_for_a_way(job.chain);
+    if (job.model.view != ModelView::heights && !(automatic && names_way)) {
         const std::string format(model_format(source));
         std::vector<Phrase> told;
         auto model = std::make_shared<const Model>(read_model(source, told, job.model.fold.up));
@@ -281,7 +281,7 @@ Drawable drawable_of_model(Source& source, const Job& job, const Sheet& sheet, N
         std::make_shared<Reading>([heights](const ReadRequest& request) { return picture_of(*heights, request.longest); });
     // What is smooth has no edges, but levels.
     Job drawn = job;
-    if (automatic && !job.recipe && !asks_for_a_way(job.chain) && job.wish.empty() && choose(*reading).recipe == "photo")
+    if (automatic && !names_way && job.wish.empty() && choose(*reading).recipe == "photo")
         drawn.recipe = find_recipe("regions", "auto");
     return drawable_of_pixels(info, reading, WordsWish::leave, drawn, sheet);
 }

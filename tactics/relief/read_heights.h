@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tactics/point3.h"
 #include "tactics/readers/read.h"
 #include "tactics/relief/depth.h"
 #include "tactics/text/phrase.h"

@@ -146,7 +146,7 @@ void set_apart(WeldedSurface& surface, const std::vector<SolidOfFace>& solid) {
         for (std::uint32_t& corner : surface.faces[face]) {
             const auto [place, fresh] =
                 own.emplace(SolidCorner(solid[face].joined, corner), static_cast<std::uint32_t>(surface.corners.size()));
-            if (fresh) surface.corners.push_back(Point3(surface.corners[corner]));
+            if (fresh) surface.corners.push_back(surface.corners[corner]);
             corner = place->second;
         }
     }

@@ -104,13 +104,14 @@ double longest_side(const std::vector<Point3>& corners) {
 // Those corners become corners of all sides that they lie on. A side may have two faces already: they may be of two solids that
 // touch, and others are cut there.
 void split_sides(WeldedSurface& surface, std::vector<Corner> ends) {
+    if (ends.empty()) return;
     std::vector<FaceSide> edges;
     double total = 0;
     each_edge(sides_of(surface.faces), [&](std::span<const FaceSide> edge) {
         edges.push_back(edge.front());
         total += length_of(surface.corners[edge.front().to] - surface.corners[edge.front().from]);
     });
-    if (ends.empty() || !(total > 0)) return;
+    if (!(total > 0)) return;
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     // About as long as a side, or as wide as the room of a corner, if sides are much longer than that, as in a fan.
