@@ -55,6 +55,14 @@ cv::Mat smoothed(const cv::Mat& pixels, const Smoothing& smoothing, double noise
 
 }  // namespace
 
+bool quieten_lines(Image& picture) {
+    cv::Mat pixels = view_of(picture);
+    const double noise = noise_of_channels(pixels);
+    if (noise < kNoisy) return false;
+    smoothed(pixels, kFirst, noise).copyTo(pixels);
+    return true;
+}
+
 void quieten(Image& picture) {
     cv::Mat pixels = view_of(picture);
     const double noise = noise_of_channels(pixels);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -23,6 +24,14 @@ public:
         one = find(one), other = find(other);
         if (one != other) of_[std::max(one, other)] = std::min(one, other);
         return one != other;
+    }
+
+    /// The things of each group, groups and things in their order.
+    std::vector<std::vector<std::size_t>> groups() {
+        std::vector<std::vector<std::size_t>> all(of_.size());
+        for (std::size_t i = 0; i < all.size(); ++i) all[find(static_cast<std::uint32_t>(i))].push_back(i);
+        std::erase_if(all, [](const std::vector<std::size_t>& one) { return one.empty(); });
+        return all;
     }
 
 private:

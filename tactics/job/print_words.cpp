@@ -8,11 +8,13 @@
 #include <set>
 
 #include "filters/inked_legend.h"
+#include "filters/quieted.h"
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tactics/job/figure_title.h"
 #include "tactics/job/print_fonts.h"
 #include "tactics/layout/sheet.h"
+#include "tactics/lettering/two_readings.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -270,6 +272,14 @@ void place_legend(PrintWords& words, Reading& reading) {
             phrase("of its legend these words {0} each name what is painted like their sample, and stand there", row_of(told)));
 }
 
+// A noisy picture is read as it is and with its noise smoothed away: each finds letters that the other one lost.
+Lettering read_print(const Image& picture, const std::string& language) {
+    Lettering given = read_lettering(picture, language, kSureEnough, each_print_font);
+    Image grey = to_grey(picture);
+    if (!given.trouble.empty() || !quieten_lines(grey)) return given;
+    return put_together(std::move(given), read_lettering(grey, language, kSureEnough, each_print_font));
+}
+
 }  // namespace
 
 WordsWish find_words_wish(std::string_view name, std::string_view place) {
@@ -292,8 +302,7 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
         throw Error(Fault::usage, spelled("words"),
                     phrase("print is read in whole pages only; leave out {0}, or {1} and the filter crop", spelled("words"),
                            spelled("bare")));
-    Lettering& lettering = words.lettering =
-        read_lettering(reading.get({kLookForWords, false}), sheet.language, kSureEnough, each_print_font);
+    Lettering& lettering = words.lettering = read_print(reading.get({kLookForWords, false}), sheet.language);
     if (!lettering.trouble.empty()) {
         if (asked) throw Error(Fault::failed, spelled("words"), phrase("there is print in the picture; {0}", lettering.trouble));
         words.notes.push_back(to_act_on(phrase("print in it is left in the lines; {0}", lettering.trouble)));

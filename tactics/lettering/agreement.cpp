@@ -201,6 +201,7 @@ Belief believe(const FormWords& words, const ReadWords& other) {
     // Nor does the other reader see by what print beside the line its size could be told; and no figure is a wrong word.
     const bool figure = std::all_of(letters.begin(), letters.end(), [](const FormLetter& one) { return !is_of_words(one.code); });
     if (reading.em < kSmallPrint && reading.either && !words.sized) belief.sure = false;
+    if (is_of_either_case(reading) && !words.sized) belief.sure = false;  // nor does it tell "cos" from "COS"
     const bool unasked = reading.em < kTinyPrint && figure && other.text.empty();
     belief.nearly = belief.sure && (unasked || may_be_other_figure(reading));
     if (reading.em < kTinyPrint && figure && !kBothSay.holds(reading)) belief.sure = false;

@@ -16,7 +16,7 @@ namespace {
 
 // Settings: pixels that print lies off its place; share of a step; how many numbers make a progression, and of those that were
 // read.
-constexpr double kOffPlace = 1.6, kOffStep = 0.12, kMostRead = 0.67;
+constexpr double kOffPlace = 2, kOffStep = 0.12, kMostRead = 0.67;
 constexpr std::size_t kLeastRead = 3;
 
 // With which sign figures have their thousands set apart; the other one is the decimal sign.
@@ -128,9 +128,11 @@ public:
             std::count_if(members_.begin(), members_.end(), [](const Member& one) { return one.value.has_value(); }));
     }
 
-    // The progression that most numbers that were read are in; `held` receives how many.
+    // The progression that most numbers that were read are in, told by the two that are farthest apart, as their places are whole
+    // pixels; `held` receives how many.
     std::optional<Progression> find(std::size_t& held) const {
         std::optional<Progression> best;
+        double farthest = 0;
         held = 0;
         for (const bool by_factors : {false, true})
             for (std::size_t i = 0; i < members_.size(); ++i)
@@ -141,8 +143,12 @@ public:
                         static_cast<std::size_t>(std::count_if(members_.begin(), members_.end(), [&](const Member& member) {
                             return member.value && one->holds(member.place, *member.value);
                         }));
-                    if (count <= held) continue;
+                    const double apart = members_[k].place - members_[i].place;
+                    const auto in_best = [&](const Member& member) { return best->holds(member.place, *member.value); };
+                    const bool surer = count == held && best && apart > farthest && in_best(members_[i]) && in_best(members_[k]);
+                    if (count <= held && !surer) continue;
                     held = count;
+                    farthest = apart;
                     best = one;
                 }
         if (held == 2 && read() == 2 && bear_out(*best)) return best;
@@ -224,15 +230,17 @@ double along_of(const LetteringLine& line, Aligned aligned) {
     return line.upwards ? 0.5 * (line.box.top + line.box.bottom) : line.box.top + 0.5 * line.letter_height;
 }
 
-// Lines of one height that are in line with that one, in the order of their places.
+// Lines of one height that are in line with that one, in the order of their places. A scan is not quite level.
 std::vector<Member> in_line_with(const std::vector<ReadLine>& lines, const LetteringLine& first, Aligned aligned) {
-    constexpr double kOneHeight = 0.2, kOneLine = 0.25;  // settings, of the height
+    constexpr double kOneHeight = 0.2, kOneLine = 0.25, kLevel = 0.01;  // settings: of the height, and of the way between them
     std::vector<Member> members;
     const double height = first.letter_height;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const LetteringLine& line = lines[i].line;
         if (line.upwards != first.upwards || std::abs(line.letter_height - height) > std::max(1.0, kOneHeight * height)) continue;
-        if (std::abs(across_of(line, aligned) - across_of(first, aligned)) > std::max(1.0, kOneLine * height)) continue;
+        const double off = std::abs(across_of(line, aligned) - across_of(first, aligned)),
+                     way = std::abs(along_of(line, aligned) - along_of(first, aligned));
+        if (off > std::max(1.0, kOneLine * height) + kLevel * way) continue;
         members.push_back({i, along_of(line, aligned), std::nullopt});
     }
     std::stable_sort(members.begin(), members.end(), [](const Member& a, const Member& b) { return a.place < b.place; });

@@ -360,6 +360,12 @@ bool may_be_drawn(char32_t code) {
     return kDrawn.find(code) != kDrawn.npos;
 }
 
+bool is_of_either_case(const FormReading& reading) {
+    constexpr std::u32string_view kAlike = U"cosuvwxzCOSUVWXZ";
+    return std::all_of(reading.letters.begin(), reading.letters.end(),
+                       [&](const FormLetter& letter) { return kAlike.find(letter.code) != kAlike.npos; });
+}
+
 std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const std::vector<OtherReading>& others,
                                      const PrintFonts& fonts) {
     std::vector<FormWords> words(strips.size());
@@ -369,7 +375,7 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
     for (std::size_t i = 0; i < strips.size(); ++i)
         if (!is_lone(i)) words[i] = picture.read(i);
     for (const FormWords& one : words)
-        if (one.agreed && one.settled && !one.reading.either) picture.know(one);
+        if (one.agreed && one.settled && !one.reading.either && !is_of_either_case(one.reading)) picture.know(one);
     const auto read_again = [&](std::size_t i) {
         if (is_lone(i) || words[i].reading.either || !words[i].sized) words[i] = picture.read(i);
         words[i].sized = words[i].font >= 0 && picture.knows(words[i]) && (!is_lone(i) || is_alone_alike(words[i].reading));

@@ -31,6 +31,9 @@ bool is_alone_alike(const FormReading& reading);
 /// A single letter that could easily be a drawn thing: a circle, a stroke, a cross.
 bool may_be_drawn(char32_t code);
 
+/// All of its letters are the same but for their size, small or capital.
+bool is_of_either_case(const FormReading& reading);
+
 /// One for each strip; none at all where no font is installed. Fonts are chosen by what the other reader made of the lines, or,
 /// where that fits none, by what they look like.
 std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const std::vector<OtherReading>& others,

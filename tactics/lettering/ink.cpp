@@ -31,6 +31,12 @@ private:
 
 }  // namespace
 
+double share_of_ink(const InkPiece& piece) {
+    double ink = 0;
+    for (const InkRun& run : piece.runs) ink += run.right - run.left;
+    return ink / (static_cast<double>(piece.box.width()) * piece.box.height());
+}
+
 std::vector<InkPiece> pieces_of(const Image& grey, int level, bool light, int largest) {
     std::vector<InkRun> runs;
     Forest forest;

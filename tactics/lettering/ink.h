@@ -21,6 +21,9 @@ struct InkPiece {
     std::vector<InkRun> runs;
 };
 
+/// Of its box.
+double share_of_ink(const InkPiece& piece);
+
 /// Ink is every pixel darker than `level`, or, for light ink, every other pixel. Pieces touch along sides or corners; none is
 /// wider or higher than `largest` pixels.
 std::vector<InkPiece> pieces_of(const Image& grey, int level, bool light, int largest);

@@ -37,6 +37,9 @@ struct Lettering {
     bool found_any = false;           ///< something that looks like lettering is there
 };
 
+/// From the top to the bottom, from the left to the right.
+void sort_by_place(std::vector<PrintedWords>& words);
+
 /// The best longer side of a picture for reading, in pixels: A4 at 200 dpi, where 8 pt letters are 16 pixels high.
 inline constexpr int kLookForWords = 2400;
 

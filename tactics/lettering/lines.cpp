@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
-#include <set>
 #include <tuple>
 
 #include "tactics/lettering/equals_sign.h"
 #include "tactics/lettering/found_boxes.h"
+#include "tactics/lettering/letter_parts.h"
 #include "tactics/lettering/pale_ink.h"
 
 namespace tactics {
@@ -22,6 +22,7 @@ constexpr std::size_t kLowUpwards = 3;  // letters that none is as tall as that 
 // Of the height of the taller of two letters, which may both be small ones (0.52 em): a word space is 0.25 to 0.33 em and its
 // letters' side bearings.
 constexpr double kWordGap = 1.0;
+constexpr double kPointGap = 1.6;  // with a point between them, where all letters are as wide
 constexpr double kMarkGap = 0.5;
 // From x-height to a letter with ascender and descender.
 constexpr double kUnlike = 2.4;
@@ -50,14 +51,44 @@ bool is_mark(const PixelBox& box, int letter_height) {
     return box.height() < 0.6 * letter_height && box.width() <= letter_height;
 }
 
-bool stand_in_line(const PixelBox& a, const PixelBox& b) {
+// Apart by less than `most` of the height.
+bool stand_in_line(const PixelBox& a, const PixelBox& b, double most) {
     const int low = std::min(a.height(), b.height()), high = std::max(a.height(), b.height());
     if (high > kUnlike * low) return false;
     if (around(a, b) == a || around(a, b) == b) return false;  // a frame
     if (std::min(a.bottom, b.bottom) - std::max(a.top, b.top) < 0.5 * low) return false;
     const int gap = std::max(a.left, b.left) - std::min(a.right, b.right);
-    return gap < kWordGap * high;
+    return gap < most * high;
 }
+
+// Points and commas between letters, in the order of their places.
+class Points {
+public:
+    explicit Points(const std::vector<PixelBox>& boxes) {
+        constexpr int kMostHeight = 12;  // pixels, of print that is as high as it may be
+        for (const PixelBox& box : boxes)
+            if (box.height() <= kMostHeight && box.width() <= box.height() + 1) points_.push_back(box);
+        std::sort(points_.begin(), points_.end(), [](const PixelBox& a, const PixelBox& b) { return a.left < b.left; });
+    }
+
+    // Where all letters are as wide, a point has as much room as they have: "12.5" has a wider gap than two words.
+    bool any_between(const PixelBox& a, const PixelBox& b) const {
+        constexpr double kOffFoot = 0.2, kLeast = 0.12, kMost = 0.3;  // of the height; specks of noise are smaller
+        const int foot = std::min(a.bottom, b.bottom), height = std::max(a.height(), b.height());
+        const auto is_point = [&](const PixelBox& one) {
+            return std::min(one.width(), one.height()) >= kLeast * height && one.height() <= std::max(2.0, kMost * height) &&
+                   std::abs(one.bottom - foot) <= std::max(1.0, kOffFoot * height);
+        };
+        for (auto point = std::lower_bound(points_.begin(), points_.end(), a.right,
+                                           [](const PixelBox&one, int right) { return one.left < right; });
+             point != points_.end() && point->right <= b.left; ++point)
+            if (is_point(*point)) return true;
+        return false;
+    }
+
+private:
+    std::vector<PixelBox> points_;
+};
 
 struct Group {
     std::vector<std::size_t> letters;  // along the line
@@ -75,12 +106,15 @@ std::vector<Group> group(const std::vector<PixelBox>& boxes, const std::vector<b
         while (parent[one] != one) one = parent[one] = parent[parent[one]];
         return one;
     };
+    const Points points(boxes);
     for (std::size_t i = 0; i < order.size(); ++i) {
         const PixelBox& one = boxes[order[i]];
+        const int farthest = std::min(kMostInkHeight, static_cast<int>(kUnlike * one.height()) + 1);
         for (std::size_t k = i + 1; k < order.size(); ++k) {
             const PixelBox& other = boxes[order[k]];
-            if (other.left - one.right > kWordGap * std::min(kMostInkHeight, static_cast<int>(kUnlike * one.height()) + 1)) break;
-            if (stand_in_line(one, other)) parent[std::max(root(i), root(k))] = std::min(root(i), root(k));
+            if (other.left - one.right > kPointGap * farthest) break;
+            if (stand_in_line(one, other, kWordGap) || (stand_in_line(one, other, kPointGap) && points.any_between(one, other)))
+                parent[std::max(root(i), root(k))] = std::min(root(i), root(k));
         }
     }
     std::vector<Group> groups;
@@ -142,12 +176,6 @@ bool is_raised(const PixelBox& letter, int top, int bottom) {
            letter.top < top + 0.2 * height;
 }
 
-double share_of_ink(const InkPiece& piece) {
-    double ink = 0;
-    for (const InkRun& run : piece.runs) ink += run.right - run.left;
-    return ink / (static_cast<double>(piece.box.width()) * piece.box.height());
-}
-
 // Dots and bars, or most of it.
 bool are_blocks(const LetteringLine& line) {
     constexpr double kFilled = 0.8;
@@ -165,24 +193,24 @@ public:
         keeps_low_ = low != nullptr;
         for (const bool light : {false, true})
             for (const int level : kLevels) look(level, light);
-        drop_holes();
+        drop_holes(grey_, found_);
+        drop_splinters(grey_, found_);
         // Best first; what has ink where a better one stands is the same lettering at a worse level, or the frame around it.
         // Words before lone letters, then the clear ones, then the small ones: large things side by side look like letters, too.
-        const auto key = [](const Found& one) {
-            constexpr int kStep = 24;  // grey levels
-            return std::tuple(one.line.letters.size() < 2, one.rank / kStep, one.line.letter_height, one.rank);
+        const auto key = [](const FoundLine& one) {
+            return std::tuple(one.line.letters.size() < 2, one.rank / kClearer, one.line.letter_height, one.rank);
         };
-        std::stable_sort(found_.begin(), found_.end(), [&](const Found& a, const Found& b) { return key(a) < key(b); });
+        std::stable_sort(found_.begin(), found_.end(), [&](const FoundLine& a, const FoundLine& b) { return key(a) < key(b); });
         FoundBoxes taken(grey_.width, grey_.height), of_words(grey_.width, grey_.height);
         std::vector<LetteringLine> lines = take(found_, taken);
-        std::stable_sort(low_.begin(), low_.end(), [&](const Found& a, const Found& b) { return key(a) < key(b); });
-        for (Found& one : low_)
+        std::stable_sort(low_.begin(), low_.end(), [&](const FoundLine& a, const FoundLine& b) { return key(a) < key(b); });
+        for (FoundLine& one : low_)
             if (!taken.any_on(one.line.box, [](std::size_t, const PixelBox&) { return true; }))
                 low->push_back(std::move(one.line));
         if (climbing == nullptr) return lines;
         for (const LetteringLine& line : lines)
             if (line.letters.size() > 1) of_words.add(line.box);
-        std::stable_sort(short_.begin(), short_.end(), [&](const Found& a, const Found& b) {
+        std::stable_sort(short_.begin(), short_.end(), [&](const FoundLine& a, const FoundLine& b) {
             return a.line.letters.size() != b.line.letters.size() ? a.line.letters.size() > b.line.letters.size()
                                                                   : a.rank < b.rank;
         });
@@ -191,81 +219,15 @@ public:
     }
 
 private:
-    struct Found {
-        LetteringLine line;
-        int rank = 0;
-    };
-
     // Each that has no ink where one stands that was taken before.
-    static std::vector<LetteringLine> take(std::vector<Found>& found, FoundBoxes& taken) {
+    static std::vector<LetteringLine> take(std::vector<FoundLine>& found, FoundBoxes& taken) {
         std::vector<LetteringLine> lines;
-        for (Found& one : found) {
+        for (FoundLine& one : found) {
             if (taken.any_on(one.line.box, [](std::size_t, const PixelBox&) { return true; })) continue;
             taken.add(one.line.box);
             lines.push_back(std::move(one.line));
         }
         return lines;
-    }
-
-    // The ink around holes of letters, by its darkness.
-    struct Containers {
-        Containers(int width, int height) : boxes(width, height) {}
-        FoundBoxes boxes;
-        std::vector<const LetteringLine*> lines;
-        std::vector<bool> thin;
-    };
-
-    // The holes of "80" stand in line, too. They are half as high as their letters and more; lettering in a frame is less. Those
-    // of a word, and of a letter by itself, may be smaller, as in an A, but what is around them is thin, unlike boxes with light
-    // letters in them, and dark right to its edge, unlike the ground in a frame.
-    void drop_holes() {
-        constexpr double kHole = 0.45, kSmallHole = 0.15, kThin = 0.7;
-        Containers containers[2] = {{grey_.width, grey_.height}, {grey_.width, grey_.height}};
-        std::set<std::tuple<bool, int, int, int, int, int>> known;  // the same lettering is found at many levels
-        for (const Found& one : found_) {
-            const PixelBox& box = one.line.box;
-            if (!known.insert({one.line.light, box.left, box.top, box.right, box.bottom, one.line.letter_height}).second)
-                continue;
-            Containers& own = containers[one.line.light ? 1 : 0];
-            own.boxes.add(box);
-            own.lines.push_back(&one.line);
-            double ink = 0;
-            for (const InkPiece& letter : one.line.letters) ink += share_of_ink(letter);
-            own.thin.push_back(ink < kThin * static_cast<double>(one.line.letters.size()));
-        }
-        std::vector<bool> holes;
-        for (const Found& one : found_) {
-            const LetteringLine& line = one.line;
-            const Containers& others = containers[line.light ? 0 : 1];
-            const PixelBox corner{line.box.left, line.box.top, line.box.left + 1, line.box.top + 1};
-            holes.push_back(others.boxes.any_on(corner, [&](std::size_t i, const PixelBox& box) {
-                const LetteringLine& other = *others.lines[i];
-                if (around(box, line.box) != box || line.letter_height >= other.letter_height) return false;
-                const bool flat = other.letters.size() < 2 && box.width() > box.height();
-                if (!flat && line.letter_height >= kHole * other.letter_height) return true;
-                const bool few = other.letters.size() > 1 || line.letters.size() < 3;
-                return few && others.thin[i] && line.letter_height >= kSmallHole * other.letter_height &&
-                       is_walled(line, other.level);
-            }));
-        }
-        std::size_t at = 0;
-        std::erase_if(found_, [&](const Found&) { return holes[at++]; });
-    }
-
-    // In most of its rows the letter begins right at its hole, on both sides.
-    bool is_walled(const LetteringLine& hole, int level) const {
-        int walls = 0, all = 0;
-        const auto is_wall = [&](int from, int to, int y) {  // between is what fades from the letter into its hole
-            for (int x = std::max(0, from); x <= std::min(to, grey_.width - 1); ++x)
-                if ((grey_.row(y)[x] < level) == hole.light) return true;
-            return false;
-        };
-        for (const InkPiece& piece : hole.letters)
-            for (const InkRun& run : piece.runs) {
-                all += 2;
-                walls += is_wall(run.left - 3, run.left - 1, run.y) + is_wall(run.right, run.right + 2, run.y);
-            }
-        return 4 * walls >= 3 * all;
     }
 
     void look(int level, bool light) {
@@ -313,8 +275,8 @@ private:
     }
 
     void add(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, Group group, int level, bool light,
-             bool upwards, std::vector<Found>& to) {
-        Found found;
+             bool upwards, std::vector<FoundLine>& to) {
+        FoundLine found;
         LetteringLine& line = found.line;
         line.upwards = upwards;
         line.light = light;
@@ -389,9 +351,9 @@ private:
     }
 
     const Image& grey_;
-    std::vector<Found> found_;
-    std::vector<Found> short_;  // lines that may climb
-    std::vector<Found> low_;    // and such as have no tall letter
+    std::vector<FoundLine> found_;
+    std::vector<FoundLine> short_;  // lines that may climb
+    std::vector<FoundLine> low_;    // and such as have no tall letter
     bool keeps_low_ = false;
 };
 

@@ -2,7 +2,7 @@
 // What stands among the letters of small print and is too pale to be found with them.
 #pragma once
 
-#include "tactics/lettering/lines.h"
+#include "tactics/lettering/lettering_line.h"
 
 namespace tactics {
 

@@ -19,4 +19,8 @@ bool in_line_with_print(const LetteringLine& line, const KnownPrint& known);
 /// One of the figures of an axis, which are in even steps along a row or column: three, one of which is known print, or four.
 bool is_on_scale(std::size_t which, const std::vector<ReadLine>& lines);
 
+/// One of three or more figures of an upright axis that climb, each letter by itself; one of them at least can only be a letter,
+/// as large as known print if there is any.
+bool is_climbing_figure(std::size_t which, const std::vector<ReadLine>& lines, const KnownPrint& known);
+
 }  // namespace tactics

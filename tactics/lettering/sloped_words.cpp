@@ -16,14 +16,6 @@ constexpr int kLeastSlopedSide = 4;
 constexpr double kLeastSlope = 12, kMostSlope = 78;
 constexpr double kRadian = 3.14159265358979323846 / 180;
 
-// The things of each group, groups and things in their order.
-std::vector<std::vector<std::size_t>> groups_of(Lots& lots, std::size_t count) {
-    std::vector<std::vector<std::size_t>> groups(count);
-    for (std::size_t i = 0; i < count; ++i) groups[lots.find(static_cast<std::uint32_t>(i))].push_back(i);
-    std::erase_if(groups, [](const std::vector<std::size_t>& one) { return one.empty(); });
-    return groups;
-}
-
 int side_of(const PixelBox& box) { return std::max(box.width(), box.height()); }
 
 // The direction of most of its ink, in degrees from level; nothing if it is about as wide as it is long.
@@ -64,7 +56,7 @@ std::vector<std::vector<std::size_t>> near_groups(const std::vector<InkPiece>& p
             if (gap <= reach && std::max(side_of(a), side_of(b)) <= 3 * std::min(side_of(a), side_of(b)))
                 joined.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k));
         }
-    std::vector<std::vector<std::size_t>> groups = groups_of(joined, order.size());
+    std::vector<std::vector<std::size_t>> groups = joined.groups();
     for (std::vector<std::size_t>& group : groups)
         for (std::size_t& one : group) one = order[one];
     return groups;
@@ -249,7 +241,7 @@ std::vector<SlopedGroup> groups_along(const std::vector<InkPiece>& pieces, const
         }
     std::vector<SlopedGroup> words;
     std::vector<bool> known(pieces.size(), false);
-    for (const std::vector<std::size_t>& group : groups_of(joined, order.size())) {
+    for (const std::vector<std::size_t>& group : joined.groups()) {
         SlopedGroup word;
         word.box = pieces[order[group.front()]].box;
         for (const std::size_t one : group) {

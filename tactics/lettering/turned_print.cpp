@@ -290,6 +290,12 @@ bool TurnedPrint::put_back(Lettering& lettering) const {
     return true;
 }
 
+void sort_by_place(std::vector<PrintedWords>& words) {
+    std::stable_sort(words.begin(), words.end(), [](const PrintedWords& a, const PrintedWords& b) {
+        return a.box.top != b.box.top ? a.box.top < b.box.top : a.box.left < b.box.left;
+    });
+}
+
 Lettering read_lettering(const Image& picture, std::string_view language, double least_sure, const PrintFonts& fonts,
                          const std::string& program) {
     const TurnedPrint turned(to_grey(picture));
@@ -298,9 +304,7 @@ Lettering read_lettering(const Image& picture, std::string_view language, double
         lettering = read_upright(turned.given(), language, least_sure, fonts, program);
     lettering.width = picture.width;
     lettering.height = picture.height;
-    std::stable_sort(lettering.words.begin(), lettering.words.end(), [](const PrintedWords& a, const PrintedWords& b) {
-        return a.box.top != b.box.top ? a.box.top < b.box.top : a.box.left < b.box.left;
-    });
+    sort_by_place(lettering.words);
     return lettering;
 }
 

@@ -12,9 +12,11 @@
 #include <vector>
 
 #include "tactics/drawing.h"
+#include "tactics/lettering/form_words.h"
 #include "tactics/lettering/mark_shape.h"
 #include "tactics/lettering/print_company.h"
 #include "tactics/lettering/read_line.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -22,107 +24,6 @@ namespace {
 
 constexpr double kSurelyRead = 80;     // of 100, of three letters: rows of marks are read with less. A setting
 constexpr std::size_t kFewUnread = 8;  // where no print is known
-
-}  // namespace
-
-bool has_room_around(const Image& grey, const LetteringLine& line) {
-    const int room = std::max(2, line.letter_height / 6);
-    const auto has_ink = [&](int x, int y) {
-        return x >= 0 && y >= 0 && x < grey.width && y < grey.height && (grey.row(y)[x] < line.level) != line.light;
-    };
-    // More than a speck of a noisy scan.
-    const auto is_ink = [&](int x, int y) {
-        if (!has_ink(x, y)) return false;
-        for (int v = y - 1; v <= y + 1; ++v)
-            for (int u = x - 1; u <= x + 1; ++u)
-                if ((u != x || v != y) && has_ink(u, v)) return true;
-        return false;
-    };
-    for (int x = line.box.left - room; x < line.box.right + room; ++x)
-        if (is_ink(x, line.box.top - room) || is_ink(x, line.box.bottom - 1 + room)) return false;
-    for (int y = line.box.top - room; y < line.box.bottom + room; ++y)
-        if (is_ink(line.box.left - room, y) || is_ink(line.box.right - 1 + room, y)) return false;
-    return true;
-}
-
-// A scan is not quite level. By chance things in a plot stand in a row with some print; figures of an axis stand near others of
-// it, or right beside one.
-bool in_line_with_print(const LetteringLine& line, const KnownPrint& known) {
-    constexpr double kNear = 0.3;                // of its size
-    constexpr double kBeside = 4, kNotFar = 12;  // heights of letters
-    const PixelBox& box = line.box;
-    const int size = std::max(box.width(), box.height());
-    int count = 0;
-    constexpr double kWithinSight = 15, kClose = 0.4;  // heights of letters; of `near`
-    constexpr std::size_t kFigures = 3;
-    bool beside = false, not_far = false;
-    for (const LetteringLine* other : known) {
-        if (other == &line) continue;
-        const PixelBox& b = other->box;
-        const double height = other->letter_height;
-        const double near = kNear * std::min<double>(size, kMostOfKnown * height);
-        const bool row = std::abs(box.bottom - b.bottom) <= near;
-        const bool column = std::abs(box.right - b.right) <= near || std::abs(box.left - b.left) <= near ||
-                            std::abs(box.left + box.right - b.left - b.right) <= 2 * near;
-        if (!row && !column) continue;
-        ++count;
-        const int gap = row ? std::max(box.left, b.left) - std::min(box.right, b.right)
-                            : std::max(box.top, b.top) - std::min(box.bottom, b.bottom);
-        // Close to the foot or middle of a figure of its height, it may stand farther off.
-        const double off = row ? std::abs(box.bottom - b.bottom)
-                               : 0.5 * std::min({std::abs(box.left + box.right - b.left - b.right),
-                                                 2 * std::abs(box.left - b.left), 2 * std::abs(box.right - b.right)});
-        const bool exact =
-            other->letters.size() <= kFigures && off <= kClose * near && std::abs(line.letter_height - height) <= kClose * near;
-        beside = beside || gap <= (exact ? kWithinSight : kBeside) * height;
-        not_far = not_far || gap <= kNotFar * height;
-    }
-    return beside || (count > 1 && not_far);
-}
-
-// Figures of an axis, whether or not they are read: three in even steps along a row or column that need not be quite level, one
-// of which is known print; or four of one height. Columns may end or begin at one place.
-bool is_on_scale(std::size_t which, const std::vector<ReadLine>& lines) {
-    constexpr double kOneHeight = 0.2, kKnownHeight = 0.4, kLevel = 0.05,
-                     kOff = 0.3;  // of the height; of the step; of the height
-    constexpr int kOfKnown = 3, kOfUnread = 4;
-    const PixelBox& box = lines[which].line.box;
-    const double height = lines[which].line.letter_height;
-    const auto is_alike = [&](const ReadLine& one) {
-        return std::abs(one.line.letter_height - height) <= (is_doubtful(one) ? kOneHeight : kKnownHeight) * height;
-    };
-    // From its box to another, which is some of these steps away.
-    const auto is_at = [&](const PixelBox& b, double x, double y, bool row) {
-        const auto off = [&](double moved) { return std::abs(moved) <= kOff * height; };
-        const double left = b.left - box.left - x, right = b.right - box.right - x;
-        return off(0.5 * (b.top + b.bottom - box.top - box.bottom) - y) &&
-               (off(0.5 * (left + right)) || (!row && (off(left) || off(right))));
-    };
-    for (const ReadLine& next : lines) {
-        const PixelBox& b = next.line.box;
-        const double across = 0.5 * (b.left + b.right - box.left - box.right),
-                     y = 0.5 * (b.top + b.bottom - box.top - box.bottom);
-        const bool row = std::abs(across) > std::abs(y);
-        const double edge = std::abs(b.left - box.left) < std::abs(b.right - box.right) ? b.left - box.left : b.right - box.right;
-        const double x = row || std::abs(across) < std::abs(edge) ? across : edge, step = std::max(std::abs(x), std::abs(y));
-        if (!is_alike(next) || step < 2 * height || std::min(std::abs(x), std::abs(y)) > kLevel * step) continue;
-        int count = 1;
-        bool known = false;
-        for (const int side : {1, -1})
-            for (int k = side;; k += side) {
-                const auto found = std::find_if(lines.begin(), lines.end(), [&](const ReadLine& one) {
-                    return is_alike(one) && is_at(one.line.box, k * x, k * y, row);
-                });
-                if (found == lines.end()) break;
-                ++count;
-                known = known || !is_doubtful(*found);
-            }
-        if (count >= (known ? kOfKnown : kOfUnread)) return true;
-    }
-    return false;
-}
-
-namespace {
 
 struct Piece {
     const InkPiece* ink = nullptr;
@@ -161,6 +62,12 @@ public:
                 unlike.push_back(&piece.shape);
         }
         return unlike.empty() ? !in_line_[line] || !(upright || likely_[line]) : drawn && unlike.size() < kShapesOfWords;
+    }
+
+    // A piece of it is there several times.
+    bool is_repeated(std::size_t line) const {
+        return std::any_of(pieces_.begin(), pieces_.end(),
+                           [&](const Piece& piece) { return piece.line == line && is_repeated(piece); });
     }
 
     // A letter of each group of letters that follow each other on a slope or a curve, so that they make no line.
@@ -339,6 +246,18 @@ bool has_letters(const ReadLine& one, const KnownPrint& known, bool any_known) {
     return letters > 0 && 2 * letters >= one.line.letters.size() && one.line.marks.size() <= one.line.letters.size();
 }
 
+// A single letter that a font bears out, and no mark of a plot is read so well: those get 50 to 75 of 100.
+bool is_letter_of_font(const ReadLine& one) {
+    constexpr double kLikely = 80;  // a setting
+    std::string_view text = one.words.text;
+    if (text.empty() || one.line.letters.size() != 1 || one.words.sureness < kLikely) return false;
+    const char32_t code = take_letter(text);
+    return text.empty() && (is_digit(code) || (code | 32) - U'a' < 26 || code >= 0xC0) && !may_be_drawn(code);
+}
+
+// More than any words have.
+bool is_mostly_marks(const LetteringLine& line) { return line.marks.size() > 2 * line.letters.size() + 1; }
+
 // Rows of equal marks, or pieces of a curve, are read as "°°°°", "OOO" or "f\\ I".
 bool says_something(const std::string& text) {
     constexpr std::string_view kMarks = "OoQ0Il1xX";
@@ -367,7 +286,12 @@ std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& l
             unread[i] = true;
             continue;
         }
-        if (!is_doubtful(one) || drawn.has(i) || one.line.marks.size() > 2 * one.line.letters.size() + 1) continue;
+        const bool alone = (is_letter_of_font(one) && !drawn.is_repeated(i)) || is_climbing_figure(i, lines, known);
+        if (is_doubtful(one) && alone && has_room_around(grey, one.line)) {
+            unread[i] = true;
+            continue;
+        }
+        if (!is_doubtful(one) || drawn.has(i) || (is_mostly_marks(one.line) && !one.likely)) continue;
         if (!one.likely) {
             if (!has_letters(one, known, any_known) || (!any_known && one.line.light) || !has_room_around(grey, one.line))
                 continue;

@@ -88,6 +88,20 @@ TEST(Quieted, BordersStaySharpAndPaleLinesStay) {
     }
 }
 
+// The line of two pixels keeps most of its depth, as the thin part of a letter has to.
+TEST(Quieted, LinesOfPrintStayWhereLessIsSmoothed) {
+    for (const double deviation : {3.0, 7.0}) {
+        Image picture = scanned(deviation);
+        EXPECT_TRUE(quieten_lines(picture)) << deviation;
+        EXPECT_LT(mean_of(picture, 90, 110, 150, 180).deviation, 0.5 * deviation) << deviation;
+        EXPECT_LT(mean_of(picture, 170, 20, 210, 22).value, kPaper - 0.75 * (kPaper - kPaleLine)) << deviation;
+    }
+    Image clean = scanned(0);
+    const Image before = clean;
+    EXPECT_FALSE(quieten_lines(clean));
+    EXPECT_EQ(clean.pixels, before.pixels);
+}
+
 // As where a scan was enlarged: each pixel is the mean of the four around it.
 TEST(Quieted, CoarserNoiseGoesToo) {
     Image picture = scanned(12);

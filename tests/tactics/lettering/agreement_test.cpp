@@ -148,6 +148,20 @@ TEST(Agreement, WhatLooksLikeOtherLettersIsNotSure) {
     EXPECT_FALSE(believe(open, {"ll", 96, true, true}).sure);
 }
 
+// Both readers say so, and neither sees how large the letters should be.
+TEST(Agreement, OnlyPrintOfItsSizeTellsCapitalsFromSmallLetters) {
+    const auto is_sure = [](std::u32string_view codes, const std::string& text, bool sized) {
+        FormWords words = line_of(codes, text);
+        words.agreed = true;
+        words.sized = sized;
+        return believe(words, {text, 96, true, true}).sure;
+    };
+    EXPECT_FALSE(is_sure(U"COSX", "COS X", false));
+    EXPECT_FALSE(is_sure(U"vox", "vox", false));
+    EXPECT_TRUE(is_sure(U"cosx", "cos x", true));
+    EXPECT_TRUE(is_sure(U"cost", "cost", false)) << "a t is no T";
+}
+
 TEST(Agreement, APieceThatIsLikeNoLetterMayOnlyBeALetterThatTheOtherReads) {
     const char32_t none = 0;
     EXPECT_TRUE(believe(line_of(std::u32string{U'B', none, U'r', U'c', U'h'}, ""), {"Birch", 95, true, true}).sure);

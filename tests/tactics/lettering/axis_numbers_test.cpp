@@ -128,6 +128,30 @@ TEST(AxisNumbers, StandAboveEachOther) {
     EXPECT_EQ(held(lines), "100 80 60 40 20 0");
 }
 
+// A scan is not quite level: five pixels over 450.
+TEST(AxisNumbers, NeedNotBeQuiteAboveEachOther) {
+    const auto column = [](int lean) {
+        std::vector<ReadLine> lines;
+        const char* const texts[] = {"12", "8", "4", "o"};
+        for (int i = 0; i < 4; ++i) {
+            lines.push_back(number(50, 40 + 150 * i, texts[i], i != 3));
+            PixelBox& box = lines.back().line.box;
+            const int right = 100 + lean * i / 3;
+            box = {right - box.width(), box.top, right, box.bottom};
+        }
+        return lines;
+    };
+    EXPECT_EQ(held(column(5)), "12 8 4 0");
+    EXPECT_EQ(held(column(12)), "12 8 4 ?");
+}
+
+// Places are whole pixels: two that stand side by side tell the step less well than two that are far apart.
+TEST(AxisNumbers, TheFarthestTellTheStep) {
+    EXPECT_EQ(held({number(40, 90, "0", true), number(91, 90, "1", true), number(140, 90, "2", true), number(190, 90, "3", true),
+                    number(240, 90, "4", true), number(290, 90, "5", true), number(340, 90, "lo", false, {"6", "lo"})}),
+              "0 1 2 3 4 5 6");
+}
+
 TEST(AxisNumbers, OfHostileLinesIsBounded) {
     std::vector<ReadLine> lines;
     for (int i = 0; i < 300; ++i) lines.push_back(number(10.0 + 9 * i, 90, std::to_string(i * i % 97), true));

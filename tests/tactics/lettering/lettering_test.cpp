@@ -92,6 +92,39 @@ TEST(Lettering, HolesOfLettersAreNoLetters) {
     EXPECT_EQ(lines[0].letters.size(), 2u);
 }
 
+// A ring on a dark ground, paler above and below, comes apart into two bars where only the darkest counts.
+TEST(Lettering, SplintersOfALetterAreNoWord) {
+    Image image = make_image(80, 60, 1, 0, 200);
+    fill(image, {30, 20, 33, 42}, 30);
+    fill(image, {39, 20, 42, 42}, 30);
+    fill(image, {33, 20, 39, 22}, 80);
+    fill(image, {33, 40, 39, 42}, 80);
+    auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].letters.size(), 1u);
+    EXPECT_EQ(lines[0].box, (PixelBox{30, 20, 42, 42}));
+    fill(image, {33, 20, 39, 42}, 200);  // but two bars are two
+    lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].letters.size(), 2u);
+}
+
+// As in print whose letters are all as wide.
+TEST(Lettering, APointHasAsMuchRoomAsALetter) {
+    Image image = make_image(160, 60, 1, 0, 255);
+    write_blocks(image, 20, 20, "xx", 0);
+    fill(image, {46, 29, 49, 32}, 0);
+    write_blocks(image, 56, 20, "x", 0);
+    auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].letters.size(), 3u);
+    EXPECT_EQ(lines[0].marks.size(), 1u);
+    fill(image, {46, 29, 49, 32}, 255);
+    EXPECT_EQ(find_lettering(image).size(), 2u) << "without it they are two";
+    fill(image, {46, 20, 49, 23}, 0);
+    EXPECT_EQ(find_lettering(image).size(), 2u) << "nor is it a point so high up";
+}
+
 TEST(Lettering, AnEqualsSignIsAsMuchOfALineAsALetter) {
     Image image = make_image(160, 60, 1, 0, 255);
     write_blocks(image, 20, 20, "x", 0);

@@ -129,6 +129,31 @@ TEST_F(UnreadPrint, AFigureBesideAllThatIsDrawnIsNoDash) {
     EXPECT_FALSE(has(told(true), 153, 85));
 }
 
+TEST_F(UnreadPrint, FiguresThatClimbAreToldThoughTheyLieOnTheirSide) {
+    draw(200, 150, two), draw(214, 150, four);  // "24", far away
+    const std::vector<std::string_view> one{" #     ", "#######", "#######", "      #"},
+        zero{"#######", "#     #", "#     #", "#######"};
+    draw(20, 20, one), draw(20, 80, zero), draw(21, 140, one);  // 1, 0 and -1 of an upright axis
+    EXPECT_EQ(told(true).size(), 3u);
+}
+
+TEST_F(UnreadPrint, RowsOfMarksAndDashesAboveEachOtherAreNoFiguresThatClimb) {
+    draw(200, 150, two), draw(214, 150, four);
+    for (const int y : {20, 80, 140}) draw(20, y, {"#######"});  // samples of a legend
+    EXPECT_TRUE(told(true).empty());
+    for (const int y : {20, 80, 140}) disc(80, y, 5, 7);  // circles are as high as wide
+    EXPECT_TRUE(told(true).empty());
+}
+
+TEST_F(UnreadPrint, SpecksOfNoiseBesideItLeaveItFree) {
+    draw(20, 150, two), draw(34, 150, four);
+    draw(100, 150, two);
+    draw(111, 150, {"#"});  // right beside it
+    EXPECT_TRUE(has(told(true), 101, 151));
+    for (int y = 150; y < 160; ++y) picture.row(y)[111] = 0;
+    EXPECT_FALSE(has(told(true), 101, 151)) << "more than a speck";
+}
+
 TEST_F(UnreadPrint, WhatIsNotAsLargeAsPrintOrTouchesIsNone) {
     draw(20, 150, two), draw(34, 150, four);
     std::vector<std::string_view> large;

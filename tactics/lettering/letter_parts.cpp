@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/lettering/letter_parts.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <tuple>
+
+#include "tactics/lettering/found_boxes.h"
+
+namespace tactics {
+
+namespace {
+
+// The ink around holes of letters, by its darkness.
+struct Containers {
+    Containers(int width, int height) : boxes(width, height) {}
+    FoundBoxes boxes;
+    std::vector<const LetteringLine*> lines;
+    std::vector<bool> thin;
+};
+
+// In most of its rows the letter begins right at its hole, on both sides.
+bool is_walled(const Image& grey, const LetteringLine& hole, int level) {
+    int walls = 0, all = 0;
+    const auto is_wall = [&](int from, int to, int y) {  // between is what fades from the letter into its hole
+        for (int x = std::max(0, from); x <= std::min(to, grey.width - 1); ++x)
+            if ((grey.row(y)[x] < level) == hole.light) return true;
+        return false;
+    };
+    for (const InkPiece& piece : hole.letters)
+        for (const InkRun& run : piece.runs) {
+            all += 2;
+            walls += is_wall(run.left - 3, run.left - 1, run.y) + is_wall(run.right, run.right + 2, run.y);
+        }
+    return 4 * walls >= 3 * all;
+}
+
+// All of its ink is ink of that letter, as the first pixel of each piece tells.
+bool is_part_of(const LetteringLine& line, const LetteringLine& letter) {
+    if (line.light != letter.light) return false;
+    const auto has = [&](const InkRun& run) {
+        const std::vector<InkRun>& runs = letter.letters.front().runs;
+        return std::any_of(runs.begin(), runs.end(),
+                           [&](const InkRun& own) { return own.y == run.y && own.left <= run.left && run.left < own.right; });
+    };
+    for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
+        for (const InkPiece& piece : *pieces)
+            if (!has(piece.runs.front())) return false;
+    return true;
+}
+
+// One pixel, which all that hold the line have.
+PixelBox corner_of(const LetteringLine& line) { return {line.box.left, line.box.top, line.box.left + 1, line.box.top + 1}; }
+
+void erase_marked(std::vector<FoundLine>& found, const std::vector<bool>& marked) {
+    std::size_t at = 0;
+    std::erase_if(found, [&](const FoundLine&) { return marked[at++]; });
+}
+
+}  // namespace
+
+// The holes of "80" are half as high as their letters and more; lettering in a frame is less. Those
+// of a word, and of a letter by itself, may be smaller, as in an A, but what is around them is thin, unlike boxes with light
+// letters in them, and dark right to its edge, unlike the ground in a frame.
+void drop_holes(const Image& grey, std::vector<FoundLine>& found) {
+    constexpr double kHole = 0.45, kSmallHole = 0.15, kThin = 0.62;
+    Containers containers[2] = {{grey.width, grey.height}, {grey.width, grey.height}};
+    std::set<std::tuple<bool, int, int, int, int, int>> known;  // the same lettering is found at many levels
+    for (const FoundLine& one : found) {
+        const PixelBox& box = one.line.box;
+        if (!known.insert({one.line.light, box.left, box.top, box.right, box.bottom, one.line.letter_height}).second) continue;
+        Containers& own = containers[one.line.light ? 1 : 0];
+        own.boxes.add(box);
+        own.lines.push_back(&one.line);
+        double ink = 0;
+        for (const InkPiece& letter : one.line.letters) ink += share_of_ink(letter);
+        own.thin.push_back(ink < kThin * static_cast<double>(one.line.letters.size()));
+    }
+    std::vector<bool> holes;
+    for (const FoundLine& one : found) {
+        const LetteringLine& line = one.line;
+        const Containers& others = containers[line.light ? 0 : 1];
+        holes.push_back(others.boxes.any_on(corner_of(line), [&](std::size_t i, const PixelBox& box) {
+            const LetteringLine& other = *others.lines[i];
+            if (around(box, line.box) != box || line.letter_height >= other.letter_height) return false;
+            const bool flat = other.letters.size() < 2 && box.width() > box.height();
+            if (!flat && line.letter_height >= kHole * other.letter_height) return true;
+            const bool few = other.letters.size() > 1 || line.letters.size() < 3;
+            return few && others.thin[i] && line.letter_height >= kSmallHole * other.letter_height &&
+                   is_walled(grey, line, other.level);
+        }));
+    }
+    erase_marked(found, holes);
+}
+
+void drop_splinters(const Image& grey, std::vector<FoundLine>& found) {
+    constexpr int kNotSmall = 14;  // pixels of the longer side. A setting
+    FoundBoxes boxes(grey.width, grey.height);
+    std::vector<const FoundLine*> letters;
+    for (const FoundLine& one : found) {
+        if (one.line.letters.size() != 1) continue;
+        boxes.add(one.line.letters.front().box);
+        letters.push_back(&one);
+    }
+    std::vector<bool> splinters;
+    for (const FoundLine& one : found) {
+        const LetteringLine& line = one.line;
+        const bool may = line.letters.size() > 1 &&
+                         (line.marks.size() >= line.letters.size() || std::max(line.box.width(), line.box.height()) >= kNotSmall);
+        splinters.push_back(may && boxes.any_on(corner_of(line), [&](std::size_t i, const PixelBox& box) {
+            return letters[i]->rank + kClearer < one.rank && around(box, line.box) == box && is_part_of(line, letters[i]->line);
+        }));
+    }
+    erase_marked(found, splinters);
+}
+
+}  // namespace tactics

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What looks like a line of lettering and is a part of letters.
+#pragma once
+
+#include <vector>
+
+#include "tactics/lettering/lettering_line.h"
+
+namespace tactics {
+
+/// A line as it was found at one level of grey.
+struct FoundLine {
+    LetteringLine line;
+    int rank = 0;  ///< grey levels from the middle between letters and ground; the fewer the clearer
+};
+
+/// Grey levels, by which one place is clearer than another. A setting.
+inline constexpr int kClearer = 24;
+
+/// The holes of letters stand in line, too.
+void drop_holes(const Image& grey, std::vector<FoundLine>& found);
+
+/// A letter that is one piece where it is clear comes apart at deeper levels, as in a noisy scan or on a dark ground, and its
+/// splinters look like a word. In small print they may as well be letters that touch, unless there are marks among them.
+void drop_splinters(const Image& grey, std::vector<FoundLine>& found);
+
+}  // namespace tactics

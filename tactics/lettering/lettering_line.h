@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// A line of lettering, as ink.
+#pragma once
+
+#include <vector>
+
+#include "tactics/lettering/ink.h"
+
+namespace tactics {
+
+/// Letters that make one line of words. It runs to the right, or upwards, as the names of upright axes do.
+struct LetteringLine {
+    bool upwards = false;
+    bool light = false;             ///< on a darker ground
+    int level = 0;                  ///< of grey, between letters and ground
+    PixelBox box;                   ///< of all its ink
+    int letter_height = 0;          ///< of the tallest letter, across the line
+    std::vector<InkPiece> letters;  ///< along the line
+    std::vector<InkPiece> marks;    ///< dots, minus signs and other small ink among them
+    std::vector<InkPiece> raised;   ///< smaller letters above the line at its end: an exponent
+};
+
+}  // namespace tactics
