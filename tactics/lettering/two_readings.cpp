@@ -86,6 +86,15 @@ bool takes_given(const Place& place) {
     return borne_out ? surer : more;  // what cannot be sure is told as a whole
 }
 
+// Letters alone that were read alike twice in each reading, as surely as print in a font that is not installed has to be.
+bool are_words_of_both(const PrintedWords& a, const PrintedWords& b) {
+    constexpr double kSure = 93;  // a setting
+    constexpr std::ptrdiff_t kLetters = 3;
+    const auto count = std::count_if(a.text.begin(), a.text.end(), [](char c) { return (c | 32) >= 'a' && (c | 32) <= 'z'; });
+    const bool digits = std::any_of(a.text.begin(), a.text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return a.text == b.text && std::min(a.sureness, b.sureness) >= kSure && count >= kLetters && !digits;
+}
+
 void take_words(const Place& place, std::vector<PrintedWords>& to) {
     const bool of_given = takes_given(place);
     const auto &words = of_given ? place.given : place.smoothed, &others = of_given ? place.smoothed : place.given;
@@ -95,6 +104,7 @@ void take_words(const Place& place, std::vector<PrintedWords>& to) {
             one->sure = false;
             one->out = denied;  // it is print all the same, which both have found
         }
+        if (words.size() == 1 && others.size() == 1 && are_words_of_both(*one, *others.front())) one->sure = true;
         to.push_back(std::move(*one));
     }
 }

@@ -7,7 +7,10 @@ import shutil
 import subprocess
 
 
-RENDERED = ("PNG", "JPEG", "scan", "PDF")  # of hand-written SVG by a program that shows less than the file says
+# Degrees turned, pixels of blur, deviation of the noise in grey levels, and whether it is coarser than pixels, under uneven light.
+SCANS = {"scan": (0.4, 0.8, 7, False), "fine scan": (0.2, 0.6, 4, False), "soft scan": (-0.5, 1.0, 10, False),
+         "coarse scan": (0.9, 0.8, 6, True)}
+RENDERED = ("PNG", "JPEG", *SCANS, "PDF")  # of hand-written SVG by a program that shows less than the file says
 
 
 @dataclasses.dataclass
@@ -64,7 +67,7 @@ def renderings(svg, dpi, forms=("PNG", "PDF")):
 
 
 def copies(png, form):
-    """Of a PNG what people send instead: a JPEG, and a scan of its print, grey, soft, noisy and not quite level."""
+    """Of a PNG what people send instead: a JPEG, and a scan of its print, grey, soft, noisy and not quite level; others if asked for."""
     import numpy
     from PIL import Image, ImageFilter
 
@@ -75,10 +78,15 @@ def copies(png, form):
     if form in (None, "JPEG"):
         files["JPEG"] = stem + ".jpg"
         picture.save(files["JPEG"], quality=75)
-    if form in (None, "scan"):
-        files["scan"] = stem + ".scan.png"
-        turned = picture.convert("L").rotate(0.4, Image.Resampling.BICUBIC, fillcolor=255).filter(ImageFilter.GaussianBlur(0.8))
-        noise = numpy.random.default_rng(7).normal(0, 7, (picture.height, picture.width))
+    if (form or "scan") in SCANS:
+        name = form or "scan"
+        degrees, blur, deviation, coarse = SCANS[name]
+        files[name] = f"{stem}.{name.replace(' ', '-')}.png"
+        turned = picture.convert("L").rotate(degrees, Image.Resampling.BICUBIC, fillcolor=255).filter(ImageFilter.GaussianBlur(blur))
+        noise = numpy.random.default_rng(7).normal(0, deviation, (picture.height, picture.width))
+        if coarse:
+            noise = sum(numpy.roll(noise, (down, across), (0, 1)) for down in (0, 1) for across in (0, 1)) / 2
+            noise -= 20 * numpy.linspace(0, 1, picture.width)[None, :]
         grey = 25 + numpy.asarray(turned, dtype=float) * (242 - 25) / 255 + noise
-        Image.fromarray(grey.round().clip(0, 255).astype("uint8")).save(files["scan"])
+        Image.fromarray(grey.round().clip(0, 255).astype("uint8")).save(files[name])
     return files

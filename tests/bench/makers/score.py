@@ -6,6 +6,7 @@ import re
 import subprocess
 
 import line_score
+from figure import SCANS
 
 COLUMNS = ("figures", "words", "right", "wrong", "told", "silent", "titles", "titles right", "titles wrong", "blank", "hard", "soft", "unsaid",
            "failed")
@@ -43,7 +44,7 @@ def score(program, source, figure, form, page):
         file.write(run.stdout)
     row["seconds"] = answer["seconds"]
     row["blank"] = int(answer["outputs"][0]["empty"])
-    if form != "scan":  # which is not quite level, so that its places are not those of the truth
+    if form not in SCANS:  # which are not quite level, so that its places are not those of the truth
         row["lines"] = line_score.score(page, answer, figure)
     rules = subprocess.run([program, "check", page, "--json"], capture_output=True, text=True, check=False)
     broken = {rule["rule"]: rule["hard"] for rule in json.loads(rules.stdout)["rules"] if rule["findings"]}

@@ -47,6 +47,18 @@ TEST(TwoReadings, OneThatIsSureDoesIfTheOtherReadsTheSame) {
     EXPECT_EQ(together({{"Oak", true, 20, 20}}, {{"", false, 21, 19}}), "Oak") << "which was not read at all";
 }
 
+TEST(TwoReadings, LettersThatBothReadWithHighSurenessAreSure) {
+    const auto is_sure = [](const std::string& text, double given, double smoothed) {
+        Lettering a = reading({{text, false, 20, 20}}), b = reading({{text, false, 20, 20}});
+        a.words[0].sureness = given, b.words[0].sureness = smoothed;
+        return put_together(a, b).words[0].sure;
+    };
+    EXPECT_TRUE(is_sure("Oak", 96, 95));
+    EXPECT_FALSE(is_sure("Oak", 96, 90));
+    EXPECT_FALSE(is_sure("100", 97, 97)) << "no word bears out a figure";
+    EXPECT_FALSE(is_sure("in", 97, 97)) << "two marks are read as two letters";
+}
+
 TEST(TwoReadings, NothingIsSureWhereTheyDiffer) {
     EXPECT_EQ(together({{"10", true, 20, 20}}, {{"19", false, 20, 20}}), "(10)*");
     EXPECT_EQ(together({{"cos x", false, 20, 20}}, {{"COS X", true, 20, 20}}), "(cos x)");
