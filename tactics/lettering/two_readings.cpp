@@ -64,8 +64,16 @@ std::string without_spaces(std::string text) {
     return text;
 }
 
-// Each of the others was read as a part of these, or was not read.
+bool has_figures(const std::string& text) {
+    return std::any_of(text.begin(), text.end(), [](char c) { return is_digit(static_cast<unsigned char>(c)); });
+}
+
+// Each of the others was read as a part of these, or was not read; but a part of a number is another one.
 bool bear_out(const std::vector<PrintedWords*>& others, const std::vector<PrintedWords*>& words) {
+    if (words.size() == 1 && others.size() == 1 && has_figures(words.front()->text)) {
+        const std::string& other = others.front()->text;
+        return other.empty() || without_spaces(other) == without_spaces(words.front()->text);
+    }
     std::string text;
     for (const PrintedWords* one : words) text += without_spaces(one->text) + '\n';
     return std::all_of(others.begin(), others.end(),
@@ -91,8 +99,7 @@ bool are_words_of_both(const PrintedWords& a, const PrintedWords& b) {
     constexpr double kSure = 93;  // a setting
     constexpr std::ptrdiff_t kLetters = 3;
     const auto count = std::count_if(a.text.begin(), a.text.end(), [](char c) { return (c | 32) >= 'a' && (c | 32) <= 'z'; });
-    const bool digits = std::any_of(a.text.begin(), a.text.end(), [](char c) { return c >= '0' && c <= '9'; });
-    return a.text == b.text && std::min(a.sureness, b.sureness) >= kSure && count >= kLetters && !digits;
+    return a.text == b.text && std::min(a.sureness, b.sureness) >= kSure && count >= kLetters && !has_figures(a.text);
 }
 
 void take_words(const Place& place, std::vector<PrintedWords>& to) {
@@ -104,7 +111,7 @@ void take_words(const Place& place, std::vector<PrintedWords>& to) {
             one->sure = false;
             one->out = denied;  // it is print all the same, which both have found
         }
-        if (words.size() == 1 && others.size() == 1 && are_words_of_both(*one, *others.front())) one->sure = true;
+        if (words.size() == 1 && others.size() == 1 && are_words_of_both(*one, *others.front())) one->sure = one->print = true;
         to.push_back(std::move(*one));
     }
 }

@@ -62,6 +62,7 @@ TEST(TwoReadings, LettersThatBothReadWithHighSurenessAreSure) {
 TEST(TwoReadings, NothingIsSureWhereTheyDiffer) {
     EXPECT_EQ(together({{"10", true, 20, 20}}, {{"19", false, 20, 20}}), "(10)*");
     EXPECT_EQ(together({{"cos x", false, 20, 20}}, {{"COS X", true, 20, 20}}), "(cos x)");
+    EXPECT_EQ(together({{"10", true, 20, 20}}, {{"1", false, 20, 20}}), "(10)*") << "a part of a number is another one";
     EXPECT_EQ(together({{"2.0", true, 20, 20}}, {{"20", true, 20, 20}}), "(2.0)*");
 }
 
