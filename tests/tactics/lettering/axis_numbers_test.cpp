@@ -147,9 +147,9 @@ TEST(AxisNumbers, NeedNotBeQuiteAboveEachOther) {
 
 // Places are whole pixels: two that stand side by side tell the step less well than two that are far apart.
 TEST(AxisNumbers, TheFarthestTellTheStep) {
-    EXPECT_EQ(held({number(40, 90, "0", true), number(91, 90, "1", true), number(140, 90, "2", true), number(190, 90, "3", true),
-                    number(240, 90, "4", true), number(290, 90, "5", true), number(340, 90, "lo", false, {"6", "lo"})}),
-              "0 1 2 3 4 5 6");
+    EXPECT_EQ(held({number(40, 90, "0", true), number(91, 90, "1", true), number(141, 90, "2", true),
+                    number(342, 90, "b", false, {"6", "b"})}),
+              "0 1 2 6");
 }
 
 TEST(AxisNumbers, OfHostileLinesIsBounded) {

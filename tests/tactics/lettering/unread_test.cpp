@@ -148,9 +148,9 @@ TEST_F(UnreadPrint, RowsOfMarksAndDashesAboveEachOtherAreNoFiguresThatClimb) {
 TEST_F(UnreadPrint, SpecksOfNoiseBesideItLeaveItFree) {
     draw(20, 150, two), draw(34, 150, four);
     draw(100, 150, two);
-    draw(111, 150, {"#"});  // right beside it
+    draw(104, 165, {"#"});  // right below it
     EXPECT_TRUE(has(told(true), 101, 151));
-    for (int y = 150; y < 160; ++y) picture.row(y)[111] = 0;
+    for (int x = 100; x < 110; ++x) picture.row(165)[x] = 0;
     EXPECT_FALSE(has(told(true), 101, 151)) << "more than a speck";
 }
 
