@@ -22,7 +22,7 @@ constexpr std::size_t kLowUpwards = 3;  // letters that none is as tall as that 
 // Of the height of the taller of two letters, which may both be small ones (0.52 em): a word space is 0.25 to 0.33 em and its
 // letters' side bearings.
 constexpr double kWordGap = 1.0;
-constexpr double kPointGap = 1.6;  // with a point between them, where all letters are as wide
+constexpr double kPointGap = 1.6;  // with a point between them, in monospaced print
 constexpr double kMarkGap = 0.5;
 // From x-height to a letter with ascender and descender.
 constexpr double kUnlike = 2.4;
@@ -71,7 +71,7 @@ public:
         std::sort(points_.begin(), points_.end(), [](const PixelBox& a, const PixelBox& b) { return a.left < b.left; });
     }
 
-    // Where all letters are as wide, a point has as much room as they have: "12.5" has a wider gap than two words.
+    // In monospaced print a point has as much room as a letter: "12.5" has a wider gap than two words.
     bool any_between(const PixelBox& a, const PixelBox& b) const {
         constexpr double kOffFoot = 0.2, kLeast = 0.12, kMost = 0.3;  // of the height; specks of noise are smaller
         const int foot = std::min(a.bottom, b.bottom), height = std::max(a.height(), b.height());

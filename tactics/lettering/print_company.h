@@ -10,7 +10,7 @@
 
 namespace tactics {
 
-/// Nothing touches it or is right beside it.
+/// Nothing touches it or is right beside it, but for specks of noise.
 bool has_room_around(const Image& grey, const LetteringLine& line);
 
 /// By its foot, its middle or one of its ends, and not far off.

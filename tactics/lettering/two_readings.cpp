@@ -46,16 +46,10 @@ std::vector<Place> places_of(Lettering& given, Lettering& smoothed) {
     return places;
 }
 
-// The letters of those that are sure.
-std::size_t sure_letters(const std::vector<PrintedWords*>& words) {
+// Bytes that were read.
+std::size_t length_of(const std::vector<PrintedWords*>& words, bool only_sure) {
     std::size_t count = 0;
-    for (const PrintedWords* one : words) count += one->sure ? one->text.size() : 0;
-    return count;
-}
-
-std::size_t letters(const std::vector<PrintedWords*>& words) {
-    std::size_t count = 0;
-    for (const PrintedWords* one : words) count += one->text.size();
+    for (const PrintedWords* one : words) count += one->sure || !only_sure ? one->text.size() : 0;
     return count;
 }
 
@@ -80,16 +74,12 @@ bool bear_out(const std::vector<PrintedWords*>& others, const std::vector<Printe
                        [&](const PrintedWords* other) { return text.find(without_spaces(other->text)) != text.npos; });
 }
 
-bool is_one_letter(std::string_view text) {
-    if (!text.empty()) take_letter(text);
-    return text.empty();
-}
-
 // Whether those of the given picture are taken.
 bool takes_given(const Place& place) {
     if (place.given.empty() || place.smoothed.empty()) return place.smoothed.empty();
-    const std::size_t given = sure_letters(place.given), smoothed = sure_letters(place.smoothed);
-    const bool more = letters(place.given) >= letters(place.smoothed), surer = given == smoothed ? more : given > smoothed;
+    const std::size_t given = length_of(place.given, true), smoothed = length_of(place.smoothed, true);
+    const bool more = length_of(place.given, false) >= length_of(place.smoothed, false),
+               surer = given == smoothed ? more : given > smoothed;
     const bool borne_out = surer ? bear_out(place.smoothed, place.given) : bear_out(place.given, place.smoothed);
     return borne_out ? surer : more;  // what cannot be sure is told as a whole
 }
@@ -107,7 +97,7 @@ void take_words(const Place& place, std::vector<PrintedWords>& to) {
     const auto &words = of_given ? place.given : place.smoothed, &others = of_given ? place.smoothed : place.given;
     const bool denied = !bear_out(others, words);
     for (PrintedWords* one : words) {
-        if (one->sure && (denied || (others.empty() && is_one_letter(one->text)))) {
+        if (one->sure && (denied || (others.empty() && letters_in(one->text) < 2))) {
             one->sure = false;
             one->out = denied;  // it is print all the same, which both have found
         }

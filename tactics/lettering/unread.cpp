@@ -286,12 +286,13 @@ std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& l
             unread[i] = true;
             continue;
         }
+        if (!is_doubtful(one)) continue;
         const bool alone = (is_letter_of_font(one) && !drawn.is_repeated(i)) || is_climbing_figure(i, lines, known);
-        if (is_doubtful(one) && alone && has_room_around(grey, one.line)) {
+        if (alone && has_room_around(grey, one.line)) {
             unread[i] = true;
             continue;
         }
-        if (!is_doubtful(one) || drawn.has(i) || (is_mostly_marks(one.line) && !one.likely)) continue;
+        if (drawn.has(i) || (is_mostly_marks(one.line) && !one.likely)) continue;
         if (!one.likely) {
             if (!has_letters(one, known, any_known) || (!any_known && one.line.light) || !has_room_around(grey, one.line))
                 continue;

@@ -109,7 +109,7 @@ TEST(Lettering, SplintersOfALetterAreNoWord) {
     EXPECT_EQ(lines[0].letters.size(), 2u);
 }
 
-// As in print whose letters are all as wide.
+// As in monospaced print.
 TEST(Lettering, APointHasAsMuchRoomAsALetter) {
     Image image = make_image(160, 60, 1, 0, 255);
     write_blocks(image, 20, 20, "xx", 0);
