@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "tactics/lettering/strange_print.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -19,6 +20,8 @@ struct Likely {
 constexpr Likely kBothSay{0.8, 0.7}, kBothSayOfFew{0.84, 0.78}, kOfKnownSize{0.85, 0.74}, kOfItself{0.93, 0.85}, kTold{0.75, 0.6};
 // Print of few pixels is less like its letters, and still unlike all others: by these margins each letter must beat the next.
 constexpr Likely kSmallBothSay{0.72, 0.62}, kSmallOfKnownSize{0.8, 0.7};
+// Of words of no known font: of such as are less like the letters of all fonts than kLikeAny more.
+constexpr double kSureStrange = 90, kSureUnlike = 95, kLikeAny = 0.66;
 constexpr double kMargin = 0.03, kClearMargin = 0.07, kAgainstOther = 0.1;
 constexpr std::size_t kLetters = 4;  // that many are no accident
 constexpr double kSureWords = 88;    // of 100: leaves and stones are read as words with less
@@ -138,6 +141,20 @@ bool may_be_other_figure(const FormReading& reading) {
            });
 }
 
+// Letters of any font bear out what the other reader says.
+Belief believe_strange(const FormWords& words, const ReadWords& other) {
+    const FormReading& reading = words.reading;
+    const double least = reading.mean >= kLikeAny ? kSureStrange : kSureUnlike;
+    const bool figure =
+        std::none_of(reading.letters.begin(), reading.letters.end(), [](const FormLetter& one) { return is_of_words(one.code); });
+    Belief belief{words.text, 100 * reading.mean, false, true};
+    belief.sure = words.settled && ((other.sure && other.sureness >= least) || (figure && kBothSay.holds(reading))) &&
+                  !may_be_figures(words.text, true) && !is_of_mixed_case(reading) && !is_of_either_case(reading);
+    if (reading.em < kSmallPrint) belief.sure = belief.sure && is_plain(words.text, other.text, true) && is_no_pair(words, other);
+    belief.open = belief.sure && !has_pairs(words.text);
+    return belief;
+}
+
 }  // namespace
 
 bool is_alone_alike(const FormReading& reading) {
@@ -175,6 +192,7 @@ Belief believe(const FormWords& words, const ReadWords& other) {
     const auto telling = static_cast<std::size_t>(std::count_if(letters.begin(), letters.end(), [](const FormLetter& one) {
         return is_word_letter(one.code) && !may_be_drawn(one.code);
     }));
+    if (words.strange) return believe_strange(words, other);
     if (letters.size() < 2) {
         constexpr char32_t kGreek = 0x370, kAfterGreek = 0x400;
         constexpr double kSureGreek = 0.9;  // bent to few pixels, a Y is a γ
@@ -207,7 +225,8 @@ Belief believe(const FormWords& words, const ReadWords& other) {
     if (reading.em < kTinyPrint && figure && !kBothSay.holds(reading)) belief.sure = false;
     if (reading.em < kSmallPrint)
         belief.sure = belief.sure && is_plain(words.text, other.text, words.agreed) && is_no_pair(words, other);
-    belief.sure = belief.sure && !may_be_other_figure(reading);
+    belief.sure = belief.sure && !may_be_other_figure(reading) && !is_of_mixed_case(reading) &&
+                  !may_be_figures(words.text, reading.mean < kOfItself.mean);
     belief.open = belief.sure && !has_pairs(words.text);
     if (reading.em < kSmallPrint) belief.sure = belief.sure && !belief.open;
     return belief;

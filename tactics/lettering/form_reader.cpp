@@ -318,6 +318,7 @@ private:
                 const LetterForm& form = font_.form(code);
                 FormLetter part = letter;
                 part.code = code;
+                part.touches = true;
                 part.alike.clear();  // but for these, it was looked for as the guess has it
                 if (code == 'I' || code == 'l') part.alike.push_back(code == 'I' ? U'l' : U'I');
                 const auto at = [&](double x) {

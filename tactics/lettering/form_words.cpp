@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
+#include "tactics/lettering/meant_letters.h"
+#include "tactics/lettering/strange_print.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -15,147 +18,12 @@ namespace {
 // must match some of them.
 constexpr std::size_t kMostFonts = 4, kMostSamples = 8;
 constexpr double kLeastFit = 0.76, kBetter = 0.04, kFitsAlone = 0.92;
-constexpr double kSureAccent = 0.88;  // likeness of a letter with one
-constexpr double kLeastLone = 0.86;   // of a letter of a font that is chosen by its looks
-constexpr double kSameSize = 0.06;    // of an em
+constexpr double kFitsBoth = 0.8, kLeastOfBoth = 0.7;  // of words that two readers say
+constexpr double kLeastLone = 0.86;                    // of a letter of a font that is chosen by its looks
+constexpr double kSameSize = 0.06;                     // of an em
 
 constexpr std::string_view kPlainLetters =
     "0 1 2 3 4 5 6 7 8 9 A B C D E F G H I J K L M N O P Q R S T U V W X Y Z a b c d e f g h i j k l m n o p q r s t u v w x y z";
-
-bool is_lower(char32_t code) {
-    return (code >= 'a' && code <= 'z') || (code >= 0xDF && code <= 0xFF) || (code >= 0x3B1 && code <= 0x3C9);
-}
-bool is_upper(char32_t code) { return (code >= 'A' && code <= 'Z') || (code >= 0xC0 && code <= 0xDE); }
-
-bool is_accented_i(char32_t code) { return (code >= 0xCC && code <= 0xCF) || (code >= 0xEC && code <= 0xEF); }
-
-std::vector<char32_t> bare_letters_of(std::string_view text) {
-    std::vector<char32_t> letters;
-    while (!text.empty())
-        if (const char32_t letter = take_letter(text); letter != ' ') letters.push_back(is_dash(letter) ? U'-' : letter);
-    return letters;
-}
-
-char32_t plain_raised(char32_t code) {
-    switch (code) {
-        case 0xB2: return '2';
-        case 0xB3: return '3';
-        case 0xB9: return '1';
-        case 0x207B: return '-';
-        default: return code >= 0x2070 && code <= 0x2089 ? '0' + (code & 0xF) : code;
-    }
-}
-
-// Spaces, dashes and what is small do not matter.
-bool same_letters(std::string_view a, std::string_view b) {
-    std::vector<char32_t> one = bare_letters_of(a), other = bare_letters_of(b);
-    std::erase(other, U'^');
-    std::transform(one.begin(), one.end(), one.begin(), plain_raised);
-    std::transform(other.begin(), other.end(), other.begin(), plain_raised);
-    return one == other;
-}
-
-// Which of letters that look the same stands between those.
-char32_t fitting(const std::vector<char32_t>& choices, char32_t before, char32_t after) {
-    const auto all = [&](auto is) {
-        return (before == 0 || is(before)) && (after == 0 || is(after)) && (before != 0 || after != 0);
-    };
-    const auto only = [&](auto is) -> char32_t {
-        const auto count = std::count_if(choices.begin(), choices.end(), is);
-        return count == 1 ? *std::find_if(choices.begin(), choices.end(), is) : 0;
-    };
-    if (all(is_digit)) return only(is_digit);
-    if (all(is_lower)) return only(is_lower);
-    if (before == 0 && after != 0 && is_lower(after)) return only(is_upper);
-    if (all(is_upper)) return only(is_upper);
-    // After its beginning, a word continues in lower case.
-    if (before != 0 && (is_lower(before) || is_upper(before)) && (after == 0 || is_lower(after))) return only(is_lower);
-    return 0;
-}
-
-// I and l look the same in many fonts, and other readers guess. A word begins with a vowel or goes on with one: "Income" and
-// "level"; before an o it may be either, as in "Iowa" and "low", and short words are "ln" and "lbs", too. 0: there is no telling.
-char32_t first_of_word(char32_t told, char32_t next, bool is_long) {
-    constexpr std::u32string_view kVowels = U"aeiuy";
-    if (kVowels.find(next) != kVowels.npos) return told == 'l' ? 'l' : 0;
-    return next != 'o' && is_long && told == 'I' ? 'I' : 0;
-}
-
-// Which of its letters begin a word.
-std::vector<bool> beginnings_of(const FormReading& reading) {
-    std::vector<bool> begins;
-    std::string_view text = reading.text;
-    bool next = true;
-    while (!text.empty()) {
-        const bool space = take_letter(text) == ' ';
-        if (!space) begins.push_back(next);
-        next = space;
-    }
-    begins.resize(reading.letters.size(), false);
-    return begins;
-}
-
-// What is raised follows something, and a raised minus sign stands before a raised figure; else it is something that is drawn.
-bool is_raised_astray(const std::vector<FormLetter>& letters) {
-    if (!letters.empty() && letters.front().place != FormLetter::Place::on_line) return true;
-    for (std::size_t i = 0; i < letters.size(); ++i)
-        if (is_dash(letters[i].code) && letters[i].place == FormLetter::Place::raised &&
-            (i + 1 == letters.size() || letters[i + 1].place != FormLetter::Place::raised))
-            return true;
-    return false;
-}
-
-// Puts in the letters that are meant.
-void settle(FormWords& words, const OtherReading& other) {
-    std::vector<FormLetter>& letters = words.reading.letters;
-    words.settled = !is_raised_astray(letters);
-    const std::vector<char32_t> told = bare_letters_of(other.text);
-    const std::vector<bool> begins = beginnings_of(words.reading);
-    for (std::size_t i = 0; i < letters.size(); ++i) {
-        FormLetter& letter = letters[i];
-        std::vector<char32_t> choices = letter.alike;
-        choices.push_back(letter.code);
-        // A letter with a mark that hardly shows is the plain one, and a dash is a dash.
-        const bool plain = std::any_of(choices.begin(), choices.end(), [](char32_t code) { return code < 0x80; });
-        if (plain) std::erase_if(choices, [](char32_t code) { return code >= 0xC0 && code < 0x100; });
-        const bool dashes = std::all_of(choices.begin(), choices.end(), is_dash);
-        const bool thin = letter.code == 'I' || letter.code == 'l';
-        if ((choices.size() < 2 && !thin) || dashes) {
-            letter.code = choices.front();
-            // In small print an accent is a speck, and the dot of an i may be one: two must have seen it.
-            const bool same_place = told.size() == letters.size();
-            if (same_place && told[i] == U'i' && is_accented_i(letter.code) && letter.likeness < kSureAccent)
-                letter.code = U'i';
-            else if (letter.code >= 0xC0 && letter.code <= 0xFF && !(same_place && told[i] == letter.code))
-                words.settled = false;
-            continue;
-        }
-        const auto in = [&](char32_t code) { return std::find(choices.begin(), choices.end(), code) != choices.end(); };
-        const char32_t before = i > 0 ? letters[i - 1].code : 0;
-        const char32_t after = i + 1 < letters.size() && letters[i + 1].alike.empty() ? letters[i + 1].code : 0;
-        const bool in_step = told.size() == letters.size();
-        const auto code_at = [&](std::size_t k) {
-            return k >= letters.size() || begins[k] ? char32_t{0} : in_step ? told[k] : letters[k].code;
-        };
-        const char32_t said = in_step && in(told[i]) ? told[i] : char32_t{0};
-        const auto is_either = [](char32_t code) { return code == 'I' || code == 'l'; };
-        const bool small = words.reading.em < kSmallPrint && (is_either(letter.code) || is_either(said));
-        if (begins[i] && small && is_lower(code_at(i + 1))) {
-            const bool is_long = is_lower(code_at(i + 2)) && is_lower(code_at(i + 3));
-            if (const char32_t first = first_of_word(said, code_at(i + 1), is_long); first != 0)
-                letter.code = first;
-            else
-                words.settled = false;
-        } else if (choices.size() < 2)
-            letter.code = choices.front();
-        else if (said != 0)
-            letter.code = said;
-        else if (const char32_t meant = fitting(choices, before, after); meant != 0)
-            letter.code = meant;
-        else
-            words.settled = false;
-    }
-}
 
 class PictureFonts {
 public:
@@ -195,7 +63,25 @@ public:
         settle(best, others_[line]);
         best.text = text_of(best.reading, fonts_[font]);
         best.agreed = others_[line].alike && same_letters(best.text, others_[line].text);
+        if (best.agreed && best.text != others_[line].text && best.reading.mean < kFitsAlone) keep_gaps(best, others_[line].text);
         return best;
+    }
+
+    // Words that another reader was sure of, in print that no chosen font bears out: any fonts may, letter by letter.
+    void bear_out_in_any(std::size_t line, FormWords& words) {
+        const OtherReading& other = others_[line];
+        if (!other.alike || (!words.text.empty() && words.agreed && words.settled && words.reading.mean >= kFitsBoth &&
+                             words.reading.least >= kLeastOfBoth))
+            return;
+        const auto reading = bear_out(strips_[line], other.text, all_fonts());
+        if (reading && (words.text.empty() || same_letters(words.text, other.text) || reading->mean > words.reading.mean)) {
+            words.reading = *reading;
+            settle(words, other);
+            words.settled = words.settled && !reading->text.empty();
+            words.text = with_letters(other.text, words.reading);
+            words.sized = false;
+            words.agreed = words.strange = true;
+        }
     }
 
     void know(const FormWords& words) { sizes_[static_cast<std::size_t>(words.font)].push_back(words.reading.em); }
@@ -252,6 +138,19 @@ public:
     }
 
 private:
+    std::vector<FormFont*> all_fonts() {
+        std::vector<FormFont*> fonts;
+        for (const std::size_t f : by_fit_) fonts.push_back(&fonts_[f]);
+        return fonts;
+    }
+
+    static void keep_gaps(FormWords& words, const std::string& other) {
+        if (const auto text = with_its_gaps(words.reading, words.text, with_letters(other, words.reading)))
+            words.text = *text;
+        else
+            words.settled = false;
+    }
+
     void add_bent(std::size_t font, double em) {
         em = std::round(10 * em) / 10;
         if (!bends_.insert({font, em}).second) return;
@@ -264,12 +163,17 @@ private:
 
     // The font that fits the words best; then fonts that fit some of them much better.
     void choose_by_words(const std::vector<std::size_t>& lines) {
+        std::vector<double> weight(fonts_.size(), 0);
         std::vector<std::vector<double>> fit(fonts_.size(), std::vector<double>(lines.size(), 0));
         for (std::size_t f = 0; f < fonts_.size(); ++f)
             for (std::size_t i = 0; i < lines.size(); ++i) {
                 double em = 0;
                 fit[f][i] = likeness_to(strips_[lines[i]], fonts_[f], others_[lines[i]].text, em);
+                weight[f] -= fit[f][i] * static_cast<double>(strips_[lines[i]].units());
             }
+        by_fit_.resize(fonts_.size());
+        std::iota(by_fit_.begin(), by_fit_.end(), std::size_t{0});
+        std::stable_sort(by_fit_.begin(), by_fit_.end(), [&](std::size_t a, std::size_t b) { return weight[a] < weight[b]; });
         std::vector<double> best(lines.size(), 0);
         while (chosen_.size() < kMostFonts) {
             double most = 0;
@@ -346,6 +250,7 @@ private:
     std::vector<std::size_t> base_;  // of each the one that it is, unbent
     std::vector<std::function<FontShapes(double)>> bent_;
     std::set<std::pair<std::size_t, double>> bends_;  // font and size
+    std::vector<std::size_t> by_fit_;                 // all as they are, the one that fits the words best first
     std::vector<std::size_t> chosen_;
     std::vector<std::vector<double>> sizes_;  // known sizes of each font, pixels per em
 };
@@ -366,6 +271,27 @@ bool is_of_either_case(const FormReading& reading) {
                        [&](const FormLetter& letter) { return kAlike.find(letter.code) != kAlike.npos; });
 }
 
+namespace {
+
+// The figures of a font are as high as each other, whichever font that is.
+void size_lone_figures(std::vector<FormWords>& words) {
+    std::vector<double> heights;
+    for (const FormWords& one : words)
+        if (one.agreed && one.settled && one.reading.letters.size() > 1)
+            for (const FormLetter& letter : one.reading.letters)
+                if (is_digit(letter.code) && !letter.touches && letter.place == FormLetter::Place::on_line)
+                    heights.push_back(letter.box.height());
+    for (FormWords& one : words) {
+        if (one.sized || !one.settled || one.reading.letters.size() != 1 || !is_digit(one.reading.letters.front().code)) continue;
+        const double own = one.reading.letters.front().box.height();
+        one.sized = is_alone_alike(one.reading) && std::any_of(heights.begin(), heights.end(), [&](double height) {
+                        return std::abs(height - own) <= 0.5 + 0.02 * height;
+                    });
+    }
+}
+
+}  // namespace
+
 std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const std::vector<OtherReading>& others,
                                      const PrintFonts& fonts) {
     std::vector<FormWords> words(strips.size());
@@ -385,10 +311,13 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < strips.size(); ++i)
         if (is_lone(i) && !words[i].sized) left.push_back(i);
-    if (!picture.choose_by_letters(left)) return words;
-    picture.bend();
-    for (std::size_t i = 0; i < strips.size(); ++i)
-        if (!words[i].sized) read_again(i);
+    if (picture.choose_by_letters(left)) {
+        picture.bend();
+        for (std::size_t i = 0; i < strips.size(); ++i)
+            if (!words[i].sized) read_again(i);
+    }
+    for (std::size_t i = 0; i < strips.size(); ++i) picture.bear_out_in_any(i, words[i]);
+    size_lone_figures(words);
     return words;
 }
 

@@ -22,6 +22,7 @@ struct FormWords {
     bool settled = false;  ///< it is clear which one is meant
     bool sized = false;    ///< other words of the picture are in that font and of that size without a doubt
     bool agreed = false;   ///< the other reader has the same text
+    bool strange = false;  ///< it is of no font that is known: letters of several bear out what the other reader says
     int font = -1;         ///< number of the font; -1: none
 };
 

@@ -35,18 +35,50 @@ public:
             for (int x = window_.left; x < window_.right; ++x)
                 if (darkness(x, y) >= kPale && !is_beside_dark(x, y)) pale.row(y - window_.top)[x - window_.left] = 0;
         for (InkPiece& piece : pieces_of(pale, 128, false, kMostInkHeight)) {
-            const bool ends =
-                piece.box.left > 0 && piece.box.top > 0 && piece.box.right < pale.width && piece.box.bottom < pale.height;
-            if (!ends) continue;
-            for (InkRun& run : piece.runs) run = {run.y + window_.top, run.left + window_.left, run.right + window_.left};
-            piece.box = {piece.box.left + window_.left, piece.box.top + window_.top, piece.box.right + window_.left,
-                         piece.box.bottom + window_.top};
+            if (!ends_in(pale, piece)) continue;
+            put_back(piece);
             if (ink_on(piece.box) >= kLeastInk * line_.letter_height * line_.letter_height) found.push_back(std::move(piece));
         }
         return found;
     }
 
+    // Those with dark ink of the line, and what is pale of them; nothing if one goes on beyond.
+    std::vector<InkPiece> whole_pieces() const {
+        if (ground_ == deepest_) return {};
+        Image ink = make_image(window_.width(), window_.height(), 1, 0, 255);
+        for (int y = window_.top; y < window_.bottom; ++y)
+            for (int x = window_.left; x < window_.right; ++x)
+                if (darkness(x, y) >= kPale) ink.row(y - window_.top)[x - window_.left] = 0;
+        Image own = make_image(window_.width(), window_.height(), 1, 0, 0);
+        for (const auto* pieces : {&line_.letters, &line_.marks})
+            for (const InkPiece& piece : *pieces)
+                for (const InkRun& run : piece.runs)
+                    std::fill(own.row(run.y - window_.top) + (run.left - window_.left),
+                              own.row(run.y - window_.top) + (run.right - window_.left), std::uint8_t{1});
+        std::vector<InkPiece> found = pieces_of(ink, 128, false, kMostInkHeight);
+        std::erase_if(found, [&](const InkPiece& piece) {
+            return std::none_of(piece.runs.begin(), piece.runs.end(), [&](const InkRun& run) {
+                return std::any_of(own.row(run.y) + run.left, own.row(run.y) + run.right,
+                                   [](std::uint8_t is) { return is != 0; });
+            });
+        });
+        if (!std::all_of(found.begin(), found.end(), [&](const InkPiece& piece) { return ends_in(ink, piece); })) return {};
+        for (InkPiece& piece : found) put_back(piece);
+        return found;
+    }
+
 private:
+    static bool ends_in(const Image& part, const InkPiece& piece) {
+        const PixelBox& box = piece.box;
+        return box.left > 0 && box.top > 0 && box.right < part.width && box.bottom < part.height;
+    }
+
+    void put_back(InkPiece& piece) const {
+        for (InkRun& run : piece.runs) run = {run.y + window_.top, run.left + window_.left, run.right + window_.left};
+        piece.box = {piece.box.left + window_.left, piece.box.top + window_.top, piece.box.right + window_.left,
+                     piece.box.bottom + window_.top};
+    }
+
     void measure_tones() {
         deepest_ = line_.light ? 0 : 255;
         for (const InkPiece& piece : line_.letters)
@@ -109,6 +141,19 @@ void add_pale_ink(const Image& grey, LetteringLine& line) {
             std::find_if(to.begin(), to.end(), [&](const InkPiece& other) { return seen(other.box).left > box.left; });
         to.insert(mark ? to.end() : after, std::move(piece));
     }
+}
+
+LetteringLine joined_by_pale_ink(const Image& grey, const LetteringLine& line) {
+    LetteringLine whole = line;
+    if (!line.raised.empty()) return whole;
+    std::vector<InkPiece> pieces = PaleInk(grey, line).whole_pieces();
+    if (pieces.empty()) return whole;
+    const auto start = [&](const InkPiece& piece) { return line.upwards ? -piece.box.bottom : piece.box.left; };
+    std::stable_sort(pieces.begin(), pieces.end(), [&](const InkPiece& a, const InkPiece& b) { return start(a) < start(b); });
+    for (const InkPiece& piece : pieces) whole.box = around(whole.box, piece.box);
+    whole.letters = std::move(pieces);
+    whole.marks.clear();
+    return whole;
 }
 
 }  // namespace tactics

@@ -11,4 +11,8 @@ namespace tactics {
 /// their ends, apart from all that is dark, and ends there: a line of a grid goes on.
 void add_pale_ink(const Image& grey, LetteringLine& line);
 
+/// The line with its letters whole, whose thinnest strokes are paler than half, so that they came apart at the level that finds
+/// letters best. Its marks are among the letters then. As it is, if pale ink leads out of it.
+LetteringLine joined_by_pale_ink(const Image& grey, const LetteringLine& line);
+
 }  // namespace tactics

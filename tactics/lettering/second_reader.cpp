@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tactics/lettering/agreement.h"
+#include "tactics/lettering/pale_ink.h"
 #include "tactics/lettering/read_line.h"
 #include "tactics/lettering/strip.h"
 
@@ -140,8 +141,9 @@ void doubt(const Image& grey, ReadLine& one) {
     constexpr double kSure = 93;  // settings, both
     constexpr std::size_t kLetters = 4;
     one.tell = one.words.sure;
-    one.words.sure =
-        one.words.sure && one.words.sureness >= kSure && one.line.letters.size() >= kLetters && !is_cut(grey, one.line);
+    const WordCount count = words_in(one.line);
+    one.words.sure = one.words.sure && one.words.sureness >= kSure && one.line.letters.size() >= kLetters &&
+                     count.least == count.most && !is_cut(grey, one.line);
 }
 
 bool has_ink_of(const PixelBox& box, const std::vector<Held>& lines) {
@@ -289,12 +291,34 @@ PrintedWords print_of(const Image& grey, const LetteringLine& line) {
     return words;
 }
 
+namespace {
+
+// If a line has more pieces than letters, thin strokes may be too pale. False: it stays as it is.
+bool join_thin_strokes(const Image& grey, std::size_t pieces, ReadLine& one) {
+    const auto letters = static_cast<std::size_t>(
+        std::count_if(one.words.text.begin(), one.words.text.end(), [](char c) { return c != ' ' && (c & 0xC0) != 0x80; }));
+    const bool halves = !one.alike && pieces == 2 && one.line.marks.empty();  // of a 0, read as "()"
+    if (!halves && (!one.alike || pieces <= letters)) return false;
+    LetteringLine whole = joined_by_pale_ink(grey, one.line);
+    const std::size_t units = InkStrip(grey, whole).units();
+    if (halves ? units > 1 : std::max(units, letters) - std::min(units, letters) >= pieces - letters) return false;
+    one.line = std::move(whole);
+    if (halves) one.words.text.clear();
+    const PrintedWords print = print_of(grey, one.line);
+    one.words.ink = print.ink;
+    one.words.box = print.box;
+    return true;
+}
+
+}  // namespace
+
 bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::vector<LetteringLine> climbing,
                         const PrintFonts& fonts) {
     std::vector<InkStrip> strips;
     std::vector<OtherReading> others;
-    for (const ReadLine& one : lines) {
+    for (ReadLine& one : lines) {
         strips.emplace_back(grey, one.line);
+        if (join_thin_strokes(grey, strips.back().units(), one)) strips.back() = InkStrip(grey, one.line);
         others.push_back({one.words.text, one.alike});
     }
     for (const LetteringLine& line : climbing) strips.emplace_back(grey, line);
@@ -302,7 +326,13 @@ bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::ve
     std::vector<FormWords> read = read_in_fonts(strips, others, fonts);
     if (read.size() < strips.size()) return false;
     if (std::none_of(read.begin(), read.end(), [](const FormWords& one) { return one.font >= 0; })) {
-        for (ReadLine& one : lines) doubt(grey, one);
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            ReadLine& one = lines[i];
+            if (read[i].strange)
+                one = held(grey, std::move(one), std::move(read[i])).read;
+            else
+                doubt(grey, one);
+        }
         return true;
     }
     std::vector<Held> upright, turned;

@@ -59,6 +59,26 @@ TEST(Agreement, InSmallPrintSignsInFiguresAreNotGuessed) {
     EXPECT_FALSE(is_sure_in_small(U"20", "20", "20", 0.76)) << "no word bears out a figure";
 }
 
+TEST(Agreement, PrintOfNoKnownFontTakesASureReader) {
+    const auto sure = [](double likeness, double sureness, std::u32string_view codes = U"Hand",
+                         const std::string& text = "Hand") {
+        FormWords words = line_of(codes, text, likeness);
+        words.sized = false;
+        words.agreed = words.strange = true;
+        const Belief belief = believe(words, {text, sureness, true, sureness >= 60});
+        EXPECT_TRUE(belief.tell);
+        return belief.sure;
+    };
+    EXPECT_TRUE(sure(0.7, 91));
+    EXPECT_FALSE(sure(0.7, 89));
+    EXPECT_TRUE(sure(0.6, 96));
+    EXPECT_FALSE(sure(0.6, 91)) << "less like the letters of any font";
+    EXPECT_TRUE(sure(0.85, 40, U"20", "20")) << "figures need none that knows words";
+    EXPECT_FALSE(sure(0.85, 40));
+    EXPECT_FALSE(sure(0.85, 96, U"IO", "IO")) << "10";
+    EXPECT_FALSE(sure(0.85, 96, U"cox", "cox")) << "COX";
+}
+
 TEST(Agreement, ABracketWithoutAPartnerWaitsForIt) {
     FormWords words = line_of(U"0.98)", "0.98)");
     words.agreed = true;
