@@ -150,8 +150,12 @@ Belief believe_strange(const FormWords& words, const ReadWords& other) {
     Belief belief{words.text, 100 * reading.mean, false, true};
     belief.sure = words.settled && ((other.sure && other.sureness >= least) || (figure && kBothSay.holds(reading))) &&
                   !may_be_figures(words.text, true) && !is_of_mixed_case(reading) && !is_of_either_case(reading);
-    if (reading.em < kSmallPrint) belief.sure = belief.sure && is_plain(words.text, other.text, true) && is_no_pair(words, other);
     belief.open = belief.sure && !has_pairs(words.text);
+    if (reading.em >= kSmallPrint) return belief;
+    // There a hyphen is hardly narrower than a dash.
+    const bool dash = std::any_of(reading.letters.begin(), reading.letters.end(),
+                                  [](const FormLetter& one) { return one.code == '-' || one.code == 0x2013; });
+    belief.sure = belief.sure && !belief.open && !dash && is_plain(words.text, other.text, true) && is_no_pair(words, other);
     return belief;
 }
 

@@ -70,9 +70,9 @@ public:
     // Words that another reader was sure of, in print that no chosen font bears out: any fonts may, letter by letter.
     void bear_out_in_any(std::size_t line, FormWords& words) {
         const OtherReading& other = others_[line];
-        if (!other.alike || (!words.text.empty() && words.agreed && words.settled && words.reading.mean >= kFitsBoth &&
-                             words.reading.least >= kLeastOfBoth))
-            return;
+        const bool fits = words.reading.mean >= kFitsBoth && words.reading.least >= kLeastOfBoth;
+        // Small print of a known font has its own rules.
+        if (!other.alike || (words.agreed && ((words.settled && fits) || words.reading.em < kSmallPrint))) return;
         const auto reading = bear_out(strips_[line], other.text, all_fonts());
         if (reading && (words.text.empty() || same_letters(words.text, other.text) || reading->mean > words.reading.mean)) {
             words.reading = *reading;

@@ -157,11 +157,12 @@ void settle(FormWords& words, const OtherReading& other) {
 }
 
 std::string with_letters(const std::string& text, const FormReading& reading) {
+    constexpr char32_t kMinus = 0x2212;  // as its place told
     std::string out;
     std::size_t at = 0;
     for (std::string_view rest = text; !rest.empty();) {
         const char32_t code = take_letter(rest);
-        const bool kept = code == ' ' || at >= reading.letters.size() || is_dash(code) || plain_raised(code) != code;
+        const bool kept = code == ' ' || at >= reading.letters.size() || code == kMinus || plain_raised(code) != code;
         append_letter(out, kept ? code : reading.letters[at].code);
         at += code == ' ' ? 0 : 1;
     }

@@ -20,7 +20,7 @@ bool same_letters(std::string_view a, std::string_view b);
 /// are.
 void settle(FormWords& words, const OtherReading& other);
 
-/// That text with the letters of the reading, where it has as many; its dashes and what it has raised stay.
+/// That text with the letters of the reading, where it has as many; its minus signs and what it has raised stay.
 std::string with_letters(const std::string& text, const FormReading& reading);
 
 }  // namespace tactics

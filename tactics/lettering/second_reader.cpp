@@ -297,7 +297,8 @@ namespace {
 bool join_thin_strokes(const Image& grey, std::size_t pieces, ReadLine& one) {
     const auto letters = static_cast<std::size_t>(
         std::count_if(one.words.text.begin(), one.words.text.end(), [](char c) { return c != ' ' && (c & 0xC0) != 0x80; }));
-    const bool halves = !one.alike && pieces == 2 && one.line.marks.empty();  // of a 0, read as "()"
+    constexpr std::size_t kOfOne = 4;
+    const bool halves = !one.alike && pieces > 1 && pieces <= kOfOne;  // of a 0, read as "()"
     if (!halves && (!one.alike || pieces <= letters)) return false;
     LetteringLine whole = joined_by_pale_ink(grey, one.line);
     const std::size_t units = InkStrip(grey, whole).units();
