@@ -215,10 +215,13 @@ std::optional<std::string> with_its_gaps(const FormReading& reading, const std::
 }
 
 bool may_be_figures(std::string_view text, bool strange) {
-    constexpr std::string_view kBoth = "IlOo|";
+    constexpr std::string_view kBoth = "IlOo|", kThinOrRound = "IlO|";
     while (!text.empty()) {
         const std::string_view word = text.substr(0, text.find(' '));
         text.remove_prefix(std::min(text.size(), word.size() + 1));
+        if (strange && word.size() == 2 && (word[0] | 32) >= 'a' && (word[0] | 32) <= 'z' &&
+            kThinOrRound.find(word[1]) != word.npos)
+            return true;  // a letter with its number: "ql" and "q1"
         if (word.find_first_not_of("0123456789IlOo|") != word.npos) continue;
         const std::size_t both = word.find_first_of(kBoth), digit = word.find_first_of("0123456789");
         if (both == word.npos) continue;

@@ -157,6 +157,9 @@ TEST(StrangePrint, RingsAndStrokesBesideFiguresMayBeFigures) {
     EXPECT_FALSE(may_be_figures("q0", true));
     EXPECT_TRUE(may_be_figures("IO", true));
     EXPECT_FALSE(may_be_figures("II", false));
+    EXPECT_TRUE(may_be_figures("from ql", true)) << "q1";
+    EXPECT_FALSE(may_be_figures("ql", false));
+    EXPECT_FALSE(may_be_figures("so", true));
     EXPECT_FALSE(may_be_figures("", true));
 }
 
