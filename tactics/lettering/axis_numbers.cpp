@@ -55,11 +55,12 @@ std::optional<double> value_of(std::string_view text, const Style& style) {
     return parse_number(plain);
 }
 
-// What looks the same in a figure: a ring is a 0, a stroke a 1, and a comma a point with a tail.
+// What looks the same in a figure: a ring is a 0, a stroke a 1, and a comma a point with a tail. It has no spaces.
 std::string as_figure(std::string_view text, bool swap_signs) {
     std::string out;
     while (!text.empty()) {
         char32_t code = take_letter(text);
+        if (code == ' ') continue;
         if (code == 'o' || code == 'O')
             code = '0';
         else if (code == 'l' || code == 'I' || code == '|')

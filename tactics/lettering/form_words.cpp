@@ -137,6 +137,25 @@ public:
         return true;
     }
 
+    // The figure that a lone letter looks like most, in any font, for an axis to bear it out.
+    std::string figure_like(std::size_t line) {
+        constexpr double kLeastLike = 0.6, kOffWidth = 0.2;  // settings; of its height
+        const InkBox box = strips_[line].measure(0, 0);
+        LetterInk ink(strips_[line], 0, 0, box);
+        double best = kLeastLike;
+        std::string figure;
+        for (FormFont& font : fonts_)
+            for (char32_t code = '0'; code <= '9'; ++code) {
+                const LetterForm& form = font.form(code);
+                if (form.empty() || std::abs(box.width() / box.height() - form.width() / form.height()) > kOffWidth) continue;
+                const double likeness = ink.likeness(font.drawn(code), best);
+                if (likeness <= best) continue;
+                best = likeness;
+                figure = static_cast<char>(code);
+            }
+        return figure;
+    }
+
 private:
     std::vector<FormFont*> all_fonts() {
         std::vector<FormFont*> fonts;
@@ -274,21 +293,25 @@ bool is_of_either_case(const FormReading& reading) {
 namespace {
 
 // The figures of a font are as high as each other, whichever font that is.
-void size_lone_figures(std::vector<FormWords>& words) {
-    std::vector<double> heights;
-    for (const FormWords& one : words)
-        if (one.agreed && one.settled && one.reading.letters.size() > 1)
-            for (const FormLetter& letter : one.reading.letters)
-                if (is_digit(letter.code) && !letter.touches && letter.place == FormLetter::Place::on_line)
-                    heights.push_back(letter.box.height());
-    for (FormWords& one : words) {
-        if (one.sized || !one.settled || one.reading.letters.size() != 1 || !is_digit(one.reading.letters.front().code)) continue;
-        const double own = one.reading.letters.front().box.height();
-        one.sized = is_alone_alike(one.reading) && std::any_of(heights.begin(), heights.end(), [&](double height) {
-                        return std::abs(height - own) <= 0.5 + 0.02 * height;
-                    });
+class FigureHeights {
+public:
+    explicit FigureHeights(const std::vector<FormWords>& words) {
+        for (const FormWords& one : words)
+            if (one.agreed && one.settled && one.reading.letters.size() > 1)
+                for (const FormLetter& letter : one.reading.letters)
+                    if (is_digit(letter.code) && !letter.touches && letter.place == FormLetter::Place::on_line)
+                        heights_.push_back(letter.box.height());
     }
-}
+    bool have(double own) const {
+        return std::any_of(heights_.begin(), heights_.end(),
+                           [&](double height) { return std::abs(height - own) <= 0.5 + 0.02 * height; });
+    }
+
+private:
+    std::vector<double> heights_;
+};
+
+bool is_lone_figure(const FormReading& reading) { return reading.letters.size() == 1 && is_digit(reading.letters.front().code); }
 
 }  // namespace
 
@@ -317,7 +340,15 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
             if (!words[i].sized) read_again(i);
     }
     for (std::size_t i = 0; i < strips.size(); ++i) picture.bear_out_in_any(i, words[i]);
-    size_lone_figures(words);
+    const FigureHeights heights(words);
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+        FormWords& one = words[i];
+        if (strips[i].units() != 1 || one.sized || !heights.have(strips[i].measure(0, 0).height())) continue;
+        if (one.text.empty())
+            one.reading.text = picture.figure_like(i);
+        else
+            one.sized = one.settled && is_lone_figure(one.reading) && is_alone_alike(one.reading);
+    }
     return words;
 }
 

@@ -53,6 +53,12 @@ TEST(AxisNumbers, AReaderIsBorneOutByThePlace) {
               "? 5 ? ? 20 ?");
 }
 
+TEST(AxisNumbers, ASpaceIsNoneOfANumber) {
+    EXPECT_EQ(held({number(40, 90, "\u22121 .0", false), number(100, 90, "\u22120.5", true), number(160, 90, "0.0", true),
+                    number(220, 90, "0.5", true)}),
+              "\u22121.0 \u22120.5 0.0 0.5");
+}
+
 TEST(AxisNumbers, SignsAreThoseOfTheOthers) {
     EXPECT_EQ(held({number(40, 90, "1,000", true), number(100, 90, "2,000", true), number(160, 90, "3.000", false),
                     number(220, 90, "4,000", true)}),
