@@ -9,6 +9,7 @@
 #include "tactics/lettering/alignment.h"
 #include "tactics/lettering/meant_letters.h"
 #include "tactics/lettering/pale_ink.h"
+#include "tactics/lettering/read_line.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics::strange_print_test {
@@ -75,10 +76,10 @@ LetteringLine line_in(const Image& image) {
     return lines.empty() ? LetteringLine() : lines[0];
 }
 
-// Written in a thinner font with lower small letters than the one that is known.
-std::optional<FormReading> borne_out(std::u32string_view text, const std::string& told) {
-    const Image image = written(strokes(0.08, 0.46), text, 30);
-    FormFont known(strokes(0.12, 0.5));
+// Written in a thinner font, whose small letters are lower, than the one that is known.
+std::optional<FormReading> borne_out(std::u32string_view text, const std::string& told, double low = 0.46) {
+    const Image image = written(strokes(0.08, low), text, 30);
+    FormFont known(strokes(0.12, low + 0.04));
     return bear_out(InkStrip(image, line_in(image)), told, {&known});
 }
 
@@ -90,6 +91,7 @@ TEST(StrangePrint, IsBorneOutLetterByLetter) {
     EXPECT_FALSE(borne_out(U"LoTnHi", "LoLnHi").has_value()) << "a T is no L";
     EXPECT_FALSE(borne_out(U"LoTnHi", "LOTnHi").has_value()) << "it is too low for a capital";
     EXPECT_FALSE(borne_out(U"LOTnHi", "LoTnHi").has_value()) << "it is too high for a small one";
+    EXPECT_FALSE(borne_out(U"LoTnHi", "LOTnHi", 0.58).has_value()) << "though small letters are high";
     EXPECT_FALSE(borne_out(U"LoTnHi", "LoTnH").has_value()) << "a letter is left";
     EXPECT_FALSE(borne_out(U"LoTnHi", "LoTnHiL").has_value()) << "a letter has no ink";
     EXPECT_FALSE(borne_out(U"LoTnHi", "").has_value());
@@ -199,7 +201,23 @@ TEST(StrangePrint, ALoneFigureIsAsHighAsOthers) {
     EXPECT_FALSE(words[2].sized);
 }
 
-TEST(PaleInk, JoinsWhatThinStrokesLeaveApart) {
+TEST(StrangePrint, ALoneFigureOfNoFontOfTheWordsIsLeftToItsAxis) {
+    const FontShapes strange = strokes(0.1, 0.46);
+    FontShapes without = strokes(0.12, 0.5);
+    without.erase(U'7');
+    const Image numbers = written(strange, U"1010", 30), seven = written(strange, U"7", 30);
+    const std::vector<InkStrip> strips{InkStrip(numbers, line_in(numbers)), InkStrip(seven, line_in(seven))};
+    const PrintFonts fonts = [&](const std::vector<char32_t>&, const std::function<bool(PrintFont)>& goes_on) {
+        goes_on(PrintFont{without});
+        goes_on(PrintFont{{{U'7', strange.at(U'7')}}});
+    };
+    const std::vector<FormWords> words = read_in_fonts(strips, {{"1010", true}, {}}, fonts);
+    ASSERT_EQ(words.size(), 2u);
+    EXPECT_EQ(words[1].text, "");
+    EXPECT_EQ(words[1].reading.text, "7");
+}
+
+Image broken_ring() {
     Image image = make_image(60, 40, 1, 0, 255);
     const auto fill = [&](int left, int top, int right, int bottom, std::uint8_t value) {
         for (int y = top; y < bottom; ++y) std::fill(image.row(y) + left, image.row(y) + right, value);
@@ -208,11 +226,31 @@ TEST(PaleInk, JoinsWhatThinStrokesLeaveApart) {
     fill(30, 10, 32, 26, 0);
     fill(22, 10, 30, 11, 170);
     fill(22, 25, 30, 26, 170);
+    return image;
+}
+
+TEST(PaleInk, JoinsWhatThinStrokesLeaveApart) {
+    Image image = broken_ring();
     LetteringLine line = line_in(image);
     ASSERT_EQ(line.letters.size(), 2u);
     EXPECT_EQ(joined_by_pale_ink(image, line).letters.size(), 1u);
-    fill(0, 10, 20, 11, 170);  // a pale line leads out of it
+    std::fill(image.row(10), image.row(10) + 20, std::uint8_t{170});  // a pale line leads out of it
     EXPECT_EQ(joined_by_pale_ink(image, line).letters.size(), 2u);
+}
+
+TEST(PaleInk, HalvesOfARingAreOneLetter) {
+    const Image image = broken_ring();
+    const auto letters_of = [&](const std::string& text, bool alike) {
+        std::vector<ReadLine> lines(1);
+        lines[0].line = line_in(image);
+        lines[0].words.text = text;
+        lines[0].alike = alike;
+        EXPECT_TRUE(hold_against_fonts(image, lines, {},
+                                       [](const auto&, const auto& goes_on) { goes_on(PrintFont{strokes(0.1, 0.5)}); }));
+        return lines[0].line.letters.size();
+    };
+    EXPECT_EQ(letters_of("0)", false), 1u);
+    EXPECT_EQ(letters_of("()", true), 2u) << "read twice alike";
 }
 
 }  // namespace
