@@ -89,6 +89,7 @@ TEST(StrangePrint, IsBorneOutLetterByLetter) {
     EXPECT_EQ(reading->text, "LoTnHi");
     EXPECT_NEAR(reading->em, 30, 2);
     EXPECT_FALSE(borne_out(U"LoTnHi", "LoLnHi").has_value()) << "a T is no L";
+    EXPECT_FALSE(borne_out(U"LnTnHi", "LoTnHi").has_value()) << "it looks more like an n";
     EXPECT_FALSE(borne_out(U"LoTnHi", "LOTnHi").has_value()) << "it is too low for a capital";
     EXPECT_FALSE(borne_out(U"LOTnHi", "LoTnHi").has_value()) << "it is too high for a small one";
     EXPECT_FALSE(borne_out(U"LoTnHi", "LOTnHi", 0.58).has_value()) << "though small letters are high";
