@@ -137,15 +137,17 @@ public:
         return true;
     }
 
-    // The figure that a lone letter looks like most, in any font, for an axis to bear it out.
+    // The figure that a lone letter looks like most in the fonts that fit the words best, for an axis to bear it out.
     std::string figure_like(std::size_t line) {
         constexpr double kLeastLike = 0.6, kOffWidth = 0.2;  // settings; of its height
+        constexpr std::size_t kLikelyFonts = 24;
         const InkBox box = strips_[line].measure(0, 0);
         LetterInk ink(strips_[line], 0, 0, box);
         double best = kLeastLike;
         std::string figure;
-        for (FormFont& font : fonts_)
+        for (std::size_t f = 0; f < std::min(kLikelyFonts, by_fit_.size()); ++f)
             for (char32_t code = '0'; code <= '9'; ++code) {
+                FormFont& font = fonts_[by_fit_[f]];
                 const LetterForm& form = font.form(code);
                 if (form.empty() || std::abs(box.width() / box.height() - form.width() / form.height()) > kOffWidth) continue;
                 const double likeness = ink.likeness(font.drawn(code), best);
