@@ -20,7 +20,7 @@ struct Likely {
 constexpr Likely kBothSay{0.8, 0.7}, kBothSayOfFew{0.84, 0.78}, kOfKnownSize{0.85, 0.74}, kOfItself{0.93, 0.85}, kTold{0.75, 0.6};
 // Print of few pixels is less like its letters, and still unlike all others: by these margins each letter must beat the next.
 constexpr Likely kSmallBothSay{0.72, 0.62}, kSmallOfKnownSize{0.8, 0.7};
-// Of words of no known font: of such as are less like the letters of all fonts than kLikeAny more.
+// How sure the other reader must be of words in no known font, and of those that are less than kLikeAny like the letters of any.
 constexpr double kSureStrange = 90, kSureUnlike = 95, kLikeAny = 0.66;
 constexpr double kMargin = 0.03, kClearMargin = 0.07, kAgainstOther = 0.1;
 constexpr std::size_t kLetters = 4;  // that many are no accident
@@ -154,7 +154,7 @@ Belief believe_strange(const FormWords& words, const ReadWords& other) {
     if (reading.em >= kSmallPrint) return belief;
     // There a hyphen is hardly narrower than a dash.
     const bool dash = std::any_of(reading.letters.begin(), reading.letters.end(),
-                                  [](const FormLetter& one) { return one.code == '-' || one.code == 0x2013; });
+                                  [](const FormLetter& one) { return one.code == '-' || one.code == kEnDash; });
     belief.sure = belief.sure && !belief.open && !dash && is_plain(words.text, other.text, true) && is_no_pair(words, other);
     return belief;
 }

@@ -69,8 +69,7 @@ private:
         const LetterForm& form = font_.form(code);
         const InkBox box = strip_.measure(unit, unit + units - 1);
         if (form.empty() || !(box.width() > 0) || !(box.height() > 0) || !fits(box, form)) return;
-        const bool speck = form.height() < 0.3;
-        const double least = speck ? kSpeckLike : kNothing;
+        const double least = form.height() < kLowForm ? kSpeckLike : kNothing;
         const double likeness = LetterInk(strip_, unit, unit + units - 1, box).likeness(font_.drawn(code), least);
         const double value = step(letter, unit).value + (likeness - least) * box.width();
         Step& to = step(letter + letters, unit + units);

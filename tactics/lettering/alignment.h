@@ -11,6 +11,9 @@
 
 namespace tactics {
 
+/// em; a point or a dash is lower, and is told by its place. A setting.
+inline constexpr double kLowForm = 0.3;
+
 /// A letter and its ink: whole units of the strip, as thin strokes come apart, or a part of one that letters share which touch.
 struct AlignedLetter {
     char32_t code = 0;

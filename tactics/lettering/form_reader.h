@@ -14,8 +14,9 @@ namespace tactics {
 /// Pixels for an em: in smaller print an l is hardly higher than an I, and the dot of an i may be pale. A setting.
 inline constexpr double kSmallPrint = 16;
 
+inline constexpr char32_t kMinus = 0x2212, kEnDash = 0x2013;
 /// What may stand before a figure; not every dash (utf8.h).
-constexpr bool is_minus(char32_t code) { return code == '-' || code == 0x2212 || code == 0x2013; }
+constexpr bool is_minus(char32_t code) { return code == '-' || code == kMinus || code == kEnDash; }
 
 /// The reading of a piece of ink.
 struct FormLetter {

@@ -190,11 +190,11 @@ private:
             for (std::size_t i = 0; i < lines.size(); ++i) {
                 double em = 0;
                 fit[f][i] = likeness_to(strips_[lines[i]], fonts_[f], others_[lines[i]].text, em);
-                weight[f] -= fit[f][i] * static_cast<double>(strips_[lines[i]].units());
+                weight[f] += fit[f][i] * static_cast<double>(strips_[lines[i]].units());
             }
         by_fit_.resize(fonts_.size());
         std::iota(by_fit_.begin(), by_fit_.end(), std::size_t{0});
-        std::stable_sort(by_fit_.begin(), by_fit_.end(), [&](std::size_t a, std::size_t b) { return weight[a] < weight[b]; });
+        std::stable_sort(by_fit_.begin(), by_fit_.end(), [&](std::size_t a, std::size_t b) { return weight[a] > weight[b]; });
         std::vector<double> best(lines.size(), 0);
         while (chosen_.size() < kMostFonts) {
             double most = 0;

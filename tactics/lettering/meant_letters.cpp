@@ -157,7 +157,6 @@ void settle(FormWords& words, const OtherReading& other) {
 }
 
 std::string with_letters(const std::string& text, const FormReading& reading) {
-    constexpr char32_t kMinus = 0x2212;  // as its place told
     std::string out;
     std::size_t at = 0;
     for (std::string_view rest = text; !rest.empty();) {

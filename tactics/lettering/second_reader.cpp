@@ -9,6 +9,7 @@
 #include "tactics/lettering/pale_ink.h"
 #include "tactics/lettering/read_line.h"
 #include "tactics/lettering/strip.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -293,22 +294,25 @@ PrintedWords print_of(const Image& grey, const LetteringLine& line) {
 
 namespace {
 
-// If a line has more pieces than letters, thin strokes may be too pale. False: it stays as it is.
-bool join_thin_strokes(const Image& grey, std::size_t pieces, ReadLine& one) {
-    const auto letters = static_cast<std::size_t>(
-        std::count_if(one.words.text.begin(), one.words.text.end(), [](char c) { return c != ' ' && (c & 0xC0) != 0x80; }));
+// Its ink; if it has more pieces than letters, thin strokes may be too pale, and it is joined by them where that helps.
+InkStrip with_thin_strokes(const Image& grey, ReadLine& one) {
     constexpr std::size_t kOfOne = 4;
+    InkStrip strip(grey, one.line);
+    const std::string& text = one.words.text;
+    const std::size_t pieces = strip.units(),
+                      letters = letters_in(text) - static_cast<std::size_t>(std::count(text.begin(), text.end(), ' '));
     const bool halves = !one.alike && pieces > 1 && pieces <= kOfOne;  // of a 0, read as "()"
-    if (!halves && (!one.alike || pieces <= letters)) return false;
+    if (!halves && (!one.alike || pieces <= letters)) return strip;
     LetteringLine whole = joined_by_pale_ink(grey, one.line);
-    const std::size_t units = InkStrip(grey, whole).units();
-    if (halves ? units > 1 : std::max(units, letters) - std::min(units, letters) >= pieces - letters) return false;
+    InkStrip joined(grey, whole);
+    const std::size_t units = joined.units();
+    if (halves ? units > 1 : std::max(units, letters) - std::min(units, letters) >= pieces - letters) return strip;
     one.line = std::move(whole);
     if (halves) one.words.text.clear();
     const PrintedWords print = print_of(grey, one.line);
     one.words.ink = print.ink;
     one.words.box = print.box;
-    return true;
+    return joined;
 }
 
 }  // namespace
@@ -318,8 +322,7 @@ bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::ve
     std::vector<InkStrip> strips;
     std::vector<OtherReading> others;
     for (ReadLine& one : lines) {
-        strips.emplace_back(grey, one.line);
-        if (join_thin_strokes(grey, strips.back().units(), one)) strips.back() = InkStrip(grey, one.line);
+        strips.push_back(with_thin_strokes(grey, one));
         others.push_back({one.words.text, one.alike});
     }
     for (const LetteringLine& line : climbing) strips.emplace_back(grey, line);

@@ -18,9 +18,7 @@ constexpr std::size_t kRivalFonts = 12, kBaseFonts = 12;
 // Of the size in another font: capitals and small letters differ from font to font. Of an em: how far off the line.
 constexpr double kLower = 0.78, kHigher = 1.28, kOffFoot = 0.14;
 constexpr double kRivalSize = 0.15;  // of an em: so near must its size be
-constexpr double kLowForm = 0.3;     // em; a point or a dash
-constexpr double kEnDash = 0.4;      // em; what is narrower is a hyphen, in most fonts of 0.2 to 0.3, and an en dash has 0.5
-constexpr char32_t kMinus = 0x2212;
+constexpr double kDashWidth = 0.4;   // em; what is narrower is a hyphen, in most fonts of 0.2 to 0.3, and an en dash has 0.5
 
 std::u32string told_letters(std::string_view text) {
     std::u32string letters;
@@ -150,7 +148,7 @@ private:
             if (!font->form(letter.code).empty())
                 letter.likeness = std::max(letter.likeness, ink.likeness(font->drawn(letter.code), letter.likeness));
         if (is_dash(letter.code) && letter.code != kMinus)
-            letter.code = letter.box.width() > kEnDash * reading_.em ? 0x2013 : '-';
+            letter.code = letter.box.width() > kDashWidth * reading_.em ? kEnDash : '-';
         if (!has_own_shape(letter.code)) {
             letter.likeness = std::max(letter.likeness, kMeanLike);  // a point is told by its place
             return true;
