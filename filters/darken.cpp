@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "tactics/filter.h"
@@ -74,6 +75,20 @@ std::array<int, 3> ground_of(const Image& image) {
     Colour ground{};
     for (std::size_t c = 0; c < 3; ++c) ground[c] = static_cast<int>(most.sum[c] / std::max<std::size_t>(1, most.count));
     return ground;
+}
+
+std::vector<Image> inks_on_white(const Image& image) {
+    const Colour ground = ground_of(image);
+    const int sign = sign_of_ink(image, ground);
+    std::vector<Image> inks;
+    const auto channels = static_cast<std::size_t>(image.channels);
+    for (std::size_t c = 0; c < channels; ++c) {
+        Image ink = make_image(image.width, image.height, 1, image.mm_per_pixel, 255);
+        for (std::size_t i = 0; i < ink.pixels.size(); ++i)
+            ink.pixels[i] = static_cast<std::uint8_t>(255 - std::max(0, sign * (ground[c] - image.pixels[i * channels + c])));
+        inks.push_back(std::move(ink));
+    }
+    return inks;
 }
 
 Image ink_on_white(const Image& image) {

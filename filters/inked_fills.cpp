@@ -69,6 +69,15 @@ double widest(const cv::Mat& mask) {
     return 2 * most;
 }
 
+// As if what comes to the picture's edge went on beyond it: white below an axis is often cut close.
+cv::Mat gone_on(const cv::Mat& mask, cv::Rect box, cv::Size picture, double so_far) {
+    const auto beyond = [so_far](bool on_edge) { return on_edge ? static_cast<int>(std::ceil(so_far)) : 0; };
+    cv::Mat wide;
+    cv::copyMakeBorder(mask, wide, beyond(box.y == 0), beyond(box.br().y == picture.height), beyond(box.x == 0),
+                       beyond(box.br().x == picture.width), cv::BORDER_REPLICATE);
+    return wide;
+}
+
 MeanColour mean_of(const cv::Mat& pixels, const cv::Mat& mask) {
     const cv::Scalar mean = cv::mean(pixels, mask);
     return pixels.channels() == 1 ? MeanColour{mean[0], mean[0], mean[0]} : MeanColour{mean[0], mean[1], mean[2]};
@@ -107,11 +116,12 @@ Found flats_of(const cv::Mat& pixels, double mm) {
     std::vector<int> sizes;
     for (int i = 1; i < count; ++i) {
         const int wide = stats.at<int>(i, cv::CC_STAT_WIDTH), high = stats.at<int>(i, cv::CC_STAT_HEIGHT);
-        if (std::min(wide, high) < least || parts.size() == kMostParts) continue;
         const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP), wide, high);
+        const bool is_cut = box.x == 0 || box.y == 0 || box.br().x == pixels.cols || box.br().y == pixels.rows;
+        if ((std::min(wide, high) < least && !is_cut) || parts.size() == kMostParts) continue;
         const cv::Mat own = labels(box) == i;
         const double width = widest(own);
-        if (width < least) continue;
+        if (width < least && !(is_cut && widest(gone_on(own, box, pixels.size(), least)) >= least)) continue;
         Part part{box, own, {}};
         part.kind.colour = mean_of(pixels(box), own);
         cv::Mat(found.open(box)) |= own;
@@ -179,6 +189,22 @@ std::vector<Part> hatches_of(const cv::Mat& pixels, const Image& ink, const Foun
     return parts;
 }
 
+// Surfaces as dark as the lines of a hatch.
+cv::Mat dark_places(const std::vector<Part>& flats, cv::Size size) {
+    constexpr double kDark = 100;
+    cv::Mat dark = cv::Mat::zeros(size, CV_8U);
+    for (const Part& flat : flats)
+        if (*std::max_element(flat.kind.colour.begin(), flat.kind.colour.end()) < kDark)
+            cv::Mat(dark(flat.box)).setTo(255, flat.mask);
+    return dark;
+}
+
+// Where the lines of a hatch are painted over: up to its outline, or to a dark surface, with which that is one.
+cv::Mat within_outline(const cv::Mat& mask, const cv::Mat& dark) {
+    if (cv::countNonZero(dark) == 0) return shrunk(mask, 2);
+    return shrunk(mask | grown(dark, 3), 2) & ~grown(dark, 1);
+}
+
 // Its rings in mm.
 Area area_of(const Part& part, double mm) {
     const cv::Mat& mask = part.mask;
@@ -209,10 +235,10 @@ std::vector<Area> take_fills(Image& picture) {
     const Image ink = ink_on_white(picture);
     Found found = flats_of(pixels, mm);
     std::vector<Part> parts = hatches_of(pixels, ink, found, mm);
-    for (const Part& hatch : parts) {
-        const cv::Mat inner = shrunk(hatch.mask, 2);
-        pixels(hatch.box).setTo(cv::Scalar(hatch.kind.colour[0], hatch.kind.colour[1], hatch.kind.colour[2]), inner);
-    }
+    const cv::Mat dark = dark_places(found.flats, pixels.size());
+    for (const Part& hatch : parts)
+        pixels(hatch.box).setTo(cv::Scalar(hatch.kind.colour[0], hatch.kind.colour[1], hatch.kind.colour[2]),
+                                within_outline(hatch.mask, dark(hatch.box)));
     const bool any_hatch = !parts.empty();
     parts.insert(parts.end(), std::make_move_iterator(found.flats.begin()), std::make_move_iterator(found.flats.end()));
     std::vector<FillKind> kinds;

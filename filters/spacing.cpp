@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "tactics/geometry/box.h"
 #include "tactics/geometry/evidence.h"
 #include "tactics/geometry/places.h"
 #include "tactics/geometry/walk.h"
@@ -28,6 +29,8 @@ struct Sample {
     Point at;
     double along;       // mm from the stroke's first point
     std::size_t owner;  // index of the piece that was kept, or that it will have
+    double from_end;    // mm to the nearer end of that piece; endless if it is closed
+    Point end;          // that end
 };
 
 // Samples of all that is drawn so far.
@@ -81,7 +84,7 @@ std::vector<Sample> samples_of(const Stroke& stroke, double step, std::size_t ow
     Walk walk(stroke.points, stroke.closed);
     for (std::size_t i = 0; i < steps + (stroke.closed ? 0 : 1); ++i) {
         const double along = length * static_cast<double>(i) / static_cast<double>(steps);
-        samples.push_back({walk.to(along), along, owner});
+        samples.push_back({walk.to(along), along, owner, kNowhere, {}});
     }
     return samples;
 }
@@ -170,6 +173,7 @@ private:
             allow_meeting(samples, own, apart, false);
             allow_meeting(samples, own, apart, true);
         }
+        allow_being_met(samples, own, apart);
         widen_cuts(stroke.closed, samples, apart);
         auto runs = clear_runs(stroke.closed, apart);
         std::stable_sort(runs.begin(), runs.end(), [](NearRun a, NearRun b) { return a.end - a.begin > b.end - b.begin; });
@@ -183,7 +187,8 @@ private:
                 place(std::move(piece), kept);
                 continue;
             }
-            for (std::size_t k = runs[i].begin; k < runs[i].end; ++k) drawn_.add(samples[k % n]);
+            for (std::size_t k = runs[i].begin; k < runs[i].end; ++k)
+                drawn_.add(drawn_as(piece, samples[k % n], k - runs[i].begin, runs[i].end - 1 - k));
             kept.push_back(std::move(piece));
         }
     }
@@ -212,6 +217,36 @@ private:
             });
         if (!clear) return;
         for (std::size_t i = 0; i < count; ++i) apart[index(i)] = gap_;
+    }
+
+    // The sample as one of a piece that is drawn, so many steps from its first and from its last.
+    Sample drawn_as(const Stroke& piece, Sample sample, std::size_t from_first, std::size_t to_last) const {
+        if (piece.closed) return sample;
+        sample.from_end = static_cast<double>(std::min(from_first, to_last)) * gap_ / kStepsPerGap;
+        sample.end = from_first < to_last ? piece.points.front() : piece.points.back();
+        return sample;
+    }
+
+    // A run of samples that is near to nothing but ends of lines which reach it, such as sides of a bar that stand on an axis.
+    void allow_being_met(const std::vector<Sample>& samples, const std::vector<bool>& own, std::vector<double>& apart) const {
+        for (std::size_t first = 0, end = 0; first < samples.size(); first = end + 1) {
+            for (end = first; end < samples.size() && apart[end] < gap_;) ++end;
+            bool met = true;
+            for (std::size_t k = first; k < end && met; ++k) {
+                met = !own[k];
+                drawn_.near(samples[k].at, [&](std::size_t, const Sample& s) {
+                    if (distance(s.at, samples[k].at) < gap_)
+                        met = met && s.from_end <= kMeeting * gap_ && reach(samples, first, end, s.end);
+                });
+            }
+            for (std::size_t k = first; k < end && met; ++k) apart[k] = gap_;
+        }
+    }
+
+    bool reach(const std::vector<Sample>& samples, std::size_t first, std::size_t end, Point place) const {
+        for (std::size_t k = first; k < end; ++k)
+            if (distance(samples[k].at, place) <= kTouches * gap_) return true;
+        return false;
     }
 
     // Where a line only touches the gap of another for a moment, the cut is made as wide as the gap: two ends are no nearer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Heads of arrows, filled points, dashed lines and fills of a drawn picture.
+// Heads of arrows, filled points and dashed lines of a drawn picture.
 #include "filters/known_parts.h"
 
 #include <gtest/gtest.h>
@@ -188,42 +188,6 @@ TEST(KnownParts, HeadsAreOpenAndLargeEnoughForAFinger) {
     EXPECT_FALSE(head.closed);
     ASSERT_EQ(head.points.size(), 3u);
     for (const std::size_t i : {std::size_t{0}, std::size_t{2}}) EXPECT_GE(distance(head.points[1], head.points[i]), 6.3);
-}
-
-// Bars 60 pixels wide, 15 mm, of each kind two; a black outline around each.
-Image bars(const std::vector<std::function<int(int, int)>>& fills) {
-    return pictures::drawn(100 * static_cast<int>(fills.size()), 200, [&](int x, int y) {
-        const int u = x % 100, v = y;
-        if (u < 20 || u >= 80 || v < 20 || v >= 180) return 255;
-        if (u < 22 || u >= 78 || v < 22 || v >= 178) return 0;
-        return fills[static_cast<std::size_t>(x / 100)](x, y);
-    });
-}
-
-TEST(KnownParts, EachKindOfFillHasATextureOfItsOwn) {
-    const auto hatch = [](int x, int y) { return (x + y) % 12 < 2 ? 0 : 255; };
-    const auto other = [](int x, int y) { return (x - y + 400) % 12 < 2 ? 0 : 255; };
-    const auto black = [](int, int) { return 0; };
-    Image picture = bars({hatch, black, other, hatch, black, other});
-    const KnownParts parts = take_known_parts(picture, true);
-    ASSERT_EQ(parts.areas.size(), 6u);
-    std::vector<int> textures(6);
-    for (const Area& area : parts.areas) {
-        double x = 0;
-        for (const Point& p : area.rings.at(0)) x += p.x / static_cast<double>(area.rings[0].size());
-        textures.at(static_cast<std::size_t>(x / pictures::kPixel / 100)) = area.texture;
-    }
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(textures[i], textures[i + 3]) << i;
-    EXPECT_EQ((std::set<int>{textures[0], textures[1], textures[2], 0}).size(), 4u);
-    EXPECT_EQ(picture.row(100)[50], picture.row(101)[50]);  // no lines are left in it
-}
-
-TEST(KnownParts, OneFillOrMoreThanThereAreTexturesHaveNone) {
-    Image one = bars({[](int, int) { return 120; }, [](int, int) { return 120; }});
-    EXPECT_TRUE(take_known_parts(one, true).areas.empty());
-    Image many = bars({[](int, int) { return 0; }, [](int, int) { return 40; }, [](int, int) { return 80; },
-                       [](int, int) { return 120; }, [](int, int) { return 160; }, [](int, int) { return 200; }});
-    EXPECT_TRUE(take_known_parts(many, true).areas.empty());
 }
 
 // Two curves and, at the top left, a sample of each before words that are painted over.

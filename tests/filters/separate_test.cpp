@@ -80,6 +80,20 @@ TEST(Separate, LetsALineEndOnAnother) {
     EXPECT_NEAR(near.strokes[1].points.front().y, 50 + kGap, kGap / 8 + 0.01);
 }
 
+// The outline of a bar is stronger than the axis it stands on, and is drawn first.
+TEST(Separate, AnAxisGoesOnBelowTheSidesOfBars) {
+    const auto drawing =
+        drawn("separate gap=3.2", sheet({line({{30, 80}, {30, 40}, {50, 40}, {50, 80}}, 9), line({{10, 80.3}, {90, 80.3}}, 5)}));
+    ASSERT_EQ(drawing.strokes.size(), 2u);
+    EXPECT_NEAR(length_of(drawing.strokes[1]), 80, 0.1);
+    expect_apart(drawing, kGap);
+    // A side that does not reach it, or runs on across it, breaks it.
+    for (const double foot : {78.0, 84.0}) {
+        const auto broken = drawn("separate gap=3.2", sheet({line({{30, 40}, {30, foot}}, 9), line({{10, 80}, {90, 80}}, 1)}));
+        EXPECT_GT(broken.strokes.size(), 2u) << foot;
+    }
+}
+
 TEST(Separate, MakesOneLineOfTheTwoSidesOfAThinBar) {
     for (const bool closed : {true, false}) {
         const auto drawing =

@@ -2,8 +2,11 @@
 // Contours of drawn pictures: thin lines by their middle.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "filters/components.h"
 #include "tests/filters/pictures.h"
 
 namespace tactics::thin_lines_test {
@@ -54,6 +57,38 @@ TEST(ThinLines, CornersOfSurfacesStay) {
     const EdgeMap with = contours(image, "contours blur=0.4mm along=0.6mm surround=0 lines=0.8mm"),
                   without = contours(image, "contours blur=0.4mm along=0.6mm surround=0");
     EXPECT_EQ(with.strength, without.strength);
+}
+
+constexpr float kClear = 40;  // recipe diagram
+
+std::size_t pieces_of(const EdgeMap& map) {
+    return find_components(map.width, map.height, Joined::by_corners, [&](std::size_t i) { return map.strength[i] >= kClear; })
+        .count;
+}
+
+// Pixels as coarse as the blur: what is drawn large from a small picture.
+TEST(ThinLines, BarsAreJoinedToTheAxisTheyStandOn) {
+    for (const int mark : {0, 60}) {  // black, or dark
+        Image image = make_image(200, 130, 1, 0.35, 255);
+        for (const int left : {40, 110}) fill(image, left, 30, left + 40, 120, static_cast<std::uint8_t>(mark));
+        fill(image, 10, 120, 190, 122, 0);
+        const EdgeMap map = contours(image, "contours blur=0.4mm along=0.6mm surround=0 lines=0.8mm");
+        EXPECT_EQ(pieces_of(map), 1u) << mark;
+    }
+}
+
+TEST(ThinLines, AnOutlineBetweenAColourAndTheGroundIsOneLine) {
+    Image image = make_image(200, 130, 3, 0.35, 255);
+    const auto paint = [&](int left, int top, int right, int bottom, std::array<std::uint8_t, 3> colour) {
+        for (int y = top; y < bottom; ++y)
+            for (int x = left; x < right; ++x) std::copy(colour.begin(), colour.end(), image.row(y) + 3 * x);
+    };
+    paint(50, 30, 150, 100, {189, 189, 189});
+    paint(51, 31, 149, 99, {38, 38, 38});
+    paint(53, 33, 147, 97, {68, 114, 196});
+    const EdgeMap map = contours(image, "contours blur=0.4mm along=0.6mm surround=0 lines=0.8mm");
+    EXPECT_EQ(edges_in_column(map, 100, 90, 110), 1u);
+    EXPECT_EQ(edges_in_column(map, 100, 20, 40), 1u);
 }
 
 }  // namespace
