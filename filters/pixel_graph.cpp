@@ -9,6 +9,8 @@
 #include <queue>
 #include <utility>
 
+#include "tactics/geometry/vectors.h"
+
 namespace tactics {
 
 namespace {
@@ -265,6 +267,28 @@ private:
         return {length, root};
     }
 
+    Point place(int root) const {
+        const Cluster& c = clusters_[static_cast<std::size_t>(root)];
+        return {c.sum_x / c.pixels, c.sum_y / c.pixels};
+    }
+
+    // One half of a short line across the end of a longer one, as error bars and whiskers have it.
+    bool is_half_of_cap(int root, int at, double length) {
+        constexpr double kLeast = 1.5;                   // half widths
+        constexpr double kStraight = -0.8, kEven = 0.6;  // cosine, where corners of a broad end have 0; of the longer half
+        if (degree_[static_cast<std::size_t>(at)] != 3 || length < kLeast * cluster(at).half_width) return false;
+        const Point junction = place(at), own = place(root) - junction;
+        for (std::size_t i = start_[static_cast<std::size_t>(at)]; i < start_[static_cast<std::size_t>(at) + 1]; ++i) {
+            const Edge& edge = edges_[ends_[i] / 2];
+            const int other = edge.ends[(ends_[i] ^ 1u) & 1u];
+            if (!edge.alive || other == root || degree_[static_cast<std::size_t>(other)] != 1) continue;
+            if (std::min(edge.length, length) >= kEven * std::max(edge.length, length) &&
+                cosine(own, place(other) - junction) <= kStraight)
+                return true;
+        }
+        return false;
+    }
+
     void cut_spurs() {
         using Spur = std::pair<double, int>;  // length, the cluster at its end
         std::priority_queue<Spur, std::vector<Spur>, std::greater<>> spurs;
@@ -280,7 +304,7 @@ private:
             const auto [length, root] = spurs.top();
             spurs.pop();
             const auto [now, at] = walk(root, longest, path);
-            if (degree_[static_cast<std::size_t>(at)] < 3) continue;
+            if (degree_[static_cast<std::size_t>(at)] < 3 || is_half_of_cap(root, at, now)) continue;
             if (now > length) {
                 if (now < limit_at(at)) spurs.emplace(now, root);
                 continue;
@@ -311,10 +335,6 @@ private:
     void collect_chain(std::size_t end, const std::vector<int>& junction, std::vector<bool>& used) {
         PixelChain chain;
         const int begin = edges_[end / 2].ends[end & 1u];
-        const auto place = [this](int root) {
-            const Cluster& c = cluster(root);
-            return Point{c.sum_x / c.pixels, c.sum_y / c.pixels};
-        };
         if (begin >= 0) {
             chain.from = junction[static_cast<std::size_t>(begin)];
             if (degree_[static_cast<std::size_t>(begin)] != 1 && chain.from < 0) chain.closed = true;

@@ -131,14 +131,18 @@ public:
     }
 
 private:
-    // An end that touches another line is led onto it: a finger takes a hair's breadth of white for an end.
+    // An end that touches another line is led onto it: a finger takes a hair's breadth of white for an end. One that passes is
+    // better than one that ends there, too.
     void meet(std::vector<Point>& points, Point end, std::size_t owner, bool in_front) const {
         Point nearest = end;
         double least = kTouches * gap_;
+        bool passes = false;
         drawn_.near(end, [&](std::size_t, const Sample& s) {
             const double away = distance(s.at, end);
-            if (s.owner == owner || away >= least) return;
+            const bool is_passing = s.from_end > gap_;
+            if (s.owner == owner || away >= kTouches * gap_ || (is_passing == passes ? away >= least : passes)) return;
             least = away;
+            passes = is_passing;
             nearest = s.at;
         });
         constexpr double kThere = 1e-3;  // mm
@@ -148,6 +152,7 @@ private:
     void place(Stroke stroke, std::vector<Stroke>& kept) {
         if (stroke.closed) start_at_tip(stroke);
         const auto samples = samples_of(stroke, gap_ / kStepsPerGap, kept.size());
+        const double begun_on = along_where_begun(stroke, samples);
         const std::size_t n = samples.size(), before = drawn_.size();
         const double length = stroke.closed ? length_of(stroke) : 0;
         std::vector<double> apart(n, gap_);  // from what is drawn already; the gap if that is far
@@ -161,6 +166,7 @@ private:
                     return;
                 }
                 double way = samples[i].along - s.along;
+                if (s.along <= kMeeting * gap_ && std::abs(samples[i].along - begun_on) <= kMeeting * gap_) return;
                 if (stroke.closed) way = std::min(way, length - way);
                 if (way > kBend * across) earlier = std::min(earlier, across);
             });
@@ -193,30 +199,60 @@ private:
         }
     }
 
+    // How far along itself a stroke passes where it began; its end, which comes last, may meet it in any case. Endless if it does
+    // not.
+    double along_where_begun(const Stroke& stroke, const std::vector<Sample>& samples) const {
+        double nearest = kTouches * gap_, along = kNowhere;
+        for (const Sample& s : samples) {
+            const double across = distance(s.at, samples.front().at);
+            if (stroke.closed || across > nearest || s.along <= std::max(gap_, kBend * across)) continue;
+            nearest = across;
+            along = s.along;
+        }
+        return along;
+    }
+
     // A run of samples within the gap at an end of the stroke, not long, that reaches what it is near to: a meeting with
     // another line or lines, or with the stroke itself, as in a 6 or a 9. It comes near to nothing that it does not reach.
     void allow_meeting(const std::vector<Sample>& samples, const std::vector<bool>& own, std::vector<double>& apart,
                        bool at_end) const {
         const std::size_t n = apart.size();
         const auto index = [n, at_end](std::size_t i) { return at_end ? n - 1 - i : i; };
-        const Sample& end = samples[index(0)];
-        if (apart[index(0)] > kTouches * gap_) return;
-        std::size_t count = 0;
-        while (count < n && apart[index(count)] < gap_ && own[index(count)] == own[index(0)]) ++count;
-        if (count == n || std::abs(samples[index(count)].along - end.along) > kMeeting * gap_) return;
+        const std::size_t first = end_of_meeting(samples, apart, index);
+        if (first == n || apart[index(first)] > kTouches * gap_) return;
+        const Sample& end = samples[index(first)];
+        std::size_t behind = first;
+        while (behind < n && apart[index(behind)] < gap_ && own[index(behind)] == own[index(first)]) ++behind;
+        if (behind == n || apart[index(behind)] < gap_ || std::abs(samples[index(behind)].along - end.along) > kMeeting * gap_)
+            return;
         std::vector<std::size_t> reached;
         drawn_.near(end.at, [&](std::size_t, const Sample& s) {
             if (distance(s.at, end.at) <= kTouches * gap_) reached.push_back(s.owner);
         });
         bool clear = true;
-        for (std::size_t i = 0; i < count && clear; ++i)
+        for (std::size_t i = first; i < behind && clear; ++i)
             drawn_.near(samples[index(i)].at, [&](std::size_t, const Sample& s) {
                 if (distance(s.at, samples[index(i)].at) < gap_ &&
                     std::find(reached.begin(), reached.end(), s.owner) == reached.end())
                     clear = false;
             });
         if (!clear) return;
-        for (std::size_t i = 0; i < count; ++i) apart[index(i)] = gap_;
+        for (std::size_t i = 0; i < behind; ++i) apart[index(i)] = i < first ? 0 : gap_;
+    }
+
+    // Where the stroke ends; but if it crosses another so near its end that the piece beyond would be left out, it ends there:
+    // an axis ends on the other one, not on the far side of it. All samples if nothing is near to it.
+    template <typename Index>
+    std::size_t end_of_meeting(const std::vector<Sample>& samples, const std::vector<double>& apart, const Index& index) const {
+        const std::size_t n = apart.size();
+        std::size_t begin = 0;
+        while (begin < n && apart[index(begin)] >= gap_) ++begin;
+        if (begin == n || (begin == 0 && apart[index(0)] <= kTouches * gap_)) return begin;
+        if (std::abs(samples[index(begin)].along - samples[index(0)].along) >= shortest_) return n;
+        std::size_t nearest = begin;
+        for (std::size_t i = begin; i < n && apart[index(i)] < gap_; ++i)
+            if (apart[index(i)] < apart[index(nearest)]) nearest = i;
+        return nearest;
     }
 
     // The sample as one of a piece that is drawn, so many steps from its first and from its last.

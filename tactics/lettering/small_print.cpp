@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 
 #include "tactics/lettering/pale_ink.h"
 #include "tactics/lettering/print_company.h"
@@ -43,6 +44,15 @@ double stroke_of(const LetteringLine& line) {
 bool is_small_form(const InkPiece& piece) {
     const MarkShape shape = mark_shape(piece);
     return shape.band < kStraight && shape.share < kFilled && shape.across > 2;
+}
+
+// Above and below it is the same ground. A tick stands on an axis, which may be as pale as what it blends with.
+bool is_on_one_ground(const Image& grey, const PixelBox& box) {
+    constexpr int kBeyond = 2;      // pixels, behind what fades from it
+    constexpr int kOneGround = 60;  // grey levels
+    const int x = std::clamp((box.left + box.right) / 2, 0, grey.width - 1);
+    const auto at = [&](int y) { return static_cast<int>(grey.row(std::clamp(y, 0, grey.height - 1))[x]); };
+    return std::abs(at(box.top - 1 - kBeyond) - at(box.bottom + kBeyond)) <= kOneGround;
 }
 
 // A piece as rows of pixels.
@@ -129,7 +139,8 @@ public:
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const LetteringLine& line = lines[i].line;
             on_scale_.push_back(!is_words(line) && line.letter_height <= kMostSmallPrint && is_sized(line) &&
-                                is_on_scale(i, lines));
+                                is_on_scale(i, lines) &&
+                                (is_small_form(line.letters.front()) || is_on_one_ground(grey, line.box)));
         }
         for (const InkPiece& piece : pieces)
             if (!is_of_words(piece.box)) free_.emplace_back(piece);

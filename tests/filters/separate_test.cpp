@@ -28,8 +28,13 @@ void expect_apart(const Drawing& drawing, double gap) {
                     if (shapes::to_stroke(end, on) <= gap / 2 && std::hypot(p.x - end.x, p.y - end.y) <= 2.2 * gap) return true;
                 return false;
             };
+            // An end that is led on to a line may come nearer to another.
+            const auto is_end = [gap](const Stroke& stroke, Point p) {
+                return !stroke.closed &&
+                       std::min(distance(p, stroke.points.front()), distance(p, stroke.points.back())) < gap / 3;
+            };
             for (const Point& p : shapes::walk(one, 0.2)) {
-                if (shapes::to_stroke(p, other) >= 0.98 * gap) continue;
+                if (shapes::to_stroke(p, other) >= (is_end(one, p) ? 0.98 - 1 / 3.0 : 0.98) * gap) continue;
                 bool meets = ends_on(one, other, p);
                 for (const Point& q : shapes::walk(other, 0.2))
                     if (!meets && std::hypot(q.x - p.x, q.y - p.y) < gap) meets = ends_on(other, one, q);
@@ -92,6 +97,22 @@ TEST(Separate, AnAxisGoesOnBelowTheSidesOfBars) {
         const auto broken = drawn("separate gap=3.2", sheet({line({{30, 40}, {30, foot}}, 9), line({{10, 80}, {90, 80}}, 1)}));
         EXPECT_GT(broken.strokes.size(), 2u) << foot;
     }
+}
+
+// Up one side of a bar, down the other and along the axis, past the foot of the first, and to another bar in the same way.
+TEST(Separate, ALineThatBeginsAndEndsOnItselfIsWhole) {
+    const auto drawing = drawn(
+        "separate gap=3.2", sheet({line({{40, 80}, {40, 40}, {20, 40}, {20, 80}, {80, 80}, {80, 40}, {60, 40}, {60, 80}}, 9)}));
+    ASSERT_EQ(drawing.strokes.size(), 1u);
+    EXPECT_NEAR(length_of(drawing.strokes[0]), 260, 0.1);
+}
+
+// Both axes go on a little beyond each other.
+TEST(Separate, AnAxisEndsOnTheOther) {
+    const auto drawing = drawn("separate gap=3.2", sheet({line({{20, 10}, {20, 82}}, 9), line({{17, 80}, {90, 80}}, 5)}));
+    ASSERT_EQ(drawing.strokes.size(), 2u);
+    EXPECT_NEAR(length_of(drawing.strokes[1]), 70, 0.5);
+    EXPECT_NEAR(drawing.strokes[1].points.front().x, 20, 0.01);
 }
 
 TEST(Separate, MakesOneLineOfTheTwoSidesOfAThinBar) {

@@ -264,6 +264,20 @@ TEST(Trace, CutsSpursOffAndDropsShortLines) {
     EXPECT_EQ(drawn("trace spur=10 shortest=10", image).strokes.size(), 2u);
 }
 
+// Error bars: what is across their ends is shorter than spurs are.
+TEST(Trace, KeepsWhatIsAcrossTheEndOfALine) {
+    Image image = blank(60, 60);
+    bar(image, {30.5, 10}, {30.5, 50}, 1.5);
+    bar(image, {24, 10}, {37, 10}, 1.5);
+    const Drawing drawing = drawn("trace spur=9 shortest=4", image);
+    ASSERT_EQ(drawing.strokes.size(), 2u);
+    double left = 60, right = 0;
+    for (const Stroke& stroke : drawing.strokes)
+        for (const Point& p : stroke.points) left = std::min(left, p.x), right = std::max(right, p.x);
+    EXPECT_NEAR(left, 25, 1.5);
+    EXPECT_NEAR(right, 36, 1.5);
+}
+
 TEST(Trace, KeepsFilledDotsAsAreas) {
     Image image = blank(200, 100, 0.2);
     shapes::disc(image, {50, 50}, 13);
