@@ -294,7 +294,16 @@ int lead_on(const Image& ink, DashRow& row, double widest_gap) {
     return (from ? 1 : 0) + (to ? 1 : 0);
 }
 
-// Straight, and of clear dashes.
+}  // namespace
+
+std::optional<bool> is_level(const DashRow& row) {
+    const double across = std::abs(row.points.front().x - row.points.back().x),
+                 down = std::abs(row.points.front().y - row.points.back().y);
+    for (const Point& p : row.points)
+        if (std::min(std::abs(p.x - row.points.front().x), std::abs(p.y - row.points.front().y)) > row.width) return std::nullopt;
+    return across > down;
+}
+
 bool is_straight(const DashRow& row) {
     constexpr double kLonger = 2, kStraight = 0.985;
     double way = 0;
@@ -303,8 +312,6 @@ bool is_straight(const DashRow& row) {
         if (distance(row.points[i], row.points[i + 1]) < kLonger * row.width) return false;
     return distance(row.points.front(), row.points.back()) >= kStraight * way;
 }
-
-}  // namespace
 
 DashKind dash_kind(std::vector<double> lengths) {
     constexpr double kDot = 2.1;          // widths
@@ -360,7 +367,8 @@ std::vector<DashRow> dash_rows_in(const Image& ink, const Image& picture, const 
         row.kind = dash_kind(std::move(lengths));
         row.leads = chain.size() < kLeast;
         if (row.leads && !is_straight(row)) continue;
-        if (lead_on(ink, row, std::min(*std::max_element(gaps.begin(), gaps.end()), most_alike(gaps))) < 2 && row.leads) continue;
+        row.met = lead_on(ink, row, std::min(*std::max_element(gaps.begin(), gaps.end()), most_alike(gaps)));
+        if (row.met < 2 && row.leads) continue;
         rows.push_back(std::move(row));
     }
     take_crossings(ink, pieces, limits, rows);

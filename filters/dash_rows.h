@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "filters/components.h"
@@ -27,7 +28,14 @@ struct DashRow {
     DashKind kind = DashKind::dashes;
     std::vector<Run> ink;
     bool leads = false;  ///< the second
+    int met = 0;         ///< how many of its ends stop close before something
 };
+
+/// Level or upright from end to end, and which of both.
+std::optional<bool> is_level(const DashRow& row);
+
+/// Straight, and of clear dashes.
+bool is_straight(const DashRow& row);
 
 /// What a dashed line's marks are, whose lengths these are, in widths of the line. Few may be cut short by what they cross.
 DashKind dash_kind(std::vector<double> lengths);

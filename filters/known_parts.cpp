@@ -12,6 +12,7 @@
 #include "filters/arrow_heads.h"
 #include "filters/darken.h"
 #include "filters/dash_rows.h"
+#include "filters/dashed_whiskers.h"
 #include "filters/inked_fills.h"
 #include "filters/inked_points.h"
 #include "filters/noisy_curves.h"
@@ -49,6 +50,9 @@ Stroke head_of(const InkedHead& head, double mm) {
 
 // Dashes as drawing tools make them: on the page up to 11 mm long, 1.6 mm wide, with gaps of no more than 5.5 mm.
 constexpr double kLongestDash = 11, kWidestDash = 1.6, kMostGap = 5.5;
+
+// On paper a dashed line has 4.5 mm of line and as much of gap: of what is shorter a finger feels two pieces or three.
+constexpr double kShortRow = 20;
 
 DashLimits dash_limits(double mm) { return {kLongestDash / mm, std::max(2.0, kWidestDash / mm), kMostGap / mm}; }
 
@@ -103,27 +107,6 @@ void paint_over(Image& picture, const Image& all_ink, const std::vector<Run>& in
                 std::copy_n(from, picture.channels, picture.row(y) + x * picture.channels);
 }
 
-// A short line between two things is no less a line for being dashed.
-void join(Image& picture, const DashRow& row) {
-    const auto pixel = [](Point p) { return cv::Point(static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))); };
-    const cv::Point on = pixel({0.2 * row.points[0].x + 0.8 * row.points[1].x, 0.2 * row.points[0].y + 0.8 * row.points[1].y});
-    const std::uint8_t* own =
-        picture.row(std::clamp(on.y, 0, picture.height - 1)) + std::clamp(on.x, 0, picture.width - 1) * picture.channels;
-    const cv::Scalar colour(own[0], picture.channels == 3 ? own[1] : 0, picture.channels == 3 ? own[2] : 0);
-    cv::Mat pixels = view_of(picture);
-    cv::line(pixels, pixel(row.points.front()), pixel(row.points.back()), colour,
-             std::max(1, static_cast<int>(std::lround(row.width))));
-}
-
-// Level or upright from end to end.
-std::optional<bool> is_level(const DashRow& row) {
-    const double across = std::abs(row.points.front().x - row.points.back().x),
-                 down = std::abs(row.points.front().y - row.points.back().y);
-    for (const Point& p : row.points)
-        if (std::min(std::abs(p.x - row.points.front().x), std::abs(p.y - row.points.front().y)) > row.width) return std::nullopt;
-    return across > down;
-}
-
 // Two others at least are parallel to it and as long.
 bool is_of_grid(const DashRow& row, const std::vector<DashRow>& rows) {
     const auto level = is_level(row);
@@ -138,7 +121,7 @@ bool is_of_grid(const DashRow& row, const std::vector<DashRow>& rows) {
 bool tell_lines_apart(const std::vector<DashRow>& rows) {
     std::optional<DashKind> kind;
     for (const DashRow& row : rows) {
-        if (row.leads || is_of_grid(row, rows)) continue;
+        if (is_of_grid(row, rows)) continue;
         if (kind && *kind != row.kind) return true;
         kind = row.kind;
     }
@@ -186,18 +169,20 @@ bool is_within_row(Point tip, const std::vector<DashRow>& rows) {
 }
 
 void take_dashes(Image& picture, KnownOfPicture& known, KnownParts& parts) {
-    const std::vector<DashRow>& rows = known.rows();
-    if (rows.empty()) return;
+    if (known.rows().empty()) return;
     const Image ink = known.ink_of_dashes();
-    std::vector<Run> ink_of_all;
     const double mm = picture.mm_per_pixel;
-    const bool told_apart = tell_lines_apart(rows);
-    for (const DashRow& row : rows) {
-        if (row.leads) {
-            join(picture, row);
-            continue;
-        }
-        const DashKind kind = told_apart && !is_of_grid(row, rows) ? row.kind : DashKind::dashes;
+    const std::vector<bool> is_whisker = whiskers_among(known.rows(), kShortRow / mm);
+    std::vector<Run> ink_of_all;
+    std::vector<DashRow> lines, whiskers;
+    for (std::size_t i = 0; i < is_whisker.size(); ++i) {
+        const DashRow& row = known.rows()[i];
+        ink_of_all.insert(ink_of_all.end(), row.ink.begin(), row.ink.end());
+        (is_whisker[i] ? whiskers : lines).push_back(row);
+    }
+    const bool told_apart = tell_lines_apart(lines);
+    for (const DashRow& row : lines) {
+        const DashKind kind = told_apart && !is_of_grid(row, lines) ? row.kind : DashKind::dashes;
         Stroke stroke{{},
                       false,
                       kind == DashKind::dashes ? LineClass::normal : LineClass::thick,
@@ -205,9 +190,10 @@ void take_dashes(Image& picture, KnownOfPicture& known, KnownParts& parts) {
                       kind == DashKind::dots ? Role::dots : Role::dash};
         for (const Point& p : row.points) stroke.points.push_back({p.x * mm, p.y * mm});
         parts.strokes.push_back(std::move(stroke));
-        ink_of_all.insert(ink_of_all.end(), row.ink.begin(), row.ink.end());
     }
-    if (!ink_of_all.empty()) paint_over(picture, ink, ink_of_all);
+    const Image before = whiskers.empty() ? Image{} : picture;
+    paint_over(picture, ink, ink_of_all);
+    join_whiskers(picture, before, ink, whiskers);
     known.forget();
 }
 

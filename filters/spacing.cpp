@@ -24,6 +24,9 @@ constexpr double kMeeting = 2;
 // Two parts of one line are a bend while the way along it is at most so many times the distance across (a corner of 29
 // degrees); beyond that they run back beside each other.
 constexpr double kBend = 4;
+// Of the least length of lines: what leads from one line to another says more than a loose piece, if it is whole.
+constexpr double kBetween = 0.5;
+constexpr double kOfSteps = 1e-6;  // mm
 
 struct Sample {
     Point at;
@@ -118,9 +121,11 @@ public:
 
     void run() {
         std::vector<Stroke> kept;
+        const std::vector<bool> between = lie_between_lines();
         for (const std::size_t i : by_evidence(drawing_.strokes)) {
-            if (length_of(drawing_.strokes[i]) < shortest_) continue;
-            place(std::move(drawing_.strokes[i]), kept);
+            const double length = length_of(drawing_.strokes[i]);
+            if (length < (between[i] ? kBetween : 1) * shortest_) continue;
+            place(std::move(drawing_.strokes[i]), kept, between[i] ? length - kOfSteps : shortest_);
         }
         for (std::size_t i = 0; i < kept.size(); ++i)
             if (!kept[i].closed) {
@@ -149,7 +154,32 @@ private:
         if (distance(nearest, end) > kThere) points.insert(in_front ? points.begin() : points.end(), nearest);
     }
 
-    void place(Stroke stroke, std::vector<Stroke>& kept) {
+    // Short lines that lead from one line to another, as whiskers and ticks do.
+    std::vector<bool> lie_between_lines() const {
+        const auto is_short = [&](const Stroke& stroke) {
+            return !stroke.closed && length_of(stroke) < shortest_ && length_of(stroke) >= kBetween * shortest_;
+        };
+        const std::vector<Stroke>& strokes = drawing_.strokes;
+        std::vector<bool> between(strokes.size(), false);
+        if (std::none_of(strokes.begin(), strokes.end(), is_short)) return between;
+        Drawn all(drawing_.width, drawing_.height, gap_);
+        for (std::size_t i = 0; i < strokes.size(); ++i)
+            for (const Sample& sample : samples_of(strokes[i], gap_ / kStepsPerGap, i)) all.add(sample);
+        for (std::size_t i = 0; i < strokes.size(); ++i) {
+            const auto touches = [&](Point end) {
+                bool found = false;
+                all.near(end, [&](std::size_t, const Sample& s) {
+                    found = found || (s.owner != i && distance(s.at, end) <= kTouches * gap_);
+                });
+                return found;
+            };
+            between[i] = is_short(strokes[i]) && touches(strokes[i].points.front()) && touches(strokes[i].points.back());
+        }
+        return between;
+    }
+
+    // Pieces shorter than `shortest` are left out.
+    void place(Stroke stroke, std::vector<Stroke>& kept, double shortest) {
         if (stroke.closed) start_at_tip(stroke);
         const auto samples = samples_of(stroke, gap_ / kStepsPerGap, kept.size());
         const double begun_on = along_where_begun(stroke, samples);
@@ -185,12 +215,12 @@ private:
         std::stable_sort(runs.begin(), runs.end(), [](NearRun a, NearRun b) { return a.end - a.begin > b.end - b.begin; });
         // The longest piece is drawn; the others are lines of their own now and must keep clear of it too.
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            if (static_cast<double>(runs[i].end - runs[i].begin) * gap_ / kStepsPerGap < shortest_)
+            if (static_cast<double>(runs[i].end - runs[i].begin) * gap_ / kStepsPerGap < shortest)
                 continue;  // steps are no longer
             Stroke piece = runs[i].end - runs[i].begin == n ? stroke : piece_of(stroke, samples, runs[i]);
-            if (piece.points.size() < 2 || length_of(piece) < shortest_) continue;
+            if (piece.points.size() < 2 || length_of(piece) < shortest) continue;
             if (i > 0) {
-                place(std::move(piece), kept);
+                place(std::move(piece), kept, shortest);
                 continue;
             }
             for (std::size_t k = runs[i].begin; k < runs[i].end; ++k)

@@ -9,7 +9,7 @@ namespace tactics {
 
 /// In mm.
 struct TraceLimits {
-    double shortest = 2;  ///< shorter lines and smaller dots are left out
+    double shortest = 2;  ///< shorter lines and smaller dots are left out, but half of it is enough between two lines
     double spur = 2;      ///< shorter side branches are cut off
     double bridge = 2;    ///< ends that point at each other over a gap up to this are joined
 };

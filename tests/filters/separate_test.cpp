@@ -115,6 +115,18 @@ TEST(Separate, AnAxisEndsOnTheOther) {
     EXPECT_NEAR(drawing.strokes[1].points.front().x, 20, 0.01);
 }
 
+// A whisker is shorter than loose pieces may be.
+TEST(Separate, WhatLeadsFromLineToLineMayBeHalfAsLong) {
+    const Stroke box = line({{20, 20}, {80, 20}}, 9), cap = line({{40, 25}, {60, 25}}, 9);
+    const auto lines_with = [&](double end) {
+        return drawn("separate gap=2.5 shortest=9", sheet({box, cap, line({{50, 20}, {50, end}}, 9)})).strokes.size();
+    };
+    EXPECT_EQ(lines_with(25), 3u);
+    EXPECT_EQ(lines_with(28.9), 2u);
+    const auto shorter = drawn("separate gap=2.5 shortest=12", sheet({box, cap, line({{50, 20}, {50, 25}}, 9)}));
+    EXPECT_EQ(shorter.strokes.size(), 2u);
+}
+
 TEST(Separate, MakesOneLineOfTheTwoSidesOfAThinBar) {
     for (const bool closed : {true, false}) {
         const auto drawing =

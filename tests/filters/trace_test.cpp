@@ -278,6 +278,16 @@ TEST(Trace, KeepsWhatIsAcrossTheEndOfALine) {
     EXPECT_NEAR(right, 36, 1.5);
 }
 
+TEST(Trace, KeepsShortLinesFromLineToLine) {
+    Image image = blank(200, 60);
+    bar(image, {10, 20}, {190, 20}, 1.5);
+    bar(image, {10, 40}, {190, 40}, 1.5);
+    bar(image, {60, 20}, {60, 40}, 1.5);
+    bar(image, {120, 20}, {120, 32}, 1.5);
+    EXPECT_EQ(drawn("trace spur=5 shortest=30", image).strokes.size(), 3u);
+    EXPECT_EQ(drawn("trace spur=5 shortest=50", image).strokes.size(), 2u);
+}
+
 TEST(Trace, KeepsFilledDotsAsAreas) {
     Image image = blank(200, 100, 0.2);
     shapes::disc(image, {50, 50}, 13);

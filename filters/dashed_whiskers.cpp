@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "filters/dashed_whiskers.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "filters/opencv.h"
+#include "tactics/geometry/skeleton.h"
+
+namespace tactics {
+
+namespace {
+
+cv::Point dash_pixel(Point p) { return {static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))}; }
+
+// In the colour that was at `on`.
+void draw_whole(Image& picture, const Image& before, cv::Point on, cv::Point from, cv::Point to, double width) {
+    const std::uint8_t* own =
+        before.row(std::clamp(on.y, 0, before.height - 1)) + std::clamp(on.x, 0, before.width - 1) * before.channels;
+    const cv::Scalar colour(own[0], before.channels == 3 ? own[1] : 0, before.channels == 3 ? own[2] : 0);
+    cv::Mat pixels = view_of(picture);
+    cv::line(pixels, from, to, colour, std::max(1, static_cast<int>(std::lround(width))));
+}
+
+// The longest gap between two dashes.
+double gap_of(const DashRow& row) {
+    double gap = 0;
+    for (std::size_t i = 2; i < row.points.size(); i += 2) gap = std::max(gap, distance(row.points[i - 1], row.points[i]));
+    return gap;
+}
+
+// The end of a line of ink, and the way it points, level or upright.
+struct InkEnd {
+    cv::Point at, way;
+};
+
+// Back from an end of a skeleton to where it forks, or so many steps.
+cv::Point back_from(const Skeleton& middles, cv::Point end, int steps) {
+    cv::Point at = end, before(-1, -1);
+    for (int i = 0; i < steps; ++i) {
+        cv::Point next(-1, -1);
+        int ways = 0;
+        for (const PixelStep& step : kSteps) {
+            const cv::Point p(at.x + step.x, at.y + step.y);
+            if (!middles.map.ink(p.x, p.y) || p == before) continue;
+            next = p;
+            ++ways;
+        }
+        if (ways != 1) break;
+        before = at;
+        at = next;
+    }
+    return at;
+}
+
+std::vector<InkEnd> ends_of(const Image& ink) {
+    constexpr int kBack = 5;  // steps
+    const Skeleton middles = thin(ink_of(ink));
+    std::vector<InkEnd> ends;
+    for (const std::uint32_t pixel : middles.pixels) {
+        if (std::popcount(neighbours_of(middles.map.bytes.data() + pixel, middles.map.stride)) != 1) continue;
+        const cv::Point at(middles.x_of(pixel), middles.y_of(pixel)), way = at - back_from(middles, at, kBack);
+        if (way.x == 0 && way.y != 0) ends.push_back({at, {0, way.y > 0 ? 1 : -1}});
+        if (way.y == 0 && way.x != 0) ends.push_back({at, {way.x > 0 ? 1 : -1, 0}});
+    }
+    return ends;
+}
+
+}  // namespace
+
+std::vector<bool> whiskers_among(const std::vector<DashRow>& rows, double longest) {
+    const auto may_be = [](const DashRow& row) { return row.met == 2 && is_level(row) && is_straight(row); };
+    const auto is_short = [&](const DashRow& row) { return distance(row.points.front(), row.points.back()) <= longest; };
+    std::vector<bool> whiskers;
+    for (const DashRow& row : rows)
+        whiskers.push_back(row.leads || (may_be(row) && std::any_of(rows.begin(), rows.end(), [&](const DashRow& other) {
+                                             return may_be(other) && is_short(other) && is_level(other) == is_level(row) &&
+                                                    other.kind == row.kind;
+                                         })));
+    return whiskers;
+}
+
+void join_whiskers(Image& picture, const Image& before, const Image& ink, const std::vector<DashRow>& whiskers) {
+    double gap = 0, width = 1;
+    for (const DashRow& row : whiskers) {
+        draw_whole(picture, before,
+                   dash_pixel({0.2 * row.points[0].x + 0.8 * row.points[1].x, 0.2 * row.points[0].y + 0.8 * row.points[1].y}),
+                   dash_pixel(row.points.front()), dash_pixel(row.points.back()), row.width);
+        gap = std::max(gap, gap_of(row));
+        width = std::max(width, row.width);
+    }
+    if (gap <= 0) return;
+    constexpr double kLonger = 1.25;  // a gap may be a little longer where a dash is cut short
+    const std::vector<InkEnd> ends = ends_of(ink);
+    for (const InkEnd& one : ends)
+        for (const InkEnd& other : ends) {
+            const cv::Point to = other.at - one.at;
+            const int along = to.x * one.way.x + to.y * one.way.y,
+                      aside = std::abs(to.x * one.way.y) + std::abs(to.y * one.way.x);
+            if (one.way == -other.way && along > 0 && along <= kLonger * gap && aside <= 1)
+                draw_whole(picture, before, one.at, one.at, other.at, width);
+        }
+}
+
+}  // namespace tactics
