@@ -107,6 +107,17 @@ TEST_F(SmallLines, FiguresInStepsAreThoseOfAnAxis) {
     EXPECT_EQ(at(92, 181), SmallPrint::none);
 }
 
+// Ticks of an axis are in steps, too; an axis that blends with bars is paler than they are.
+TEST_F(SmallLines, TicksOnAPaleAxisAreNone) {
+    know();
+    for (int x = 40; x < 260; ++x) picture.row(149)[x] = picture.row(148)[x] = picture.row(147)[x] = 140;
+    for (const int x : {60, 120, 180, 240})
+        for (int y = 150; y < 157; ++y) picture.row(y)[x] = 0;
+    EXPECT_EQ(at(120, 152), SmallPrint::none);
+    for (int x = 40; x < 260; ++x) picture.row(149)[x] = picture.row(148)[x] = picture.row(147)[x] = 255;
+    EXPECT_EQ(at(120, 152), SmallPrint::out) << "a row of ones";
+}
+
 TEST_F(SmallLines, MarksOfAPlotAreNone) {
     know();
     for (const int x : {90, 131, 168, 215, 240, 262}) draw(x, 30 + x / 3, kRing);
