@@ -100,16 +100,20 @@ bool has_lost_point(std::string_view text) {
            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// In small print a comma without its tail is a point, O and 0 look alike, the tick of a scale is a dash, and a long figure that
-// two readers do not both say is none.
+// What ends with a dash behind figures goes on, as in "1e-14", or that is the tick of a scale.
+bool breaks_off(std::string_view text) {
+    return (text.ends_with('-') || text.ends_with("\u2212") || text.ends_with("\u2013")) &&
+           std::any_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// In small print a comma without its tail is a point, O and 0 look alike, and a long figure that two readers do not both say is
+// none.
 bool is_plain(const std::string& text, const std::string& other, bool agreed) {
     const auto count = [&](const auto& is) { return std::count_if(text.begin(), text.end(), is); };
     const auto digits = count([](char c) { return c >= '0' && c <= '9'; });
     const auto letters = count([](char c) { return (c | 32) >= 'a' && (c | 32) <= 'z'; });
-    const bool dash = digits > 0 && digits < static_cast<std::ptrdiff_t>(text.size()) &&
-                      (text.back() == '-' || text.ends_with("\u2212") || text.ends_with("\u2013"));
     const bool either = text.find('0') != text.npos && text.find('O') != text.npos;
-    if (dash || either || count([](char c) { return c == '"'; }) % 2 == 1 || has_lost_point(text)) return false;
+    if (either || count([](char c) { return c == '"'; }) % 2 == 1 || has_lost_point(text)) return false;
     if (has_thousands(text) && !text.starts_with("0.") && (text != other || text.find(',') == text.npos)) return false;
     return letters > 0 || digits < 3 || agreed;
 }
@@ -149,7 +153,8 @@ Belief believe_strange(const FormWords& words, const ReadWords& other) {
         std::none_of(reading.letters.begin(), reading.letters.end(), [](const FormLetter& one) { return is_of_words(one.code); });
     Belief belief{words.text, 100 * reading.mean, false, true};
     belief.sure = words.settled && ((other.sure && other.sureness >= least) || (figure && kBothSay.holds(reading))) &&
-                  !may_be_figures(words.text, true) && !is_of_mixed_case(reading) && !is_of_either_case(reading);
+                  !may_be_figures(words.text, true) && !breaks_off(words.text) && !is_of_mixed_case(reading) &&
+                  !is_of_either_case(reading);
     belief.open = belief.sure && !has_pairs(words.text);
     if (reading.em >= kSmallPrint) return belief;
     // There a hyphen is hardly narrower than a dash.
@@ -187,7 +192,7 @@ Belief believe(const FormWords& words, const ReadWords& other) {
     const FormReading& reading = words.reading;
     if (words.text.empty()) {
         const bool borne_out = other.sureness >= kSureWords && bears_out(reading, other.text);
-        Belief belief{other.text, other.sureness, other.sure && borne_out, other.sure};
+        Belief belief{other.text, other.sureness, other.sure && borne_out && !breaks_off(other.text), other.sure};
         belief.open = belief.sure && !has_pairs(belief.text);
         return belief;
     }
@@ -229,7 +234,7 @@ Belief believe(const FormWords& words, const ReadWords& other) {
     if (reading.em < kTinyPrint && figure && !kBothSay.holds(reading)) belief.sure = false;
     if (reading.em < kSmallPrint)
         belief.sure = belief.sure && is_plain(words.text, other.text, words.agreed) && is_no_pair(words, other);
-    belief.sure = belief.sure && !may_be_other_figure(reading) && !is_of_mixed_case(reading) &&
+    belief.sure = belief.sure && !may_be_other_figure(reading) && !is_of_mixed_case(reading) && !breaks_off(words.text) &&
                   !may_be_figures(words.text, reading.mean < kOfItself.mean);
     belief.open = belief.sure && !has_pairs(words.text);
     if (reading.em < kSmallPrint) belief.sure = belief.sure && !belief.open;

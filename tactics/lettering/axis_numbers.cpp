@@ -14,9 +14,9 @@ namespace tactics {
 
 namespace {
 
-// Settings: pixels that print lies off its place; share of a step; how many numbers make a progression, and of those that were
-// read.
-constexpr double kOffPlace = 2, kOffStep = 0.12, kMostRead = 0.67;
+// Settings: what print lies off its place, pixels, or heights of its letters, as a minus sign has white before it; share of a
+// step; how many numbers make a progression, and of those that were read.
+constexpr double kOffPlace = 2, kOffOfHeight = 0.4, kOffStep = 0.12, kMostRead = 0.67;
 constexpr std::size_t kLeastRead = 3;
 
 // With which sign figures have their thousands set apart; the other one is the decimal sign.
@@ -90,6 +90,7 @@ struct Progression {
     bool by_factors = false;
     double first = 0, step = 0;   // value at `place`, and what is added
     double place = 0, pitch = 0;  // pixels
+    double off_place = kOffPlace;
 
     static std::optional<double> measure(double value, bool by_factors) {
         if (by_factors && value <= 0) return std::nullopt;
@@ -99,7 +100,7 @@ struct Progression {
     std::optional<double> number_at(double at) const {
         const double steps = (at - place) / pitch, whole = std::round(steps);
         const double off = std::abs(steps - whole);
-        if (off > kOffStep || off * std::abs(pitch) > kOffPlace) return std::nullopt;
+        if (off > kOffStep || off * std::abs(pitch) > off_place) return std::nullopt;
         return whole;
     }
     bool holds(double at, double value) const {
@@ -194,7 +195,12 @@ private:
         const double pitch = std::min(pitch_, b.place - a.place);
         const double steps = std::round((b.place - a.place) / pitch);
         if (pitch < least_ || steps < 1) return std::nullopt;
-        return Progression{by_factors, *first, (*last - *first) / steps, a.place, (b.place - a.place) / steps};
+        return Progression{by_factors,
+                           *first,
+                           (*last - *first) / steps,
+                           a.place,
+                           (b.place - a.place) / steps,
+                           std::max(kOffPlace, kOffOfHeight * least_)};
     }
 
     std::optional<std::string> confirmed(const ReadLine& line, double place, const Progression& progression) const {

@@ -23,6 +23,7 @@ constexpr std::size_t kLowUpwards = 3;  // letters that none is as tall as that 
 // letters' side bearings.
 constexpr double kWordGap = 1.0;
 constexpr double kPointGap = 1.6;  // with a point between them, in monospaced print
+constexpr double kMinusGap = 1.7;  // with a minus sign between them, of 0.84 em: "1e-14"
 constexpr double kMarkGap = 0.5;
 // From x-height to a letter with ascender and descender.
 constexpr double kUnlike = 2.4;
@@ -61,14 +62,18 @@ bool stand_in_line(const PixelBox& a, const PixelBox& b, double most) {
     return gap < most * high;
 }
 
-// Points and commas between letters, in the order of their places.
+// Points, commas and minus signs between letters, in the order of their places.
 class Points {
 public:
     explicit Points(const std::vector<PixelBox>& boxes) {
         constexpr int kMostHeight = 12;  // pixels, of print that is as high as it may be
-        for (const PixelBox& box : boxes)
-            if (box.height() <= kMostHeight && box.width() <= box.height() + 1) points_.push_back(box);
-        std::sort(points_.begin(), points_.end(), [](const PixelBox& a, const PixelBox& b) { return a.left < b.left; });
+        for (const PixelBox& box : boxes) {
+            if (box.height() > kMostHeight) continue;
+            if (box.width() <= box.height() + 1) points_.push_back(box);
+            if (box.width() > 2 * box.height()) bars_.push_back(box);
+        }
+        for (std::vector<PixelBox>* all : {&points_, &bars_})
+            std::sort(all->begin(), all->end(), [](const PixelBox& a, const PixelBox& b) { return a.left < b.left; });
     }
 
     // In monospaced print a point has as much room as a letter: "12.5" has a wider gap than two words.
@@ -79,15 +84,31 @@ public:
             return std::min(one.width(), one.height()) >= kLeast * height && one.height() <= std::max(2.0, kMost * height) &&
                    std::abs(one.bottom - foot) <= std::max(1.0, kOffFoot * height);
         };
-        for (auto point = std::lower_bound(points_.begin(), points_.end(), a.right,
-                                           [](const PixelBox&one, int right) { return one.left < right; });
-             point != points_.end() && point->right <= b.left; ++point)
-            if (is_point(*point)) return true;
-        return false;
+        return any_of(points_, a, b, is_point);
+    }
+
+    // About as wide as a figure, in the middle of their height, and close to both.
+    bool any_minus_between(const PixelBox& a, const PixelBox& b) const {
+        constexpr double kLeast = 0.35, kMost = 1.1, kHigh = 0.25, kLow = 0.8, kBeside = 0.5;  // of the height
+        const int foot = std::max(a.bottom, b.bottom), height = std::max(a.height(), b.height());
+        return any_of(bars_, a, b, [&](const PixelBox& one) {
+            return one.width() >= kLeast * height && one.width() <= kMost * height && foot - one.bottom >= kHigh * height &&
+                   foot - one.top <= kLow * height && one.left - a.right <= kBeside * height &&
+                   b.left - one.right <= kBeside * height;
+        });
     }
 
 private:
-    std::vector<PixelBox> points_;
+    template <typename Is>
+    static bool any_of(const std::vector<PixelBox>& marks, const PixelBox& a, const PixelBox& b, const Is& is) {
+        for (auto mark = std::lower_bound(marks.begin(), marks.end(), a.right,
+                                          [](const PixelBox&one, int right) { return one.left < right; });
+             mark != marks.end() && mark->right <= b.left; ++mark)
+            if (is(*mark)) return true;
+        return false;
+    }
+
+    std::vector<PixelBox> points_, bars_;
 };
 
 struct Group {
@@ -112,8 +133,9 @@ std::vector<Group> group(const std::vector<PixelBox>& boxes, const std::vector<b
         const int farthest = std::min(kMostInkHeight, static_cast<int>(kUnlike * one.height()) + 1);
         for (std::size_t k = i + 1; k < order.size(); ++k) {
             const PixelBox& other = boxes[order[k]];
-            if (other.left - one.right > kPointGap * farthest) break;
-            if (stand_in_line(one, other, kWordGap) || (stand_in_line(one, other, kPointGap) && points.any_between(one, other)))
+            if (other.left - one.right > kMinusGap * farthest) break;
+            if (stand_in_line(one, other, kWordGap) || (stand_in_line(one, other, kPointGap) && points.any_between(one, other)) ||
+                (stand_in_line(one, other, kMinusGap) && points.any_minus_between(one, other)))
                 parent[std::max(root(i), root(k))] = std::min(root(i), root(k));
         }
     }

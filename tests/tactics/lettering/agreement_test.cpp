@@ -31,6 +31,12 @@ TEST(Agreement, FontsDecideWhereTheyAreClear) {
     EXPECT_FALSE(believe(line_of(U"q1", "q1", 0.7), {"ql", 96, true, true}).sure);
 }
 
+TEST(Agreement, FiguresThatEndWithADashGoOn) {
+    EXPECT_FALSE(believe(line_of(U"1e\u2212", "1e\u2212"), {"1e-", 96, true, true}).sure);
+    EXPECT_TRUE(believe(line_of(U"1e\u221214", "1e\u221214"), {"1e-14", 96, true, true}).sure);
+    EXPECT_TRUE(believe(line_of(U"Cl\u2212", "Cl\u2212"), {"Cl-", 96, true, true}).sure);
+}
+
 // Ten points at 72 dpi; both readers say the same.
 bool is_sure_in_small(std::u32string_view codes, const std::string& text, const std::string& other, double likeness = 0.95) {
     FormWords words = line_of(codes, text, likeness);

@@ -151,6 +151,16 @@ TEST(AxisNumbers, NeedNotBeQuiteAboveEachOther) {
     EXPECT_EQ(held(column(12)), "12 8 4 ?");
 }
 
+// White before a minus sign moves a number aside, by less than its height.
+TEST(AxisNumbers, WithAMinusSignMayStandALittleAside) {
+    const auto row = [](double aside) {
+        return held({number(116 - aside, 90, "-2", false), number(186 - aside, 90, "-1", false), number(256, 90, "0", true),
+                     number(326, 90, "1", true), number(396, 90, "2", true)});
+    };
+    EXPECT_EQ(row(3), "\u22122 \u22121 0 1 2");
+    EXPECT_EQ(row(5), "? ? 0 1 2");
+}
+
 // Places are whole pixels: two that stand side by side tell the step less well than two that are far apart.
 TEST(AxisNumbers, TheFarthestTellTheStep) {
     EXPECT_EQ(held({number(40, 90, "0", true), number(91, 90, "1", true), number(141, 90, "2", true),

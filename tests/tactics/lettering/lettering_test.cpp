@@ -125,6 +125,19 @@ TEST(Lettering, APointHasAsMuchRoomAsALetter) {
     EXPECT_EQ(find_lettering(image).size(), 2u) << "nor is it a point so high up";
 }
 
+TEST(Lettering, AMinusSignJoinsWhatIsOnBothSides) {
+    const auto lines_with = [](const PixelBox& bar) {
+        Image image = make_image(160, 60, 1, 0, 255);
+        write_blocks(image, 20, 20, "xx", 0);
+        fill(image, bar, 0);
+        write_blocks(image, 57, 20, "xx", 0);
+        return find_lettering(image).size();
+    };
+    EXPECT_EQ(lines_with({45, 25, 53, 27}), 1u);
+    EXPECT_EQ(lines_with({45, 38, 53, 40}), 2u) << "a line below";
+    EXPECT_EQ(lines_with({45, 25, 47, 27}), 2u) << "a speck";
+}
+
 TEST(Lettering, AnEqualsSignIsAsMuchOfALineAsALetter) {
     Image image = make_image(160, 60, 1, 0, 255);
     write_blocks(image, 20, 20, "x", 0);
