@@ -160,6 +160,37 @@ void believe_lone_letters(std::vector<ReadLine>& all) {
     }
 }
 
+// Right behind or before it in its row, no farther off than a word is in monospaced print.
+bool stands_right_beside(const LetteringLine& one, const LetteringLine& other) {
+    constexpr double kOneHeight = 0.25, kOneFoot = 0.2, kGap = 1.2;  // of the height; settings
+    if (one.upwards || other.upwards || one.light != other.light) return false;
+    const double height = std::max(one.letter_height, other.letter_height);
+    const int gap = std::max(one.box.left, other.box.left) - std::min(one.box.right, other.box.right);
+    return std::abs(one.letter_height - other.letter_height) <= kOneHeight * height &&
+           std::abs(one.box.bottom - other.box.bottom) <= kOneFoot * height + 1 && gap > 0 && gap <= kGap * height;
+}
+
+// A label of which a part is only told is told as a whole: "effect" of "random effect" would name something else. Figures stand
+// beside each other along a scale.
+void doubt_parts(std::vector<ReadLine>& all, const std::vector<bool>& told) {
+    const auto has_word = [](const ReadLine& one) {
+        return is_words(one.line) && std::any_of(one.words.text.begin(), one.words.text.end(),
+                                                 [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; });
+    };
+    for (bool more = true; more;) {
+        more = false;
+        for (ReadLine& one : all) {
+            if (!one.words.sure || !has_word(one)) continue;
+            for (std::size_t i = 0; i < all.size() && one.words.sure; ++i)
+                if (!all[i].words.sure && (told[i] || all[i].tell) && has_word(all[i]) &&
+                    stands_right_beside(one.line, all[i].line)) {
+                    one.words.sure = false;
+                    one.tell = more = true;
+                }
+        }
+    }
+}
+
 }  // namespace
 
 Lettering read_upright(const Image& grey, std::string_view language, double least_sure, const PrintFonts& fonts,
@@ -189,6 +220,7 @@ Lettering read_upright(const Image& grey, std::string_view language, double leas
         unread[i] = !mark && (unread[i] || small[i] != SmallPrint::none);
         certain[i] = certain[i] || small[i] == SmallPrint::out;
     }
+    doubt_parts(all, unread);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i].words.sure && !all[i].tell && !unread[i]) continue;
         // Two marks of a plot are read as two letters, but seldom three as three.

@@ -28,8 +28,8 @@ public:
 
     // Something that is none of the line stands right there and is no straight line across, or sticks out of such a line, or
     // the picture ends: a letter that touches what is drawn, and is part of that now, or one that is cut off.
-    bool is_cut() const {
-        const int reach = std::max(4, line_.letter_height / 4);
+    bool is_cut(double near) const {
+        const int reach = std::max(4, static_cast<int>(near * line_.letter_height));
         if (is_out(std::max(1, line_.letter_height / 8))) return true;
         int nearest = reach + 2, farthest = 0, thinnest = kThick, thickest = 0;
         for (int row = 0; row < across(); ++row) {
@@ -70,8 +70,15 @@ private:
     bool before_;
 };
 
-bool is_cut(const Image& grey, const LetteringLine& line) {
-    return BeyondEnd(grey, line, true).is_cut() || BeyondEnd(grey, line, false).is_cut();
+// `near`: of the height of its letters.
+bool is_cut(const Image& grey, const LetteringLine& line, double near = 0.25) {
+    return BeyondEnd(grey, line, true).is_cut(near) || BeyondEnd(grey, line, false).is_cut(near);
+}
+
+// A letter by itself is one of a word if something is nearer to it than words are to each other; a figure may stand beside a
+// tick.
+double room_of(const FormReading& reading) {
+    return reading.letters.size() == 1 && !is_digit(reading.letters.front().code) ? 0.5 : 0.25;
 }
 
 // Something stands among its letters or below them that is none of them and ends there, such as the low line of "X_1", which is
@@ -115,8 +122,8 @@ struct Held {
 
 Held held(const Image& grey, ReadLine read, FormWords form) {
     Belief belief = believe(form, {read.words.text, read.words.sureness, read.alike, read.words.sure});
-    const bool cut =
-        (belief.sure || belief.nearly || belief.open) && (is_cut(grey, read.line) || has_strange_ink(grey, read.line));
+    const bool cut = (belief.sure || belief.nearly || belief.open) &&
+                     (is_cut(grey, read.line, room_of(form.reading)) || has_strange_ink(grey, read.line));
     // If the readers divide words differently, or the gaps disagree, one may have missed a point.
     const auto parts = static_cast<std::size_t>(std::count(belief.text.begin(), belief.text.end(), ' ')) + 1;
     const WordCount count = words_in(read.line);

@@ -195,5 +195,29 @@ TEST_F(PrintFonts, PrintThatIsNotSetLeavesTheLinesAndMarksStay) {
         for (int x = 68 * 650 / 110; x < 93 * 650 / 110; ++x) EXPECT_EQ(left.row(y)[x], image.row(y)[x]);
 }
 
+// "water" of "takes water", in print with wide gaps, where a line runs through the first word.
+TEST_F(PrintFonts, ALabelIsNotSetInPart) {
+    const auto is_set = [](double x) {
+        const std::vector<PageStroke> line{{{{20.2, 22}, {20.2, 42}}, false, 0.3}};
+        const Expected words =
+            words_in(picture_of({{20, 12, 4.2, "Flow chart"}, {20, 30, 4.2, "takes"}, {x, 30, 4.2, "water"}}, line));
+        return std::find(words.begin(), words.end(), "water") != words.end();
+    };
+    EXPECT_TRUE(is_set(60));
+    EXPECT_FALSE(is_set(34.2));
+}
+
+// The last letter of a word whose others are hidden.
+TEST_F(PrintFonts, ALetterRightBesideStrangeInkIsNone) {
+    const auto is_set = [](double away) {
+        const std::vector<PageStroke> slanted{{{{57 - away, 20}, {63 - away, 37.6}}, false, 0.3}};
+        const Expected words =
+            words_in(picture_of({{20, 12, 4.2, "Flow chart"}, {20, 50, 4.2, "takes"}, {60, 30, 4.2, "k"}}, slanted));
+        return std::find(words.begin(), words.end(), "k") != words.end();
+    };
+    EXPECT_TRUE(is_set(4));
+    EXPECT_FALSE(is_set(1.4));
+}
+
 }  // namespace
 }  // namespace tactics::print_fonts_test
