@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <optional>
 
 #include "filters/opencv.h"
 #include "tactics/geometry/skeleton.h"
@@ -31,11 +33,6 @@ double gap_of(const DashRow& row) {
     return gap;
 }
 
-// The end of a line of ink, and the way it points, level or upright.
-struct InkEnd {
-    cv::Point at, way;
-};
-
 // Back from an end of a skeleton to where it forks, or so many steps.
 cv::Point back_from(const Skeleton& middles, cv::Point end, int steps) {
     cv::Point at = end, before(-1, -1);
@@ -55,17 +52,37 @@ cv::Point back_from(const Skeleton& middles, cv::Point end, int steps) {
     return at;
 }
 
-std::vector<InkEnd> ends_of(const Image& ink) {
+// Ways a line may end: up, down, left and right; and that of the end of another which faces it.
+constexpr struct {
+    char end, facing;
+    int x, y;
+} kWays[] = {{'u', 'd', 0, -1}, {'d', 'u', 0, 1}, {'l', 'r', -1, 0}, {'r', 'l', 1, 0}};
+
+// At each pixel, which way a line of ink ends there, if that is level or upright.
+cv::Mat ends_of(const Image& ink) {
     constexpr int kBack = 5;  // steps
     const Skeleton middles = thin(ink_of(ink));
-    std::vector<InkEnd> ends;
+    cv::Mat ends = cv::Mat::zeros(ink.height, ink.width, CV_8U);
     for (const std::uint32_t pixel : middles.pixels) {
         if (std::popcount(neighbours_of(middles.map.bytes.data() + pixel, middles.map.stride)) != 1) continue;
         const cv::Point at(middles.x_of(pixel), middles.y_of(pixel)), way = at - back_from(middles, at, kBack);
-        if (way.x == 0 && way.y != 0) ends.push_back({at, {0, way.y > 0 ? 1 : -1}});
-        if (way.y == 0 && way.x != 0) ends.push_back({at, {way.x > 0 ? 1 : -1, 0}});
+        if (way.x == 0 && way.y != 0) ends.at<std::uint8_t>(at) = way.y < 0 ? 'u' : 'd';
+        if (way.y == 0 && way.x != 0) ends.at<std::uint8_t>(at) = way.x < 0 ? 'l' : 'r';
     }
     return ends;
+}
+
+// Straight ahead, or a pixel aside, the end of another line that points back.
+std::optional<cv::Point> facing(const cv::Mat& ends, cv::Point from, int most) {
+    const auto* way =
+        std::find_if(std::begin(kWays), std::end(kWays), [&](const auto& one) { return one.end == ends.at<std::uint8_t>(from); });
+    if (way == std::end(kWays)) return std::nullopt;
+    for (int step = 1; step <= most; ++step)
+        for (const int aside : {0, 1, -1}) {
+            const cv::Point to(from.x + step * way->x + aside * way->y, from.y + step * way->y + aside * way->x);
+            if (cv::Rect(0, 0, ends.cols, ends.rows).contains(to) && ends.at<std::uint8_t>(to) == way->facing) return to;
+        }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -93,15 +110,12 @@ void join_whiskers(Image& picture, const Image& before, const Image& ink, const 
     }
     if (gap <= 0) return;
     constexpr double kLonger = 1.25;  // a gap may be a little longer where a dash is cut short
-    const std::vector<InkEnd> ends = ends_of(ink);
-    for (const InkEnd& one : ends)
-        for (const InkEnd& other : ends) {
-            const cv::Point to = other.at - one.at;
-            const int along = to.x * one.way.x + to.y * one.way.y,
-                      aside = std::abs(to.x * one.way.y) + std::abs(to.y * one.way.x);
-            if (one.way == -other.way && along > 0 && along <= kLonger * gap && aside <= 1)
-                draw_whole(picture, before, one.at, one.at, other.at, width);
-        }
+    const cv::Mat ends = ends_of(ink);
+    for (int y = 0; y < ends.rows; ++y)
+        for (int x = 0; x < ends.cols; ++x)
+            if (ends.at<std::uint8_t>(y, x) == 'd' || ends.at<std::uint8_t>(y, x) == 'r')
+                if (const auto to = facing(ends, {x, y}, static_cast<int>(kLonger * gap)))
+                    draw_whole(picture, before, {x, y}, {x, y}, *to, width);
 }
 
 }  // namespace tactics

@@ -51,7 +51,7 @@ Stroke head_of(const InkedHead& head, double mm) {
 // Dashes as drawing tools make them: on the page up to 11 mm long, 1.6 mm wide, with gaps of no more than 5.5 mm.
 constexpr double kLongestDash = 11, kWidestDash = 1.6, kMostGap = 5.5;
 
-// On paper a dashed line has 4.5 mm of line and as much of gap: of what is shorter a finger feels two pieces or three.
+// On paper dashes are 8 mm long with gaps of half of that (tactics/geometry/line_styles.h): what is shorter has one or two.
 constexpr double kShortRow = 20;
 
 DashLimits dash_limits(double mm) { return {kLongestDash / mm, std::max(2.0, kWidestDash / mm), kMostGap / mm}; }
