@@ -106,14 +106,15 @@ bool breaks_off(std::string_view text) {
            std::any_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// In small print a comma without its tail is a point, O and 0 look alike, and a long figure that two readers do not both say is
-// none.
+// In small print a comma without its tail is a point, O and 0 look alike, a raised figure is a star, and a long figure that two
+// readers do not both say is none.
 bool is_plain(const std::string& text, const std::string& other, bool agreed) {
     const auto count = [&](const auto& is) { return std::count_if(text.begin(), text.end(), is); };
     const auto digits = count([](char c) { return c >= '0' && c <= '9'; });
     const auto letters = count([](char c) { return (c | 32) >= 'a' && (c | 32) <= 'z'; });
     const bool either = text.find('0') != text.npos && text.find('O') != text.npos;
-    if (either || count([](char c) { return c == '"'; }) % 2 == 1 || has_lost_point(text)) return false;
+    const bool star = digits > 0 && text.find('*') != text.npos;  // a small raised figure
+    if (either || star || count([](char c) { return c == '"'; }) % 2 == 1 || has_lost_point(text)) return false;
     if (has_thousands(text) && !text.starts_with("0.") && (text != other || text.find(',') == text.npos)) return false;
     return letters > 0 || digits < 3 || agreed;
 }

@@ -61,6 +61,7 @@ TEST(Agreement, InSmallPrintSignsInFiguresAreNotGuessed) {
     EXPECT_FALSE(is_sure_in_small(U"4-", "4 -", "4 -")) << "the tick of a scale";
     EXPECT_FALSE(is_sure_in_small(U"00O", "00O", "00O"));
     EXPECT_FALSE(is_sure_in_small(U"02", "02", "02")) << "0.2";
+    EXPECT_FALSE(is_sure_in_small(U"10*", "10*", "10*")) << "a raised 4";
     EXPECT_TRUE(is_sure_in_small(U"20", "20", "20"));
     EXPECT_FALSE(is_sure_in_small(U"20", "20", "20", 0.76)) << "no word bears out a figure";
 }
