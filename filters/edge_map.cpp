@@ -10,13 +10,9 @@ namespace tactics {
 
 namespace {
 
-std::size_t index_of(const EdgeMap& map, int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
-}
-
 // Beyond the picture there is nothing.
 float strength_at(const EdgeMap& map, int x, int y) {
-    return x < 0 || y < 0 || x >= map.width || y >= map.height ? 0 : map.strength[index_of(map, x, y)];
+    return x < 0 || y < 0 || x >= map.width || y >= map.height ? 0 : map.strength[pixel_index(map, x, y)];
 }
 
 // Between pixels; (x, y) is the middle of a pixel.
@@ -27,7 +23,7 @@ float strength_between(const EdgeMap& map, float x, float y) {
         return (1 - fy) * ((1 - fx) * a + fx * b) + fy * ((1 - fx) * c + fx * d);
     };
     if (left >= 0 && top >= 0 && left + 1 < map.width && top + 1 < map.height) {
-        const float *a = &map.strength[index_of(map, left, top)], *b = a + map.width;
+        const float *a = &map.strength[pixel_index(map, left, top)], *b = a + map.width;
         return mean(a[0], a[1], b[0], b[1]);
     }
     return mean(strength_at(map, left, top), strength_at(map, left + 1, top), strength_at(map, left, top + 1),
@@ -50,7 +46,7 @@ Bend bend_at(const EdgeMap& map, int x, int y) {
                     (at(1, 1) + at(-1, -1) - at(1, -1) - at(-1, 1)) / 4};
     };
     if (x > 0 && y > 0 && x + 1 < map.width && y + 1 < map.height) {
-        const float* middle = &map.strength[index_of(map, x, y)];
+        const float* middle = &map.strength[pixel_index(map, x, y)];
         return bend(
             [middle, row = static_cast<std::ptrdiff_t>(map.width)](int right, int down) { return middle[down * row + right]; });
     }
@@ -81,7 +77,7 @@ EdgeMap thin_edges(const EdgeMap& edges, std::optional<double> sigma) {
     thin.thinned = true;
     for (int y = 0; y < edges.height; ++y)
         for (int x = 0; x < edges.width; ++x) {
-            const std::size_t i = index_of(edges, x, y);
+            const std::size_t i = pixel_index(edges, x, y);
             const float s = edges.strength[i];
             if (s <= 0) continue;
             float angle = 0;
@@ -109,7 +105,8 @@ EdgeMap thin_edges(const EdgeMap& edges, std::optional<double> sigma) {
 Point on_ridge(const EdgeMap& edges, Point at) {
     const int x = static_cast<int>(std::floor(at.x)), y = static_cast<int>(std::floor(at.y));
     if (x < 0 || y < 0 || x >= edges.width || y >= edges.height) return at;
-    const Across across(edges, x, y, edges.normal.empty() ? bend_at(edges, x, y).angle() : edges.normal[index_of(edges, x, y)]);
+    const Across across(edges, x, y,
+                        edges.normal.empty() ? bend_at(edges, x, y).angle() : edges.normal[pixel_index(edges, x, y)]);
     const double before = static_cast<double>(across(-1)), after = static_cast<double>(across(1));
     const double bend = before - 2 * static_cast<double>(strength_at(edges, x, y)) + after;
     if (bend >= 0) return at;
@@ -123,7 +120,7 @@ EdgeMap keep_connected(EdgeMap edges, float low, float high) {
         [&](std::size_t i) { return strength[i] > 0 && strength[i] >= low; });
     std::vector<float> kept(strength.size(), 0.0f);
     for (const Run& run : runs) {
-        const std::size_t begin = index_of(edges, run.begin, run.row);
+        const std::size_t begin = pixel_index(edges, run.begin, run.row);
         std::copy_n(strength.begin() + static_cast<std::ptrdiff_t>(begin), run.length(),
                     kept.begin() + static_cast<std::ptrdiff_t>(begin));
     }

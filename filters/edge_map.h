@@ -2,12 +2,18 @@
 // Ridges of an edge map: thin lines where the strength is greatest, and the threshold that keeps the connected ones.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "tactics/drawing.h"
 #include "tactics/image.h"
 
 namespace tactics {
+
+/// Of its strength and its normal.
+inline std::size_t pixel_index(const EdgeMap& map, int x, int y) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
+}
 
 /// Non-maximum suppression (J. Canny 1986): keeps a pixel only where its strength is greatest across the edge. Without
 /// normals the edge runs across the way in which the strength is bent most. Of a map as a

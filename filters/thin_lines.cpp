@@ -27,10 +27,6 @@ cv::Mat disc(double diameter) {
     return cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(side, side));
 }
 
-std::size_t pixel_index(const EdgeMap& map, int x, int y) {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
-}
-
 // Lines alone, as strong as they are darker than what is around them in any channel: between a bar and the ground a line may be
 // dark in one only.
 EdgeMap thin_lines_of(const Image& picture, double widest) {
