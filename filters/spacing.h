@@ -18,9 +18,9 @@ inline double width_for_texture(double clear) {
 }
 
 /// Takes strokes in order of their evidence, cuts away the parts of each that run within `gap` (between middle lines) of an
-/// earlier one, or of an earlier part of itself, and drops pieces shorter than `shortest`, or half of that between two lines. A line that ends on another at a steep
-/// angle keeps its end, which is extended onto it, and a line on which earlier ones end goes on; at a crossing the lesser line is
-/// broken. The two sides of a thin bar become one line.
+/// earlier one, or of an earlier part of itself, and drops pieces shorter than `shortest`, or half of that between two lines. A
+/// line that ends on another at a steep angle keeps its end, which is extended onto it, and a line on which earlier ones end goes
+/// on; at a crossing the lesser line is broken. The two sides of a thin bar become one line.
 void keep_apart(Drawing& drawing, double gap, double shortest);
 
 }  // namespace tactics
