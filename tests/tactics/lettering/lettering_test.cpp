@@ -126,16 +126,16 @@ TEST(Lettering, APointHasAsMuchRoomAsALetter) {
 }
 
 TEST(Lettering, AMinusSignJoinsWhatIsOnBothSides) {
-    const auto lines_with = [](const PixelBox& bar) {
+    const auto letters_with = [](const PixelBox& bar) {  // in the first line
         Image image = make_image(160, 60, 1, 0, 255);
         write_blocks(image, 20, 20, "xx", 0);
         fill(image, bar, 0);
         write_blocks(image, 57, 20, "xx", 0);
-        return find_lettering(image).size();
+        return find_lettering(image).at(0).letters.size();
     };
-    EXPECT_EQ(lines_with({45, 25, 53, 27}), 1u);
-    EXPECT_EQ(lines_with({45, 38, 53, 40}), 2u) << "a line below";
-    EXPECT_EQ(lines_with({45, 25, 47, 27}), 2u) << "a speck";
+    EXPECT_EQ(letters_with({45, 25, 53, 27}), 4u);
+    EXPECT_EQ(letters_with({45, 38, 53, 40}), 2u) << "a line below";
+    EXPECT_EQ(letters_with({45, 25, 47, 27}), 2u) << "a speck";
 }
 
 TEST(Lettering, AnEqualsSignIsAsMuchOfALineAsALetter) {
