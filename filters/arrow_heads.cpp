@@ -292,12 +292,7 @@ std::vector<InkedHead> arrow_heads_in(const Image& ink, double longest) {
 
 void take_out(Image& picture, const std::vector<InkedHead>& heads) {
     cv::Mat pixels = view_of(picture);
-    const auto colour_at = [&](Point p) {
-        const int x = std::clamp(static_cast<int>(p.x), 0, picture.width - 1),
-                  y = std::clamp(static_cast<int>(p.y), 0, picture.height - 1);
-        const std::uint8_t* at = picture.row(y) + x * picture.channels;
-        return cv::Scalar(at[0], picture.channels == 3 ? at[1] : 0, picture.channels == 3 ? at[2] : 0);
-    };
+    const auto colour_at = [&](Point p) { return colour_near(picture, {static_cast<int>(p.x), static_cast<int>(p.y)}); };
     constexpr double kFine = 16;  // of a pixel
     const auto fine = [](Point p) {
         return cv::Point(static_cast<int>(std::lround((p.x - 0.5) * kFine)), static_cast<int>(std::lround((p.y - 0.5) * kFine)));

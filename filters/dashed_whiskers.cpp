@@ -19,11 +19,8 @@ cv::Point dash_pixel(Point p) { return {static_cast<int>(std::floor(p.x)), stati
 
 // In the colour that was at `on`.
 void draw_whole(Image& picture, const Image& before, cv::Point on, cv::Point from, cv::Point to, double width) {
-    const std::uint8_t* own =
-        before.row(std::clamp(on.y, 0, before.height - 1)) + std::clamp(on.x, 0, before.width - 1) * before.channels;
-    const cv::Scalar colour(own[0], before.channels == 3 ? own[1] : 0, before.channels == 3 ? own[2] : 0);
     cv::Mat pixels = view_of(picture);
-    cv::line(pixels, from, to, colour, std::max(1, static_cast<int>(std::lround(width))));
+    cv::line(pixels, from, to, colour_near(before, on), std::max(1, static_cast<int>(std::lround(width))));
 }
 
 // The longest gap between two dashes.

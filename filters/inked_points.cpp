@@ -120,11 +120,7 @@ std::vector<InkedPoint> points_in(const Image& ink, double least, double most) {
 
 void take_out(Image& picture, const std::vector<InkedPoint>& points) {
     cv::Mat pixels = view_of(picture);
-    const auto colour_at = [&](Point p) {
-        const int x = std::clamp(pixel_of(p).x, 0, picture.width - 1), y = std::clamp(pixel_of(p).y, 0, picture.height - 1);
-        const std::uint8_t* at = picture.row(y) + x * picture.channels;
-        return cv::Scalar(at[0], picture.channels == 3 ? at[1] : 0, picture.channels == 3 ? at[2] : 0);
-    };
+    const auto colour_at = [&](Point p) { return colour_near(picture, pixel_of(p)); };
     for (const InkedPoint& point : points) {
         // The lightest or the darkest beside it is ink; what most places have is ground.
         std::vector<std::pair<double, Point>> beside;

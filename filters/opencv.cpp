@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "filters/opencv.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace tactics {
@@ -38,6 +40,12 @@ cv::Mat view_of(std::span<float> plane, int width, int height) {
 const cv::Mat view_of(std::span<const float> column) {
     one_thread_a_picture();
     return {static_cast<int>(column.size()), 1, CV_32FC1, const_cast<float*>(column.data())};
+}
+
+cv::Scalar colour_near(const Image& picture, cv::Point pixel) {
+    const std::uint8_t* at =
+        picture.row(std::clamp(pixel.y, 0, picture.height - 1)) + std::clamp(pixel.x, 0, picture.width - 1) * picture.channels;
+    return {1.0 * at[0], picture.channels == 3 ? 1.0 * at[1] : 0, picture.channels == 3 ? 1.0 * at[2] : 0};
 }
 
 cv::Mat range_around(const cv::Mat& pixels) {

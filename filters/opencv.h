@@ -28,6 +28,9 @@ cv::Mat view_of(std::span<float> plane, int width, int height);
 
 const cv::Mat view_of(std::span<const float> column);  ///< one value a row, to be read only
 
+/// The colour of that pixel, to draw with; outside the picture that of the nearest.
+cv::Scalar colour_near(const Image& picture, cv::Point pixel);
+
 /// The largest difference in any channel among each pixel and the eight around it.
 cv::Mat range_around(const cv::Mat& pixels);
 

@@ -25,7 +25,7 @@ constexpr Option kSeparateOptions[] = {
      .min = 0,
      .max = 100,
      .unit = "mm",
-     .summary = "lines and pieces shorter than this are left out"},
+     .summary = "lines and pieces shorter than this are left out; from one line to another half of it is enough"},
 };
 
 Artwork apply_separate(Artwork artwork, const Settings& settings) {

@@ -24,9 +24,7 @@ constexpr double kMeeting = 2;
 // Two parts of one line are a bend while the way along it is at most so many times the distance across (a corner of 29
 // degrees); beyond that they run back beside each other.
 constexpr double kBend = 4;
-// Of the least length of lines: what leads from one line to another says more than a loose piece, if it is whole.
-constexpr double kBetween = 0.5;
-constexpr double kOfSteps = 1e-6;  // mm
+constexpr double kOfSteps = 1e-6;  // mm: a line that is kept whole is as long as it was
 
 struct Sample {
     Point at;
@@ -124,7 +122,7 @@ public:
         const std::vector<bool> between = lie_between_lines();
         for (const std::size_t i : by_evidence(drawing_.strokes)) {
             const double length = length_of(drawing_.strokes[i]);
-            if (length < (between[i] ? kBetween : 1) * shortest_) continue;
+            if (length < (between[i] ? kShareBetween : 1) * shortest_) continue;
             place(std::move(drawing_.strokes[i]), kept, between[i] ? length - kOfSteps : shortest_);
         }
         for (std::size_t i = 0; i < kept.size(); ++i)
@@ -157,7 +155,7 @@ private:
     // Short lines that lead from one line to another, as whiskers and ticks do.
     std::vector<bool> lie_between_lines() const {
         const auto is_short = [&](const Stroke& stroke) {
-            return !stroke.closed && length_of(stroke) < shortest_ && length_of(stroke) >= kBetween * shortest_;
+            return !stroke.closed && length_of(stroke) < shortest_ && length_of(stroke) >= kShareBetween * shortest_;
         };
         const std::vector<Stroke>& strokes = drawing_.strokes;
         std::vector<bool> between(strokes.size(), false);

@@ -10,6 +10,9 @@ namespace tactics {
 /// The amount by which simplify may narrow a gap afterwards: its tolerance on both sides.
 inline constexpr double kMovedLater = 0.2;  // mm
 
+/// Of the least length of lines: what leads from one line to another says more than a loose piece, if it is whole.
+inline constexpr double kShareBetween = 0.5;
+
 /// Width of an area whose texture keeps `clear` from the lines around it and is felt, mm. Rows of a pattern begin where they
 /// begin on the page, not where the area does: that can take a row.
 inline double width_for_texture(double clear) {

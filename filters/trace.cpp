@@ -40,7 +40,7 @@ constexpr Option kTraceOptions[] = {
      .min = 0,
      .max = 100,
      .unit = "mm",
-     .summary = "lines shorter and areas smaller than this are left out"},
+     .summary = "lines shorter and areas smaller than this are left out; from one line to another half of it is enough"},
 };
 
 Artwork apply_trace(Artwork artwork, const Settings& settings) {

@@ -8,6 +8,7 @@
 #include "filters/middle.h"
 #include "filters/paths.h"
 #include "filters/smooth.h"
+#include "filters/spacing.h"
 
 namespace tactics {
 
@@ -86,9 +87,8 @@ void add_lines(Drawing& drawing, InkMap ink, const EdgeMap* edges, const EdgeMap
     for (std::size_t i = 0; i < paths.size(); ++i) {
         Stroke stroke{std::move(paths[i].points), paths[i].closed, LineClass::normal, strengths[i]};
         for (Point& p : stroke.points) p = placed(p, scale, drawing);
-        constexpr double kBetween = 0.5;
         const bool between = paths[i].ends_at[0] >= 0 && paths[i].ends_at[1] >= 0;
-        if (length_of(stroke) >= (between ? kBetween : 1) * limits.shortest) drawing.strokes.push_back(std::move(stroke));
+        if (length_of(stroke) >= (between ? kShareBetween : 1) * limits.shortest) drawing.strokes.push_back(std::move(stroke));
     }
     for (const std::uint32_t dot : dots) add_area(drawing, take_piece(skeleton, dot), scale, limits.shortest);
 }

@@ -70,15 +70,17 @@ private:
     bool before_;
 };
 
-// `near`: of the height of its letters.
-bool is_cut(const Image& grey, const LetteringLine& line, double near = 0.25) {
+// Of the height of letters, what must be free beyond the ends of a line.
+constexpr double kRoomOfWords = 0.25, kRoomOfLetters = 0.5;
+
+bool is_cut(const Image& grey, const LetteringLine& line, double near = kRoomOfWords) {
     return BeyondEnd(grey, line, true).is_cut(near) || BeyondEnd(grey, line, false).is_cut(near);
 }
 
 // A letter by itself is one of a word if something is nearer to it than words are to each other; a figure may stand beside a
 // tick.
 double room_of(const FormReading& reading) {
-    return reading.letters.size() == 1 && !is_digit(reading.letters.front().code) ? 0.5 : 0.25;
+    return reading.letters.size() == 1 && !is_digit(reading.letters.front().code) ? kRoomOfLetters : kRoomOfWords;
 }
 
 // Something stands among its letters or below them that is none of them and ends there, such as the low line of "X_1", which is
