@@ -18,6 +18,7 @@ struct Box {
 
     double width() const { return right - left; }
     double height() const { return bottom - top; }
+    Point middle() const { return {(left + right) / 2, (top + bottom) / 2}; }
     bool holds(Point p) const { return p.x >= left && p.x <= right && p.y >= top && p.y <= bottom; }  ///< its sides belong to it
     /// Grows to include the point.
     void take(Point p) {

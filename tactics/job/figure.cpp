@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "tactics/error.h"
 #include "tactics/geometry/box.h"
+#include "tactics/geometry/clipped.h"
 #include "tactics/job/figure_title.h"
+#include "tactics/job/label_lines.h"
 #include "tactics/job/letter_picture.h"
 #include "tactics/job/letter_shapes.h"
 #include "tactics/layout/sheet.h"
@@ -53,6 +56,61 @@ double first_ink(const Page& page) {
     for (const Area& area : page.areas)
         for (const auto& ring : area.rings) take(ring, 0);
     return 100 * top / page.height;
+}
+
+// The lines of what is drawn, by where they are.
+class DrawnLines {
+public:
+    explicit DrawnLines(const Page& page) {
+        for (const PageStroke& stroke : page.strokes) add(stroke.points, stroke.closed);
+        for (const Area& area : page.areas)
+            for (const auto& ring : area.rings) add(ring, true);
+    }
+
+    bool any_in(const Box& box) const {
+        const Rect place{box.left, box.top, box.width(), box.height()};
+        return std::any_of(all_.begin(), all_.end(), [&](const Drawn& one) {
+            return meet(one.box, box) && !clipped(*one.points, one.closed, place).empty();
+        });
+    }
+
+    // The smallest closed one around a place; null: there is none.
+    const std::vector<Point>* around(Point at) const {
+        const Drawn* best = nullptr;
+        for (const Drawn& one : all_)
+            if (one.closed && one.box.holds(at) &&
+                (best == nullptr || one.box.width() * one.box.height() < best->box.width() * best->box.height()))
+                best = &one;
+        return best == nullptr ? nullptr : best->points;
+    }
+
+private:
+    struct Drawn {
+        Box box;
+        const std::vector<Point>* points;
+        bool closed;
+    };
+    void add(const std::vector<Point>& points, bool closed) { all_.push_back({box_of(points), &points, closed}); }
+
+    std::vector<Drawn> all_;
+};
+
+void join_lines(const FoundPage& found, std::vector<ToldWords>& told) {
+    std::vector<PlacedLine> lines;
+    for (const FoundWords& one : found.words)
+        lines.push_back({{one.middle.x - one.width / 2, one.middle.y - one.height / 2, one.middle.x + one.width / 2,
+                          one.middle.y + one.height / 2},
+                         one.height,
+                         one.upwards,
+                         one.centred});
+    std::optional<DrawnLines> known;
+    const auto drawn = [&]() -> const DrawnLines& { return known ? *known : known.emplace(found.page); };
+    join_label_lines(told, lines,
+                     {[&](const Box& place) { return !drawn().any_in(place); },
+                      [&](Point one, Point other) {
+                          const auto* around = drawn().around(one);
+                          return around != nullptr && around == drawn().around(other);
+                      }});
 }
 
 std::string origin_place(const ToldWords& words) {
@@ -114,6 +172,7 @@ Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
     for (std::size_t i = 0; i < words.told.size(); ++i)
         if (const auto& thing = figure.page.words[i].thing)
             words.told[i].wanted = {100 * thing->x / page.width, 100 * thing->y / page.height};
+    join_lines(figure.page, words.told);
     return figure;
 }
 

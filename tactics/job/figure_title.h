@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tactics/job/print_words.h"
+#include "tactics/job/told_words.h"
 
 namespace tactics {
 

@@ -8,6 +8,7 @@
 #include "print/raster.h"
 #include "tactics/lettering/lettering.h"
 #include "tactics/readers/svg/rings.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -80,7 +81,6 @@ Phrase read_letter_picture(FoundPage& figure, std::string_view language, const s
     for (FoundWords& words : figure.words)
         if (is_unread(figure, words)) unread.push_back(&words);
     for (const PrintedWords& print : lettering.words) {
-        if (!print.sure || is_doubtful(print.text)) continue;
         const Rect box{mm * print.box.left, mm * print.box.top, mm * print.box.width(), mm * print.box.height()};
         std::vector<FoundWords*> within;
         for (FoundWords* words : unread)
@@ -90,6 +90,8 @@ Phrase read_letter_picture(FoundPage& figure, std::string_view language, const s
         FoundWords& words = *within.front();
         const double along = words.upwards ? box.height : box.width;
         if (std::abs(along - words.width) > words.height / 2) continue;
+        words.seen = words.seen || letters_in(print.text) > 2;
+        if (!print.sure || is_doubtful(print.text)) continue;
         words.text = print.text;
         words.sureness = print.sureness;
     }

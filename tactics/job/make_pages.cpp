@@ -21,6 +21,7 @@
 #include "tactics/job/page_files.h"
 #include "tactics/job/reading.h"
 #include "tactics/job/room_for_names.h"
+#include "tactics/job/scale_numbers.h"
 #include "tactics/job/told_heights.h"
 #include "tactics/job/workers.h"
 #include "tactics/job/written.h"
@@ -255,10 +256,8 @@ private:
                                      return named(scaled_to(mended_.drawing, width));
                                  }};
         std::optional<RoomFound> found;
-        const std::size_t thinned = thin_out_until(from_.words.told, [&] {
-            found = place_with_room(layout.sheet, aspect, sized);
-            return !found || found->left_out == 0;
-        });
+        const std::size_t thinned = thin_out_until(
+            from_.words.told, [&] { return !(found = place_with_room(layout.sheet, aspect, sized)) || found->left_out == 0; });
         if (thinned > 0) outcome_.notes.push_back(to_act_on(thinned_words(thinned, more_room_)));
         beside_names_ = found.has_value();
         if (!found) give_up_words();

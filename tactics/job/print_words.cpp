@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <set>
 
 #include "filters/inked_legend.h"
@@ -12,6 +13,7 @@
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
 #include "tactics/job/figure_title.h"
+#include "tactics/job/label_lines.h"
 #include "tactics/job/print_fonts.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/lettering/two_readings.h"
@@ -88,71 +90,6 @@ void keep_what_has_braille(std::vector<ToldWords>& told, const std::string& tabl
         if (rewrite) words.text = with_carets(words.text);
         if (lacks(words)) words.set = false;
     }
-}
-
-namespace {
-
-bool is_all_figures(const std::string& text) {
-    bool digit = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        digit = digit || (c >= '0' && c <= '9');
-        const bool minus = text.compare(i, 3, "\xe2\x88\x92") == 0;  // U+2212
-        if (minus)
-            i += 2;
-        else if ((c < '0' || c > '9') && c != '.' && c != ',' && c != '-' && c != '+' && c != '%')
-            return false;
-    }
-    return digit;
-}
-
-// Those whose place across is the same, in the order of their place along.
-std::size_t thin_out(std::vector<ToldWords>& told, double ToldWords::*along, double ToldWords::*across) {
-    constexpr double kSameRow = 2.5;  // percent of the picture: middles of "5" and "100" in a column differ by that
-    constexpr std::size_t kRow = 4;
-    std::vector<ToldWords*> numbers;
-    for (ToldWords& one : told)
-        if (one.set && is_all_figures(one.text)) numbers.push_back(&one);
-    std::stable_sort(numbers.begin(), numbers.end(),
-                     [&](const ToldWords* a, const ToldWords* b) { return a->*across < b->*across; });
-    std::size_t left_out = 0;
-    for (std::size_t begin = 0; begin < numbers.size();) {
-        std::size_t end = begin + 1;
-        while (end < numbers.size() && numbers[end]->*across - numbers[begin]->*across <= kSameRow) ++end;
-        if (end - begin >= kRow) {
-            std::sort(numbers.begin() + static_cast<std::ptrdiff_t>(begin), numbers.begin() + static_cast<std::ptrdiff_t>(end),
-                      [&](const ToldWords* a, const ToldWords* b) { return a->*along < b->*along; });
-            for (std::size_t i = begin + 1; i < end; i += 2, ++left_out) numbers[i]->set = false;
-        }
-        begin = end;
-    }
-    return left_out;
-}
-
-}  // namespace
-
-std::size_t thin_out(std::vector<ToldWords>& told) {
-    const std::size_t in_rows = thin_out(told, &ToldWords::x, &ToldWords::y);
-    return in_rows + thin_out(told, &ToldWords::y, &ToldWords::x);
-}
-
-// One axis may have too many numbers and the other not: rows alone are tried first, then columns alone, then both.
-std::size_t thin_out_until(std::vector<ToldWords>& told, const std::function<bool()>& has_room) {
-    constexpr int kThinnings = 2;
-    std::size_t thinned = 0;
-    int round = 0;
-    while (!has_room() && round++ < kThinnings) {
-        const std::vector<ToldWords> before = told;
-        if (const std::size_t rows = thin_out(told, &ToldWords::x, &ToldWords::y); rows > 0 && has_room()) return thinned + rows;
-        told = before;
-        if (const std::size_t columns = thin_out(told, &ToldWords::y, &ToldWords::x); columns > 0 && has_room())
-            return thinned + columns;
-        told = before;
-        const std::size_t more = thin_out(told);
-        if (more == 0) break;
-        thinned += more;
-    }
-    return thinned;
 }
 
 std::vector<ToldWords> without(const std::vector<Name>& left_out, std::vector<ToldWords> told) {
@@ -241,6 +178,20 @@ void add_unsure(Notes& notes, const PrintWords& words) {
     }
 }
 
+// Whether that place, in pixels, is of one shade, but for noise.
+bool is_even(const Image& grey, const Box& place) {
+    constexpr int kLine = 48;  // grey levels
+    const int left = std::max(0, static_cast<int>(place.left)), right = std::min(grey.width, static_cast<int>(place.right)),
+              top = std::max(0, static_cast<int>(place.top)), bottom = std::min(grey.height, static_cast<int>(place.bottom) + 1);
+    int darkest = 255, lightest = 0;
+    for (int y = top; y < bottom; ++y)
+        for (int x = left; x < right; ++x) {
+            darkest = std::min<int>(darkest, grey.row(y)[x]);
+            lightest = std::max<int>(lightest, grey.row(y)[x]);
+        }
+    return lightest - darkest <= kLine;
+}
+
 // Words of a legend stand at what their samples show.
 void place_legend(PrintWords& words, Reading& reading) {
     const Lettering& lettering = words.lettering;
@@ -270,6 +221,22 @@ void place_legend(PrintWords& words, Reading& reading) {
     if (!told.empty())
         words.notes.push_back(
             phrase("of its legend these words {0} each name what is painted like their sample, and stand there", row_of(told)));
+}
+
+void join_lines(PrintWords& words, Reading& reading) {
+    const Lettering& lettering = words.lettering;
+    std::vector<PlacedLine> lines;
+    for (const PrintedWords& one : lettering.words) {
+        const Box box{static_cast<double>(one.box.left), static_cast<double>(one.box.top), static_cast<double>(one.box.right),
+                      static_cast<double>(one.box.bottom)};
+        lines.push_back({box, static_cast<double>(one.letter_height), one.upwards});
+    }
+    std::optional<Image> left;
+    const auto is_free = [&](const Box& place) {
+        if (!left) take_out(left.emplace(to_grey(reading.get({kLookForWords, false}))), lettering, true);
+        return is_even(*left, place);
+    };
+    join_label_lines(words.told, lines, {is_free, [](Point, Point) { return false; }});
 }
 
 // A noisy picture is read as it is and with its noise smoothed away: each finds letters that the other one lost.
@@ -327,6 +294,9 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
         one.sure = words.told[i].set;
         words.told[i].out = one.out;
     }
+    Notes unsure;
+    add_unsure(unsure, words);
+    join_lines(words, reading);
     const auto set = std::count_if(words.told.begin(), words.told.end(), [](const ToldWords& one) { return one.set; });
     if (set > 0)
         words.notes.push_back(
@@ -334,7 +304,7 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
                     "print was read at {0} place and stands in braille; look it over, or leave it as it is with {1} leave",
                     "print was read at {0} places and stands in braille; look it over, or leave it as it is with {1} leave",
                     spelled("words")));
-    add_unsure(words.notes, words);
+    words.notes.insert(words.notes.end(), unsure.begin(), unsure.end());
     return words;
 }
 

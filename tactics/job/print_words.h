@@ -8,6 +8,7 @@
 
 #include "tactics/job/axis_names.h"
 #include "tactics/job/reading.h"
+#include "tactics/job/told_words.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/lettering/lettering.h"
 #include "tactics/text/note.h"
@@ -18,18 +19,6 @@ namespace tactics {
 enum class WordsWish { automatic, read, leave, remove };
 /// "auto", "read", "leave" or "remove". Throws Error(usage) at `place`.
 WordsWish find_words_wish(std::string_view name, std::string_view place);
-
-/// A piece of print in the report: its middle in the picture, in percent from the left and top.
-struct ToldWords {
-    std::string text;  ///< empty: it looks like print, and was not read
-    double sureness = 0;
-    double x = 0, y = 0;
-    bool set = false;    ///< it is set in braille; otherwise a person must look at it
-    Point wanted = {};   ///< preferred place of the braille, also in percent
-    bool loose = false;  ///< anywhere near that place
-    bool title = false;  ///< it is part of the page's title, and no name in the drawing
-    bool out = false;    ///< it is not set, and taken out of the lines all the same, as no finger reads print
-};
 
 /// The print in one picture.
 struct PrintWords {
@@ -55,12 +44,6 @@ void want_places(std::vector<ToldWords>& told, std::vector<PrintPlace> places);
 /// Words with letters that have no cells in the table are not set: a letter must not stop a page, and a person will know what to
 /// do. Superscript digits first become "^2", all of them if one must.
 void keep_what_has_braille(std::vector<ToldWords>& told, const std::string& table);
-
-/// Removes every second of four or more numbers in a row or column, as transcribers do where braille has no room for all. Returns
-/// how many it removed.
-std::size_t thin_out(std::vector<ToldWords>& told);
-/// The same, once and once more, until the rest has room; then it is no scale any more.
-std::size_t thin_out_until(std::vector<ToldWords>& told, const std::function<bool()>& has_room);
 
 /// Names that were left out are no longer set.
 std::vector<ToldWords> without(const std::vector<Name>& left_out, std::vector<ToldWords> told);

@@ -16,6 +16,33 @@ bool reads_before(const PageName& a, const PageName& b) {
     return row_a != row_b ? row_a < row_b : a.place.left < b.place.left;
 }
 
+using Cells = std::vector<std::uint8_t>;
+
+std::vector<Cells> words_of(const Cells& cells) {
+    std::vector<Cells> words(1);
+    for (const std::uint8_t cell : cells)
+        if (cell != 0)
+            words.back().push_back(cell);
+        else if (!words.back().empty())
+            words.emplace_back();
+    if (words.back().empty()) words.pop_back();
+    return words;
+}
+
+// Words side by side, as many in each line as it has room for.
+std::vector<Cells> filled(const std::vector<Cells>& words, std::size_t most) {
+    std::vector<Cells> lines;
+    for (const Cells& word : words) {
+        if (lines.empty() || lines.back().size() + 1 + word.size() > most)
+            lines.push_back(word);
+        else {
+            lines.back().push_back(0);
+            lines.back().insert(lines.back().end(), word.begin(), word.end());
+        }
+    }
+    return lines;
+}
+
 }  // namespace
 
 void sort_as_read(std::vector<PageName>& names) { std::stable_sort(names.begin(), names.end(), reads_before); }
@@ -41,6 +68,30 @@ LabelBlock block_of(const Name& name, const Sheet& sheet) {
         if (name.origin.empty()) throw;
         throw Error(error.fault(), name.origin, error.what());
     }
+}
+
+std::vector<LabelBlock> folded(const LabelBlock& line, std::size_t most, const Page& page) {
+    std::vector<LabelBlock> blocks;
+    if (line.braille.size() != 1 || !line.print.empty()) return blocks;
+    const std::vector<Cells> words = words_of(line.braille.front().cells);
+    std::size_t narrowest = 0, before = line.braille.front().cells.size();
+    for (const Cells& word : words) narrowest = std::max(narrowest, word.size());
+    for (std::size_t lines = 2; lines <= std::min(most, words.size()) && narrowest < before; ++lines) {
+        std::size_t width = narrowest;
+        while (filled(words, width).size() > lines) ++width;
+        if (width >= before) continue;
+        before = width;
+        LabelBlock block;
+        block.width = dots_width(width, page);
+        for (Cells& cells : filled(words, width)) {
+            const double down = static_cast<double>(block.braille.size()) * page.cell.line_pitch;
+            const Point first = line.braille.front().first_dot;
+            block.braille.push_back({{first.x, first.y + down}, std::move(cells)});
+            block.height = line.height + down;
+        }
+        blocks.push_back(std::move(block));
+    }
+    return blocks;
 }
 
 }  // namespace tactics

@@ -23,4 +23,8 @@ LabelBlock block_of(const std::vector<std::uint8_t>& cells, const Page& page);
 /// Throws Error at the name's origin as set_label does.
 LabelBlock block_of(const Name& name, const Sheet& sheet);
 
+/// The words of a block of one line of braille in two lines, in three and so on up to `most`, broken between words, each as
+/// narrow as it can be. None that would be no narrower than the one before it.
+std::vector<LabelBlock> folded(const LabelBlock& line, std::size_t most, const Page& page);
+
 }  // namespace tactics

@@ -16,11 +16,11 @@ inline constexpr double kBesideThing = 6.4;
 
 /// Sets each name in braille (in print if the sheet has no braille) on a page that has all its ink, clear of that ink: around its
 /// thing or beside it; if there is no room, farther off with a lead line, or at another place of the border of its region;
-/// failing that, as two letters beside the thing, with the words in a key. Its region is one of the same name; without one it
-/// stays at its place, and only if it must be there and has no room do its letters go to the border of what lies there. Lead
-/// lines cross lines only where nothing else is left, and as few as possible. `names` are in page millimetres. The lead lines
-/// become strokes. If there are windows (the parts of a large page that each sheet shows), every name stands whole in one of
-/// them.
+/// failing that, as two letters beside the thing, the same for the same words, with the words in a key. Its region is one of the
+/// same name; without one it stays at its place, and only if it must be there and has no room do its letters go to the border of
+/// what lies there. Lead lines cross lines only where nothing else is left, and as few as possible. `names` are in page
+/// millimetres. The lead lines become strokes. If there are windows (the parts of a large page that each sheet shows), every name
+/// stands whole in one of them.
 ///
 /// Returns the key if it has no room on the page, else nothing. Throws Error(usage) at the name's origin as to_braille does, and
 /// if not even two letters have room.

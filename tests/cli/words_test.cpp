@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words in pictures and figures, as the user meets them.
 #include "tactics/job/print_words.h"
+#include "tactics/job/scale_numbers.h"
 #include "tests/cli/converting.h"
 
 namespace tactics::words_test {
@@ -144,6 +145,9 @@ TEST(PrintWordsTest, EverySecondNumberOfARowOrColumnGoes) {
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(told[i].set, i % 2 == 0) << i;
     for (std::size_t i = 6; i < told.size(); ++i) EXPECT_TRUE(told[i].set) << i;
     EXPECT_EQ(thin_out(told), 0u);  // three are no row
+    for (ToldWords& one : told) one.set = true;
+    told[2].text = told[0].text;
+    EXPECT_EQ(thin_out(told), 0u);  // numbers of things, no scale
 }
 
 }  // namespace

@@ -39,6 +39,8 @@ struct FoundWords {
     Point start = {}, way = {1, 0};  ///< of the line of letters, mm, and where it goes: 1 mm along it
     double unit = 0;                 ///< mm for one of the shapes' units
     double sureness = 100;           ///< of 100: less if they were read as print is
+    bool centred = false;            ///< the file sets them by their middle
+    bool seen = false;               ///< a reader of print took them for letters, without being sure of which
 };
 
 /// A picture of pixels that stands upright within a figure.

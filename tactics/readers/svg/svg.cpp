@@ -12,6 +12,7 @@
 #include "tactics/readers/svg/embedded.h"
 #include "tactics/readers/svg/found_braille.h"
 #include "tactics/readers/svg/found_mark.h"
+#include "tactics/readers/svg/outlined_words.h"
 #include "tactics/readers/svg/rings.h"
 #include "tactics/readers/svg/style_sheet.h"
 #include "tactics/readers/svg/svg_choice.h"
@@ -295,10 +296,7 @@ private:
     void draw_marker(std::string_view url, const LineEnd& end, double width, double scale) {
         if (url.empty() || url == "none") return;
         const auto found = by_id_.find(name_in_url(url));
-        if (found == by_id_.end() || found->second->name != "marker") {
-            ++missed_.markers;
-            return;
-        }
+        if (found == by_id_.end() || found->second->name != "marker") return void(++missed_.markers);
         const Element& marker = *found->second;
         const std::size_t strokes = found_.page.strokes.size(), areas = found_.page.areas.size();
         in_marker_ = true;
@@ -402,7 +400,7 @@ FoundPage read_svg(std::string_view bytes, const std::string& file, double margi
         if (look == SvgLook::on_dark)
             found.notes.push_back(phrase("all of it is white or nearly so, and taken to stand on a dark ground"));
     }
-    if (purpose == SvgPurpose::figure && read_letters && !found.letter_shapes.empty()) read_letters(found);
+    if (purpose == SvgPurpose::figure && read_letters) read_with_outlined_words(found, read_letters);
     if (purpose != SvgPurpose::page) tidy_chart(found, purpose == SvgPurpose::figure);
     return found;
 }

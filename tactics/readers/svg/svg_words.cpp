@@ -196,6 +196,7 @@ std::vector<FoundWords> words_of_text(const Element& text, const Transform& tran
         const Point on_page{transform.a * way.x + transform.c * way.y, transform.b * way.x + transform.d * way.y};
         words.push_back({said, transform(middle), kCapital * line.size * transform.scale(),
                          std::abs(on_page.y) > std::abs(on_page.x), line.width * transform.scale()});
+        words.back().centred = !line.along && line.anchor == "middle";
     }
     return words;
 }

@@ -130,7 +130,7 @@ TEST(Key, GoesOnAPageOfItsOwnOnlyWhereItHasNoRoom) {
     EXPECT_EQ(pages_of(drawing, sheet_on("a4", "swell", "")).all.size(), 1u);
     // Wider than the page: two letters there, the words behind.
     drawing.names.push_back(
-        {{20, 50}, "The old road from the station to the river that was closed when the new bridge was built"});
+        {{20, 50}, "Donaudampfschifffahrtselektrizitätenhauptbetriebswerkbauunterbeamtengesellschaftsverwaltungsgebäudeeingang"});
     const auto pages = pages_of(drawing, sheet_on("a4", "swell", "Town")).all;
     ASSERT_EQ(pages.size(), 2u);
     EXPECT_FALSE(pages[0].is_key);
@@ -143,7 +143,7 @@ TEST(Key, GoesOnAPageOfItsOwnOnlyWhereItHasNoRoom) {
     EXPECT_EQ(pages[1].names[0].text, keyed->text);
     const Format& text = *find_format("text");
     EXPECT_NE(
-        text.encode(pages[1], Settings(text.options)).find("On it is the key to the drawing: " + keyed->key + " is The old road"),
+        text.encode(pages[1], Settings(text.options)).find("On it is the key to the drawing: " + keyed->key + " is Donaudampf"),
         std::string::npos);
 }
 

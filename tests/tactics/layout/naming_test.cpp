@@ -350,7 +350,7 @@ TEST(Naming, WordsStandOnOneSheetAsAWhole) {
                     // All of its cells are there.
                     return std::any_of(page.braille.begin(), page.braille.end(), [&](const BrailleLine& line) {
                         return std::abs(line.first_dot.x - other.place.left - page.braille_dot / 2) < 1e-6 &&
-                               std::abs(line.first_dot.y - other.place.top - page.braille_dot / 2) < 1e-6 &&
+                               line.first_dot.y > other.place.top && line.first_dot.y < other.place.top + other.place.height &&
                                std::abs(extent_of(line, page.cell, page.braille_dot).width - other.place.width) < 1e-6;
                     });
                 });

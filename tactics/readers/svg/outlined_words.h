@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words whose letters the maker of a figure turned into filled paths, which nothing tells from what else is filled: Google
+// Drawings writes them so, and "outline text" of many tools.
+#pragma once
+
+#include <functional>
+
+#include "tactics/readers/svg/found_page.h"
+
+namespace tactics {
+
+/// Takes shapes that stand in a row as letters do, and are as large as letters, out of the figure: each row becomes words that
+/// say nothing yet, for `read` among its other letters, which is called if there are any. Rows that it takes for no print are
+/// drawn again; where it reads most, all are print. Few such shapes stay, as icons have them.
+void read_with_outlined_words(FoundPage& figure, const std::function<void(FoundPage& figure)>& read);
+
+}  // namespace tactics

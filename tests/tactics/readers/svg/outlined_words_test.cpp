@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Letters that are filled paths like any other: words if a reader takes them for print, else what is drawn.
+#include "tactics/readers/svg/outlined_words.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+#include "print/letters.h"
+#include "tactics/job/letter_shapes.h"
+#include "tactics/readers/svg/svg.h"
+#include "tactics/text/utf8.h"
+
+namespace tactics::outlined_words_test {
+namespace {
+
+std::string outline(const Letter& letter, double size, double x, double y) {
+    std::ostringstream d;
+    for (const OutlineStep& step : letter.outline) {
+        const int corners = step.kind == OutlineStep::Kind::curve ? 3 : 1;
+        d << (step.kind == OutlineStep::Kind::move ? " M" : corners == 3 ? " C" : " L");
+        for (int i = 0; i < corners; ++i)
+            d << ' ' << x + step.corners[i].x * size / 1000 << ' ' << y - step.corners[i].y * size / 1000;
+    }
+    return d.str();
+}
+
+// A line of print as paths: one for all, or one for each letter.
+std::string outlined(const std::string& text, double x, double y, bool each) {
+    constexpr double kSize = 6;
+    Page page;
+    page.print.push_back({{}, 1, text});
+    const auto letters = letters_of(page);
+    std::string paths, all;
+    for (std::string_view rest = text; !rest.empty();) {
+        const Letter& letter = letters.at(take_letter(rest));
+        const std::string d = outline(letter, kSize, x, y);
+        x += letter.advance * kSize / 1000;
+        if (each && !d.empty()) paths += "<path d='" + d + "'/>";
+        all += d;
+    }
+    return each ? paths : "<path d='" + all + "'/>";
+}
+
+bool has_font() {
+    Page page;
+    page.print.push_back({{}, 1, "R"});
+    return !letters_of(page).at('R').outline.empty();
+}
+
+FoundPage figure(const std::string& body, const LetterReader& read) {
+    return read_svg(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='150mm' viewBox='0 0 200 150'>" + body + "</svg>",
+        "figure.svg", 0, std::nullopt, SvgPurpose::figure, read);
+}
+
+const LetterReader kFonts = [](FoundPage& page) { read_letter_shapes(page); };
+const LetterReader kNobody = [](FoundPage&) {};
+
+TEST(OutlinedWords, AreReadWhetherOnePathOrMany) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    for (const bool each : {false, true}) {
+        const std::string box = "<rect x='10' y='10' width='80' height='40' fill='none' stroke='black'/>";
+        const FoundPage page =
+            figure(box + outlined("Traits owned: i, j", 20, 30, each) + outlined("by compute", 20, 40, each), kFonts);
+        ASSERT_EQ(page.words.size(), 2u) << each;
+        EXPECT_EQ(page.words[0].text, "Traits owned: i, j");
+        EXPECT_EQ(page.words[1].text, "by compute");
+        EXPECT_NEAR(page.words[1].middle.y, 38, 1.5);
+        EXPECT_EQ(page.page.strokes.size(), 1u) << "letters are no lines";
+        EXPECT_TRUE(page.page.areas.empty());
+    }
+}
+
+TEST(OutlinedWords, NobodyReadsAreDrawn) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const std::string body = outlined("Traits owned", 20, 30, false);
+    const auto ink = [](const FoundPage& page) {
+        double length = 0;
+        for (const PageStroke& stroke : page.page.strokes) length += length_of(Stroke{stroke.points, stroke.closed});
+        for (const Area& area : page.page.areas)
+            for (const auto& ring : area.rings) length += length_of(Stroke{ring, true});
+        return length;
+    };
+    const FoundPage back = figure(body, kNobody);
+    EXPECT_TRUE(back.words.empty());
+    EXPECT_NEAR(ink(back), ink(figure(body, {})), 1e-9);
+    EXPECT_GT(ink(back), 50);
+    // What a reader saw, or what stands among words that were read, is told of and not drawn.
+    const FoundPage seen = figure(body, [](FoundPage& page) { page.words.back().seen = true; });
+    ASSERT_EQ(seen.words.size(), 1u);
+    EXPECT_EQ(ink(seen), 0);
+    const FoundPage among =
+        figure(body + outlined("by compute", 20, 40, false), [](FoundPage& page) { page.words.back().text = "by compute"; });
+    EXPECT_EQ(among.words.size(), 2u);
+    EXPECT_EQ(ink(among), 0);
+}
+
+TEST(OutlinedWords, RowsOfPointsAndFewShapesAreNone) {
+    const LetterReader all = [](FoundPage& page) {
+        for (FoundWords& words : page.words) words.text = "x";
+    };
+    std::string points, few;
+    for (int i = 0; i < 12; ++i) points += "<circle cx='" + std::to_string(20 + 4 * i) + "' cy='40' r='1'/>";
+    EXPECT_TRUE(figure(points, all).words.empty());
+    if (has_font()) {
+        EXPECT_TRUE(figure(outlined("RQ", 20, 30, true), all).words.empty());
+        EXPECT_FALSE(figure(outlined("RQRQRQ", 20, 30, true), all).words.empty());
+    }
+}
+
+}  // namespace
+}  // namespace tactics::outlined_words_test
