@@ -7,6 +7,7 @@
 #include <map>
 
 #include "tactics/geometry/course.h"
+#include "tactics/readers/svg/felt_heads.h"
 
 namespace tactics {
 
@@ -126,6 +127,7 @@ Drawing drawing_of_figure(const FoundPage& figure, double width) {
                 if (auto points = scaled(ring, scale); points.size() > 2) moved.rings.push_back(std::move(points));
             if (!moved.rings.empty()) drawing.areas.push_back(std::move(moved));
         }
+    make_heads_felt(drawing);
     drawing.regions = figure.page.regions;
     for (Region& region : drawing.regions) {
         region.at = {region.at.x * scale, region.at.y * scale};
