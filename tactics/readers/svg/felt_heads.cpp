@@ -79,13 +79,15 @@ public:
                 if (const auto head = filled(area.rings[0]); head && ++count <= kMostHeads) {
                     drop_rim(area.rings[0]);
                     area.role = Role::arrow;
-                    area.rings[0] = corners(*head, kLeastSide);
+                    area.rings[0] = corners(*head, touching(*head), kLeastSide);
                 }
         for (Stroke& stroke : drawing_.strokes)
             if (!stroke.closed && stroke.points.size() == 3 && (stroke.role == Role::line || stroke.role == Role::arrow))
                 if (const auto head = open(stroke); head && ++count <= kMostHeads) {
                     stroke.role = Role::arrow;
-                    stroke.points = corners(*head, kLeastOpenSide);
+                    const Point tip = touching(*head);
+                    stroke.points = corners(*head, tip, kLeastOpenSide);
+                    lead_to(tip, *head->shaft);
                 }
         std::erase_if(drawing_.strokes, [](const Stroke& stroke) { return stroke.points.empty(); });
     }
@@ -149,6 +151,12 @@ private:
         return head_of(all, box.middle(), extent, drawing_.strokes.size());
     }
 
+    // The line of an open head ends at its tip.
+    void lead_to(Point tip, const ShaftEnd& end) {
+        std::vector<Point>& points = drawing_.strokes[end.stroke].points;
+        (distance(points.back(), end.at) <= distance(points.front(), end.at) ? points.back() : points.front()) = tip;
+    }
+
     // The line around a head, which would make it blunt.
     void drop_rim(const std::vector<Point>& ring) {
         constexpr double kSameCorner = 0.2;  // mm
@@ -181,10 +189,9 @@ private:
     }
 
     // From one end of its back over the tip to the other.
-    std::vector<Point> corners(const Head& head, double least) const {
+    static std::vector<Point> corners(const Head& head, Point tip, double least) {
         const double turn = std::clamp(std::atan2(head.half, head.length) * 180 / std::numbers::pi, kLeastAngle, kMostAngle) *
                             std::numbers::pi / 180;
-        const Point tip = touching(head);
         const double line = std::max(0.0, head.shaft->length + dot(tip - head.shaft->at, head.way));
         double length = head.length, half = head.half;
         if (side_of(head) < least) {
