@@ -2,10 +2,9 @@
 #include "tactics/job/scale_numbers.h"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 #include <string>
-#include <string_view>
+
+#include "tactics/units.h"
 
 namespace tactics {
 
@@ -25,6 +24,27 @@ bool is_all_figures(const std::string& text) {
     return digit;
 }
 
+// "1,000" as 1000, "−5 %" as -5.
+double value_of(std::string text) {
+    std::string plain;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (text.compare(i, 3, "\xe2\x88\x92") == 0) {
+            plain += '-';
+            i += 2;
+        } else if (text[i] != ',' && text[i] != '%' && text[i] != '+') {
+            plain += text[i];
+        }
+    return parse_number(plain).value_or(0);
+}
+
+// Where numbers that grow or fall one after the other end: those of one scale. What comes again is of things.
+std::size_t end_of_scale(const std::vector<ToldWords*>& row, std::size_t from) {
+    std::size_t end = from + 1;
+    const auto step = [&](std::size_t i) { return value_of(row[i]->text) - value_of(row[i - 1]->text); };
+    while (end < row.size() && step(end) != 0 && (step(end) > 0) == (step(from + 1) > 0)) ++end;
+    return end;
+}
+
 // Those whose place across is the same, in the order of their place along.
 std::size_t thin_out(std::vector<ToldWords>& told, double ToldWords::*along, double ToldWords::*across) {
     constexpr double kSameRow = 2.5;  // percent of the picture: middles of "5" and "100" in a column differ by that
@@ -35,17 +55,16 @@ std::size_t thin_out(std::vector<ToldWords>& told, double ToldWords::*along, dou
     std::stable_sort(numbers.begin(), numbers.end(),
                      [&](const ToldWords* a, const ToldWords* b) { return a->*across < b->*across; });
     std::size_t left_out = 0;
-    for (std::size_t begin = 0; begin < numbers.size();) {
-        std::size_t end = begin + 1;
+    for (std::size_t begin = 0, end = 0; begin < numbers.size(); begin = end) {
         while (end < numbers.size() && numbers[end]->*across - numbers[begin]->*across <= kSameRow) ++end;
-        std::set<std::string_view> values;
-        for (std::size_t i = begin; i < end; ++i) values.insert(numbers[i]->text);
-        if (end - begin >= kRow && values.size() == end - begin) {  // numbers that come again are of things, not of a scale
-            std::sort(numbers.begin() + static_cast<std::ptrdiff_t>(begin), numbers.begin() + static_cast<std::ptrdiff_t>(end),
-                      [&](const ToldWords* a, const ToldWords* b) { return a->*along < b->*along; });
-            for (std::size_t i = begin + 1; i < end; i += 2, ++left_out) numbers[i]->set = false;
+        std::vector<ToldWords*> row(numbers.begin() + static_cast<std::ptrdiff_t>(begin),
+                                    numbers.begin() + static_cast<std::ptrdiff_t>(end));
+        std::sort(row.begin(), row.end(), [&](const ToldWords* a, const ToldWords* b) { return a->*along < b->*along; });
+        for (std::size_t from = 0, past = 0; from < row.size(); from = past) {
+            past = end_of_scale(row, from);
+            if (past - from < kRow) continue;
+            for (std::size_t i = from + 1; i < past; i += 2, ++left_out) row[i]->set = false;
         }
-        begin = end;
     }
     return left_out;
 }
