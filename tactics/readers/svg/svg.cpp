@@ -12,6 +12,7 @@
 #include "tactics/readers/svg/embedded.h"
 #include "tactics/readers/svg/found_braille.h"
 #include "tactics/readers/svg/found_mark.h"
+#include "tactics/readers/svg/hidden_lines.h"
 #include "tactics/readers/svg/outlined_words.h"
 #include "tactics/readers/svg/rings.h"
 #include "tactics/readers/svg/style_sheet.h"
@@ -66,6 +67,7 @@ public:
         if (figure_) found_.page.title = title_of(root);
         clip_ = {0, 0, page.width, page.height};
         for (const Element& child : root.children) draw(child, size.to_mm, style, 0);
+        covers_.hide_behind(found_);
         settle_discs(std::move(discs_), found_.page);
         if (figure_) take_braille_of_figure(found_);
         if (figure_) letters_.settle(found_);
@@ -261,6 +263,7 @@ private:
             ++missed_.shadows;
             return;
         }
+        if (figure_ && has_inside) covers_.add(subpaths, fill, stroke, clip_, found_);
         if (figure_ && paint_figure(fill, stroke, has_inside, fill.is_ink() && is_sign(subpaths) ? 0 : size_of(subpaths)))
             ++missed_.pale;
         if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd, role_of(element));
@@ -325,10 +328,8 @@ private:
     void add_stroke(Subpath subpath, double width, bool butt, Role role) {
         auto& points = subpath.points;
         const bool dot = std::all_of(points.begin(), points.end(), [&](Point p) { return distance(p, points[0]) < 1e-6; });
-        if (dot && (role == Role::pattern || ours_)) {  // no braille
-            found_.page.strokes.push_back({{points[0], points[0]}, false, width, role});
-            return;
-        }
+        if (dot && (role == Role::pattern || ours_))  // no braille
+            return found_.page.strokes.push_back({{points[0], points[0]}, false, width, role});
         if (dot && role == Role::line) {
             // Without round ends a line of no length shows nothing.
             if (!butt) discs_.push_back({points[0], width});
@@ -372,6 +373,7 @@ private:
     Extent ink_;                      // theirs
     Rect clip_;                       // mm; of a figure
     Ground ground_;                   // its
+    Covers covers_;
     std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
     bool in_marker_ = false;  // which has none of its own
     bool ours_ = false;       // what is drawn is numbered by us

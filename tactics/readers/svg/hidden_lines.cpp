@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/readers/svg/hidden_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tactics/geometry/course.h"
+#include "tactics/geometry/vectors.h"
+#include "tactics/readers/svg/clip.h"
+#include "tactics/text/utf8.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr double kOpaque = 0.95, kWhiteSurface = 0.95, kSeenLine = 0.68;  // opacity; lightness: svg_style.cpp
+constexpr double kLeastCover = 8;  // mm of a figure 200 mm wide or high: smaller ones are marks on lines
+constexpr double kAlong = 0.2;     // mm: what runs along the border of a surface is not behind it
+constexpr double kLeastPiece = 1;  // mm: of what is left of a line
+constexpr std::size_t kMostCovers = 5'000, kMostSides = 40'000'000;  // sides of lines against sides of surfaces
+
+using Rings = std::vector<std::vector<Point>>;
+
+bool is_behind(Point p, const Rings& rings) {
+    bool inside = false;
+    for (const auto& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+            if (ray_meets(p, a, b)) inside = !inside;
+            if (distance_to_segment(p, a, b) < kAlong) return false;
+        }
+    return inside;
+}
+
+// Where the way from a to b meets the rings, as shares of it, and its ends.
+std::vector<double> meetings(Point a, Point b, const Rings& rings) {
+    std::vector<double> all{0, 1};
+    for (const auto& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Point c = ring[i], d = ring[(i + 1) % ring.size()];
+            const double turn = cross(b - a, d - c);
+            if (turn == 0) continue;
+            const double t = cross(c - a, d - c) / turn, u = cross(c - a, b - a) / turn;
+            if (t > 0 && t < 1 && u >= 0 && u <= 1) all.push_back(t);
+        }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+Point at_share(Point a, Point b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
+
+struct SeenLine {
+    std::vector<Point> points;
+    bool closed = false;
+};
+
+// The pieces of a line that are not behind that surface. The line itself: none of it is.
+std::vector<SeenLine> seen_of(const SeenLine& line, const Box& box, const Rings& rings) {
+    std::vector<SeenLine> pieces;
+    std::vector<Point> piece;
+    bool any_hidden = false;
+    const auto end_piece = [&] {
+        if (piece.size() > 1) pieces.push_back({std::move(piece), false});
+        piece.clear();
+    };
+    const std::size_t sides = line.points.size() - (line.closed ? 0 : 1);
+    for (std::size_t i = 0; i < sides; ++i) {
+        const Point a = line.points[i], b = line.points[(i + 1) % line.points.size()];
+        const bool near = meet(box_of({a, b}, 0), box);
+        const std::vector<double> places = near ? meetings(a, b, rings) : std::vector<double>{0, 1};
+        for (std::size_t k = 1; k < places.size(); ++k) {
+            const bool hidden = near && is_behind(at_share(a, b, (places[k - 1] + places[k]) / 2), rings);
+            any_hidden = any_hidden || hidden;
+            if (hidden) {
+                end_piece();
+                continue;
+            }
+            if (piece.empty()) piece.push_back(at_share(a, b, places[k - 1]));
+            if (k + 1 == places.size())
+                piece.push_back(b);
+            else if (is_behind(at_share(a, b, (places[k] + places[k + 1]) / 2), rings))
+                piece.push_back(at_share(a, b, places[k]));
+        }
+    }
+    if (!any_hidden) return {line};
+    end_piece();
+    // A closed line goes on where it began.
+    if (line.closed && pieces.size() > 1 && distance(pieces.back().points.back(), pieces.front().points.front()) == 0) {
+        std::vector<Point>& first = pieces.front().points;
+        std::vector<Point>& last = pieces.back().points;
+        last.insert(last.end(), first.begin() + 1, first.end());
+        first = std::move(last);
+        pieces.pop_back();
+    }
+    std::erase_if(pieces, [](const SeenLine& one) {
+        double length = 0;
+        for (std::size_t i = 1; i < one.points.size(); ++i) length += distance(one.points[i - 1], one.points[i]);
+        return length < kLeastPiece;
+    });
+    return pieces;
+}
+
+std::size_t sides_of(const Rings& rings) {
+    std::size_t sides = 0;
+    for (const auto& ring : rings) sides += ring.size();
+    return sides;
+}
+
+}  // namespace
+
+void Covers::add(const std::vector<Subpath>& surface, const Paint& fill, const Paint& stroke, const Rect& clip,
+                 const FoundPage& figure) {
+    if (fill.none || fill.opacity < kOpaque || fill.fades || fill.pattern > 0 || all_.size() >= kMostCovers) return;
+    Rings rings = rings_of(surface);
+    Box box = kNothing;
+    for (const auto& ring : rings) {
+        if (!lies_in(ring, clip)) return;
+        for (const Point p : ring) box.take(p);
+    }
+    if (std::min(box.width(), box.height()) < kLeastCover) return;
+    const bool drawn = fill.shown() < kWhiteSurface || stroke.shown() < kSeenLine;
+    all_.push_back({std::move(rings), box, figure.page.strokes.size(), figure.page.areas.size(), figure.words.size(), drawn});
+}
+
+// Many tools draw a white surface, and the line around it as a shape of its own right after it.
+bool Covers::has_outline(const Cover& cover, const FoundPage& figure) {
+    if (cover.drawn) return true;
+    constexpr std::size_t kNext = 4;
+    constexpr double kSameBox = 0.5;  // mm
+    for (std::size_t i = cover.strokes; i < std::min(cover.strokes + kNext, figure.page.strokes.size()); ++i) {
+        const Box box = box_of(figure.page.strokes[i].points);
+        if (std::abs(box.left - cover.box.left) < kSameBox && std::abs(box.right - cover.box.right) < kSameBox &&
+            std::abs(box.top - cover.box.top) < kSameBox && std::abs(box.bottom - cover.box.bottom) < kSameBox)
+            return true;
+    }
+    return false;
+}
+
+void Covers::hide_behind(FoundPage& figure) {
+    std::erase_if(all_, [&](const Cover& cover) { return !has_outline(cover, figure); });
+    if (all_.empty()) return;
+    std::vector<Box> boxes;
+    for (const Cover& cover : all_) boxes.push_back(cover.box);
+    const Grid grid(std::move(boxes), figure.page.width, figure.page.height);
+    std::vector<PageStroke> kept;
+    std::vector<std::size_t> moved;  // where the pieces of each stroke begin
+    std::size_t work = 0;
+    for (std::size_t i = 0; i < figure.page.strokes.size(); ++i) {
+        moved.push_back(kept.size());
+        PageStroke& stroke = figure.page.strokes[i];
+        std::vector<std::size_t> over;
+        if (stroke.points.size() > 1)
+            grid.any_near(box_of(stroke.points), [&](std::size_t c) {
+                if (all_[c].strokes > i) over.push_back(c);
+                return false;
+            });
+        std::sort(over.begin(), over.end());
+        over.erase(std::unique(over.begin(), over.end()), over.end());
+        std::vector<SeenLine> lines{{stroke.points, stroke.closed}};
+        for (const std::size_t c : over) {
+            work += stroke.points.size() * sides_of(all_[c].rings);
+            if (work > kMostSides) break;
+            std::vector<SeenLine> seen;
+            for (const SeenLine& line : lines)
+                for (SeenLine& piece : seen_of(line, all_[c].box, all_[c].rings)) seen.push_back(std::move(piece));
+            lines = std::move(seen);
+        }
+        for (SeenLine& line : lines) {
+            PageStroke& piece = kept.emplace_back(stroke);
+            piece.points = std::move(line.points);
+            piece.closed = line.closed;
+        }
+    }
+    moved.push_back(kept.size());
+    figure.page.strokes = std::move(kept);
+    for (FoundLook& look : figure.looks) {
+        look.stroke = moved[look.stroke];
+        look.strokes_end = moved[look.strokes_end];
+    }
+    hide_areas(figure, grid, work);
+    hide_words(figure, grid);
+}
+
+void Covers::hide_areas(FoundPage& figure, const Grid& grid, std::size_t work) const {
+    for (std::size_t i = 0; i < figure.page.areas.size() && work <= kMostSides; ++i) {
+        Rings& rings = figure.page.areas[i].rings;
+        Box box = kNothing;
+        for (const auto& ring : rings)
+            for (const Point p : ring) box.take(p);
+        const bool gone = grid.any_near(box, [&](std::size_t c) {
+            const Cover& cover = all_[c];
+            if (cover.areas <= i) return false;
+            work += sides_of(rings) * sides_of(cover.rings);
+            return work <= kMostSides && std::all_of(rings.begin(), rings.end(), [&](const auto& ring) {
+                       return std::all_of(ring.begin(), ring.end(), [&](Point p) { return is_behind(p, cover.rings); });
+                   });
+        });
+        if (gone) rings.clear();
+    }
+}
+
+// Copies of a box behind it have its words, too.
+void Covers::hide_words(FoundPage& figure, const Grid& grid) const {
+    std::vector<FoundWords> seen;
+    std::vector<Phrase> hidden;
+    for (std::size_t i = 0; i < figure.words.size(); ++i) {
+        FoundWords& words = figure.words[i];
+        const bool gone = grid.any_near(box_of({words.middle, words.middle}, 0), [&](std::size_t c) {
+            return all_[c].words > i && is_behind(words.middle, all_[c].rings);
+        });
+        if (gone)
+            hidden.push_back(phrase("\"{0}\"", beginning_of(words.text)));
+        else
+            seen.push_back(std::move(words));
+    }
+    figure.words = std::move(seen);
+    if (!hidden.empty())
+        figure.notes.push_back(
+            phrase("these words {0} lie behind something else that is drawn, and are left out", row_of(hidden)));
+}
+
+}  // namespace tactics
