@@ -146,10 +146,11 @@ Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
         const double x = 100 * one.middle.x / page.width, y = 100 * one.middle.y / page.height;
         const bool known = !one.text.empty();
         by_sight += known && !one.letters.empty() && one.sureness < 100 ? 1 : 0;
-        words.told.push_back({one.text, known ? one.sureness : 0, x, y, known && x >= 0 && x <= 100 && y >= 0 && y <= 100});
+        const bool there = x >= 0 && x <= 100 && y >= 0 && y <= 100;
+        words.told.push_back({one.text, known ? one.sureness : 0, x, y, known && there && !one.hidden});
         if (!known) {
             unread += (++count == 1 ? "" : "; ") + origin_place(words.told.back());
-        } else if (!words.told.back().set)
+        } else if (!there)
             words.notes.push_back(
                 to_act_on(phrase("the words \"{0}\" are left out: they lie outside of the drawing", beginning_of(one.text))));
         places.push_back({{x, y}, 100 * one.height / page.height, one.upwards, false, false, one.thing.has_value()});

@@ -268,10 +268,12 @@ bool is_text(const PdfText& text, std::size_t drawn) {
     const std::size_t words = text.count();
     if (words == 0) return false;
     if (drawn == 0) return true;
+    // Where as much is drawn as written, a long line that stands by itself may be the name of something.
+    const std::size_t least_lines = drawn >= words ? 2 : 1;
     std::size_t in_lines = 0;
     for (const PdfBlock& block : text.blocks)
         for (const PdfLine& line : block.lines)
-            if (line.words.size() >= kLongLine) in_lines += line.words.size();
+            if (line.words.size() >= kLongLine && block.lines.size() >= least_lines) in_lines += line.words.size();
     return words >= kFewWords && static_cast<double>(in_lines) >= kMostInLines * static_cast<double>(words);
 }
 

@@ -40,7 +40,7 @@ Written written_in_text(std::string_view text);
 bool is_page_of_text(const Source& pdf, int page);
 
 /// Whether a page is to be read rather than felt: it has text, and either nothing is drawn, or most words stand in long lines.
-/// `drawn`: it has lines and surfaces, too.
+/// `drawn`: how many lines and surfaces it has, too; of as many as words, names in one long line each are no text.
 bool is_text(const PdfText& text, std::size_t drawn);
 
 }  // namespace tactics

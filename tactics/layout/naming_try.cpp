@@ -48,7 +48,8 @@ public:
           windows_(windows),
           room_(page, clear_of_braille(*sheet.medium)),
           leads_(page, *sheet.medium),
-          things_(page.regions, page.language) {
+          things_(page.regions, page.language),
+          shapes_(page) {
         for (const BrailleLine& line : page.braille)
             if (!line.cells.empty()) leads_.add(extent_of(line, page.cell, page.braille_dot));
     }
@@ -98,7 +99,7 @@ public:
 
 private:
     bool stands_beside(Piece& piece) {
-        return stands_beside(piece, [this](const Rect& rect) { return is_whole(rect); });
+        return stands_beside(piece, [&](const Rect& rect) { return may_stand(piece, rect); });
     }
 
     template <typename Accept>
@@ -128,7 +129,7 @@ private:
         const Box near = grown(*shape, kBesideThing);
         const auto place = room_.nearest(
             piece.name.at, piece.block.width, piece.block.height, std::hypot(shape->width(), shape->height()) / 2 + kBesideThing,
-            [&](const Rect& rect) { return is_whole(rect) && meet(box_of(rect), near) && !meet(box_of(rect), *shape); });
+            [&](const Rect& rect) { return may_stand(piece, rect) && meet(box_of(rect), near) && !meet(box_of(rect), *shape); });
         if (!place) return false;
         put(piece, *place);
         return true;
@@ -150,7 +151,7 @@ private:
 
     std::optional<Led> led_to(const Piece& piece, Point end, Way way) {
         return leads_.led_to(room_, piece.block.width, piece.block.height, end, way,
-                             [this](const Rect& rect) { return is_whole(rect); });
+                             [&](const Rect& rect) { return may_stand(piece, rect); });
     }
 
     void put_led(const Piece& piece, const Led& led) {
@@ -174,7 +175,7 @@ private:
 
     bool stands_elsewhere(Piece& piece) {
         const auto is_of_it = [&](const Rect& rect) {
-            return is_whole(rect) && things_.is_free_of_others(*piece.thing, rect.middle());
+            return may_stand(piece, rect) && things_.is_free_of_others(*piece.thing, rect.middle());
         };
         const Point before = piece.name.at;
         for (const auto& [place, end] : elsewhere(piece, ThingPlaces::Border::own)) {
@@ -208,6 +209,11 @@ private:
         piece.name.at = at;
         put_led(piece, *best);
         return true;
+    }
+
+    // Not within the box of something else.
+    bool may_stand(const Piece& piece, const Rect& rect) const {
+        return is_whole(rect) && !shapes_.any_around_only(rect.middle(), piece.name.at);
     }
 
     // On one sheet.
@@ -333,6 +339,7 @@ private:
     Room room_;
     LeadSearch leads_;
     ThingPlaces things_;
+    ClosedShapes shapes_;
     std::size_t places_tried_ = 0;
     double cost_ = 0;
     std::set<std::string> taken_;  // keys

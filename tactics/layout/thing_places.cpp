@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "tactics/geometry/course.h"
 #include "tactics/geometry/distance.h"
 #include "tactics/text/utf8.h"
 
@@ -124,6 +125,27 @@ bool ThingPlaces::is_free_of_others(const Region& thing, Point middle) const {
     for (std::size_t i = 0; i < regions_.size(); ++i)
         if (&regions_[i] != &thing && holds_at(i, middle) && !holds_at(i, thing.at)) return false;
     return true;
+}
+
+ClosedShapes::ClosedShapes(const Page& page) {
+    constexpr std::size_t kMostShapes = 400, kMostCorners = 200;
+    for (const PageStroke& stroke : page.strokes) {
+        if (!stroke.closed || stroke.points.size() < 3 || stroke.points.size() > kMostCorners) continue;
+        const Box box = box_of(stroke.points);
+        if (std::max(box.width(), box.height()) <= kLargestShape && all_.size() < kMostShapes)
+            all_.push_back({box, stroke.points});
+    }
+}
+
+bool ClosedShapes::holds(const Shape& shape, Point at) {
+    bool inside = false;
+    for (std::size_t i = 0; shape.box.holds(at) && i < shape.ring.size(); ++i)
+        if (ray_meets(at, shape.ring[i], shape.ring[(i + 1) % shape.ring.size()])) inside = !inside;
+    return inside;
+}
+
+bool ClosedShapes::any_around_only(Point words, Point thing) const {
+    return std::any_of(all_.begin(), all_.end(), [&](const Shape& shape) { return holds(shape, words) && !holds(shape, thing); });
 }
 
 std::optional<Box> shape_around(const Page& page, Point at) {

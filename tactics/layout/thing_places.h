@@ -46,6 +46,24 @@ private:
         of_end_;  // regions that are drawn, by all words and by those behind a colon
 };
 
+/// The closed lines of a page that a hand feels as one thing each.
+class ClosedShapes {
+public:
+    explicit ClosedShapes(const Page& page);
+
+    /// Whether words there would seem to name one that is not around their thing. Of very many shapes not all are known.
+    bool any_around_only(Point words, Point thing) const;
+
+private:
+    struct Shape {
+        Box box;
+        std::vector<Point> ring;
+    };
+    static bool holds(const Shape& shape, Point at);
+
+    std::vector<Shape> all_;
+};
+
 /// The box of the smallest closed line around a place, if a hand feels it as one thing and the place is near its middle.
 std::optional<Box> shape_around(const Page& page, Point at);
 

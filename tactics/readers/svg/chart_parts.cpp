@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "tactics/readers/svg/clip.h"
+#include "tactics/readers/svg/hidden_lines.h"
 
 namespace tactics {
 
@@ -108,6 +109,7 @@ Rect box_of(const FoundPage& figure, const FoundLook& look) {
 void tidy_chart(FoundPage& figure, bool with_words) {
     leave_out_grid(figure);
     if (with_words) name_by_legend(figure);
+    hide_behind_covers(figure);
     std::erase_if(figure.page.strokes, [](const PageStroke& stroke) { return stroke.points.empty(); });
     std::erase_if(figure.page.areas, [](const Area& area) { return area.rings.empty(); });
     figure.looks.clear();  // their numbers hold no more

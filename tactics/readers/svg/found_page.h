@@ -40,6 +40,7 @@ struct FoundWords {
     double unit = 0;                 ///< mm for one of the shapes' units
     double sureness = 100;           ///< of 100: less if they were read as print is
     bool centred = false;            ///< the file sets them by their middle
+    bool hidden = false;             ///< they lie behind something that is drawn
     bool seen = false;               ///< a reader of print took them for letters, without being sure of which
 };
 
@@ -58,6 +59,12 @@ struct FoundLook {
     std::size_t dashes = 0;       ///< in the page's dash_kinds; 0: a whole line
 };
 
+/// An opaque surface of a figure: what was drawn before it and lies behind it is not seen.
+struct FoundCover {
+    std::vector<std::vector<Point>> rings;
+    std::size_t strokes, areas, words;  ///< so many there were of each before it
+};
+
 /// A page that was not laid out here: positions may lie off the paper, lines may be thinner than any medium's.
 struct FoundPage {
     Page page;
@@ -66,6 +73,7 @@ struct FoundPage {
     std::vector<FoundWords> words = {};
     std::vector<LetterShape> letter_shapes = {};
     std::vector<FoundLook> looks = {};        ///< of a figure
+    std::vector<FoundCover> covers = {};      ///< of a figure
     std::vector<FoundPicture> pictures = {};  ///< of a figure; that of a page is in its `picture`
     bool tells_size = true;                   ///< in mm, cm, in or pt; pixels are for screens
     /// mm, as the file has it, with 96 pixels to the inch. The page of a figure is 200 mm wide or high.

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "tactics/geometry/box.h"
 #include "tactics/geometry/course.h"
+#include "tactics/geometry/grid.h"
 #include "tactics/geometry/vectors.h"
 #include "tactics/readers/svg/clip.h"
 #include "tactics/text/utf8.h"
@@ -14,13 +16,20 @@ namespace tactics {
 
 namespace {
 
-constexpr double kOpaque = 0.95, kWhiteSurface = 0.95, kSeenLine = 0.68;  // opacity; lightness: svg_style.cpp
+constexpr double kOpaque = 0.95;
 constexpr double kLeastCover = 8;  // mm of a figure 200 mm wide or high: smaller ones are marks on lines
 constexpr double kAlong = 0.2;     // mm: what runs along the border of a surface is not behind it
 constexpr double kLeastPiece = 1;  // mm: of what is left of a line
 constexpr std::size_t kMostCovers = 5'000, kMostSides = 40'000'000;  // sides of lines against sides of surfaces
 
 using Rings = std::vector<std::vector<Point>>;
+
+Box box_around(const Rings& rings) {
+    Box box = kNothing;
+    for (const auto& ring : rings)
+        for (const Point p : ring) box.take(p);
+    return box;
+}
 
 bool is_behind(Point p, const Rings& rings) {
     bool inside = false;
@@ -109,115 +118,123 @@ std::size_t sides_of(const Rings& rings) {
 
 }  // namespace
 
-void Covers::add(const std::vector<Subpath>& surface, const Paint& fill, const Paint& stroke, const Rect& clip,
-                 const FoundPage& figure) {
-    if (fill.none || fill.opacity < kOpaque || fill.fades || fill.pattern > 0 || all_.size() >= kMostCovers) return;
+void add_cover(FoundPage& figure, const std::vector<Subpath>& surface, const Paint& fill, const Rect& clip) {
+    if (fill.none || fill.opacity < kOpaque || fill.fades || fill.pattern > 0 || figure.covers.size() >= kMostCovers) return;
     Rings rings = rings_of(surface);
-    Box box = kNothing;
-    for (const auto& ring : rings) {
-        if (!lies_in(ring, clip)) return;
-        for (const Point p : ring) box.take(p);
-    }
+    const Box box = box_around(rings);
     if (std::min(box.width(), box.height()) < kLeastCover) return;
-    const bool drawn = fill.shown() < kWhiteSurface || stroke.shown() < kSeenLine;
-    all_.push_back({std::move(rings), box, figure.page.strokes.size(), figure.page.areas.size(), figure.words.size(), drawn});
+    if (!std::all_of(rings.begin(), rings.end(), [&](const auto& ring) { return lies_in(ring, clip); })) return;
+    figure.covers.push_back({std::move(rings), figure.page.strokes.size(), figure.page.areas.size(), figure.words.size()});
 }
 
-// Many tools draw a white surface, and the line around it as a shape of its own right after it.
-bool Covers::has_outline(const Cover& cover, const FoundPage& figure) {
-    if (cover.drawn) return true;
+namespace {
+
+// Its own, or a shape of its own right after it, as many tools draw it.
+bool has_outline(const FoundCover& cover, const Page& page) {
     constexpr std::size_t kNext = 4;
     constexpr double kSameBox = 0.5;  // mm
-    for (std::size_t i = cover.strokes; i < std::min(cover.strokes + kNext, figure.page.strokes.size()); ++i) {
-        const Box box = box_of(figure.page.strokes[i].points);
-        if (std::abs(box.left - cover.box.left) < kSameBox && std::abs(box.right - cover.box.right) < kSameBox &&
-            std::abs(box.top - cover.box.top) < kSameBox && std::abs(box.bottom - cover.box.bottom) < kSameBox)
+    const Box own = box_around(cover.rings);
+    for (std::size_t i = cover.strokes; i < std::min(cover.strokes + kNext, page.strokes.size()); ++i) {
+        const Box box = box_of(page.strokes[i].points);
+        if (std::abs(box.left - own.left) < kSameBox && std::abs(box.right - own.right) < kSameBox &&
+            std::abs(box.top - own.top) < kSameBox && std::abs(box.bottom - own.bottom) < kSameBox)
             return true;
     }
     return false;
 }
 
-void Covers::hide_behind(FoundPage& figure) {
-    std::erase_if(all_, [&](const Cover& cover) { return !has_outline(cover, figure); });
-    if (all_.empty()) return;
-    std::vector<Box> boxes;
-    for (const Cover& cover : all_) boxes.push_back(cover.box);
-    const Grid grid(std::move(boxes), figure.page.width, figure.page.height);
-    std::vector<PageStroke> kept;
-    std::vector<std::size_t> moved;  // where the pieces of each stroke begin
-    std::size_t work = 0;
-    for (std::size_t i = 0; i < figure.page.strokes.size(); ++i) {
-        moved.push_back(kept.size());
-        PageStroke& stroke = figure.page.strokes[i];
-        std::vector<std::size_t> over;
-        if (stroke.points.size() > 1)
-            grid.any_near(box_of(stroke.points), [&](std::size_t c) {
-                if (all_[c].strokes > i) over.push_back(c);
-                return false;
+class Hiding {
+public:
+    explicit Hiding(FoundPage& figure) : figure_(figure), covers_(figure.covers) {
+        std::vector<Box> boxes;
+        for (const FoundCover& cover : covers_) boxes.push_back(box_around(cover.rings));
+        boxes_ = boxes;
+        grid_ = Grid(std::move(boxes), figure.page.width, figure.page.height);
+    }
+
+    void hide_lines() {
+        std::vector<PageStroke> kept;
+        for (std::size_t i = 0; i < figure_.page.strokes.size(); ++i) {
+            const PageStroke& stroke = figure_.page.strokes[i];
+            std::vector<SeenLine> lines{{stroke.points, stroke.closed}};
+            for (const std::size_t c : covers_over(stroke.points, [&](const FoundCover& cover) { return cover.strokes > i; })) {
+                work_ += stroke.points.size() * sides_of(covers_[c].rings);
+                if (work_ > kMostSides) break;
+                std::vector<SeenLine> seen;
+                for (const SeenLine& line : lines)
+                    for (SeenLine& piece : seen_of(line, boxes_[c], covers_[c].rings)) seen.push_back(std::move(piece));
+                lines = std::move(seen);
+            }
+            for (SeenLine& line : lines) {
+                PageStroke& piece = kept.emplace_back(stroke);
+                piece.points = std::move(line.points);
+                piece.closed = line.closed;
+            }
+        }
+        figure_.page.strokes = std::move(kept);
+    }
+
+    void hide_areas() {
+        for (std::size_t i = 0; i < figure_.page.areas.size() && work_ <= kMostSides; ++i) {
+            Rings& rings = figure_.page.areas[i].rings;
+            if (rings.empty()) continue;
+            const bool gone = grid_.any_near(box_around(rings), [&](std::size_t c) {
+                if (covers_[c].areas <= i) return false;
+                work_ += sides_of(rings) * sides_of(covers_[c].rings);
+                return work_ <= kMostSides && std::all_of(rings.begin(), rings.end(), [&](const auto& ring) {
+                           return std::all_of(ring.begin(), ring.end(), [&](Point p) { return is_behind(p, covers_[c].rings); });
+                       });
             });
+            if (gone) rings.clear();
+        }
+    }
+
+    // Copies of a box behind it have its words, too.
+    void hide_words() {
+        std::vector<Phrase> hidden;
+        for (std::size_t i = 0; i < figure_.words.size(); ++i) {
+            FoundWords& words = figure_.words[i];
+            if (words.text.empty()) continue;
+            words.hidden = grid_.any_near(box_of({words.middle, words.middle}, 0), [&](std::size_t c) {
+                return covers_[c].words > i && is_behind(words.middle, covers_[c].rings);
+            });
+            if (words.hidden) hidden.push_back(phrase("\"{0}\"", beginning_of(words.text)));
+        }
+        if (!hidden.empty())
+            figure_.notes.push_back(
+                phrase("these words {0} lie behind something else that is drawn, and are left out", row_of(hidden)));
+    }
+
+private:
+    template <typename Later>
+    std::vector<std::size_t> covers_over(const std::vector<Point>& points, Later is_later) const {
+        std::vector<std::size_t> over;
+        if (points.size() < 2) return over;
+        grid_.any_near(box_of(points), [&](std::size_t c) {
+            if (is_later(covers_[c])) over.push_back(c);
+            return false;
+        });
         std::sort(over.begin(), over.end());
         over.erase(std::unique(over.begin(), over.end()), over.end());
-        std::vector<SeenLine> lines{{stroke.points, stroke.closed}};
-        for (const std::size_t c : over) {
-            work += stroke.points.size() * sides_of(all_[c].rings);
-            if (work > kMostSides) break;
-            std::vector<SeenLine> seen;
-            for (const SeenLine& line : lines)
-                for (SeenLine& piece : seen_of(line, all_[c].box, all_[c].rings)) seen.push_back(std::move(piece));
-            lines = std::move(seen);
-        }
-        for (SeenLine& line : lines) {
-            PageStroke& piece = kept.emplace_back(stroke);
-            piece.points = std::move(line.points);
-            piece.closed = line.closed;
-        }
+        return over;
     }
-    moved.push_back(kept.size());
-    figure.page.strokes = std::move(kept);
-    for (FoundLook& look : figure.looks) {
-        look.stroke = moved[look.stroke];
-        look.strokes_end = moved[look.strokes_end];
-    }
-    hide_areas(figure, grid, work);
-    hide_words(figure, grid);
-}
 
-void Covers::hide_areas(FoundPage& figure, const Grid& grid, std::size_t work) const {
-    for (std::size_t i = 0; i < figure.page.areas.size() && work <= kMostSides; ++i) {
-        Rings& rings = figure.page.areas[i].rings;
-        Box box = kNothing;
-        for (const auto& ring : rings)
-            for (const Point p : ring) box.take(p);
-        const bool gone = grid.any_near(box, [&](std::size_t c) {
-            const Cover& cover = all_[c];
-            if (cover.areas <= i) return false;
-            work += sides_of(rings) * sides_of(cover.rings);
-            return work <= kMostSides && std::all_of(rings.begin(), rings.end(), [&](const auto& ring) {
-                       return std::all_of(ring.begin(), ring.end(), [&](Point p) { return is_behind(p, cover.rings); });
-                   });
-        });
-        if (gone) rings.clear();
-    }
-}
+    FoundPage& figure_;
+    const std::vector<FoundCover>& covers_;
+    std::vector<Box> boxes_;
+    Grid grid_;
+    std::size_t work_ = 0;
+};
 
-// Copies of a box behind it have its words, too.
-void Covers::hide_words(FoundPage& figure, const Grid& grid) const {
-    std::vector<FoundWords> seen;
-    std::vector<Phrase> hidden;
-    for (std::size_t i = 0; i < figure.words.size(); ++i) {
-        FoundWords& words = figure.words[i];
-        const bool gone = grid.any_near(box_of({words.middle, words.middle}, 0), [&](std::size_t c) {
-            return all_[c].words > i && is_behind(words.middle, all_[c].rings);
-        });
-        if (gone)
-            hidden.push_back(phrase("\"{0}\"", beginning_of(words.text)));
-        else
-            seen.push_back(std::move(words));
-    }
-    figure.words = std::move(seen);
-    if (!hidden.empty())
-        figure.notes.push_back(
-            phrase("these words {0} lie behind something else that is drawn, and are left out", row_of(hidden)));
+}  // namespace
+
+void hide_behind_covers(FoundPage& figure) {
+    std::erase_if(figure.covers, [&](const FoundCover& cover) { return !has_outline(cover, figure.page); });
+    if (figure.covers.empty()) return;
+    Hiding hiding(figure);
+    hiding.hide_lines();
+    hiding.hide_areas();
+    hiding.hide_words();
 }
 
 }  // namespace tactics

@@ -67,7 +67,6 @@ public:
         if (figure_) found_.page.title = title_of(root);
         clip_ = {0, 0, page.width, page.height};
         for (const Element& child : root.children) draw(child, size.to_mm, style, 0);
-        covers_.hide_behind(found_);
         settle_discs(std::move(discs_), found_.page);
         if (figure_) take_braille_of_figure(found_);
         if (figure_) letters_.settle(found_);
@@ -263,7 +262,7 @@ private:
             ++missed_.shadows;
             return;
         }
-        if (figure_ && has_inside) covers_.add(subpaths, fill, stroke, clip_, found_);
+        if (figure_ && has_inside) add_cover(found_, subpaths, fill, clip_);
         if (figure_ && paint_figure(fill, stroke, has_inside, fill.is_ink() && is_sign(subpaths) ? 0 : size_of(subpaths)))
             ++missed_.pale;
         if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd, role_of(element));
@@ -373,7 +372,6 @@ private:
     Extent ink_;                      // theirs
     Rect clip_;                       // mm; of a figure
     Ground ground_;                   // its
-    Covers covers_;
     std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
     bool in_marker_ = false;  // which has none of its own
     bool ours_ = false;       // what is drawn is numbered by us

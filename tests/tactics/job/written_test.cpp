@@ -92,6 +92,11 @@ TEST(Written, APageOfTextHasManyWordsInLines) {
     EXPECT_FALSE(is_text(page({block(0, 12, {"label"})}), 1));
     EXPECT_FALSE(is_text(page({block(0, 12, std::vector<std::string>(50, "two words"))}), 1));
     EXPECT_FALSE(is_text(page({block(0, 12, std::vector<std::string>(5, "five words of plain text"))}), 1));  // 25 words
+    // Names in one line each, beside what they name.
+    std::vector<PdfBlock> names;
+    for (int i = 0; i < 7; ++i) names.push_back(block(40.0 * i, 12, {"North America; 3.8 billion tons"}));
+    EXPECT_TRUE(is_text(page(names), 10));
+    EXPECT_FALSE(is_text(page(names), 100));
 }
 
 // Words of Helvetica, of one size and on one base line each.

@@ -67,7 +67,8 @@ TEST(Facing, AnEmbosserGetsTheSidesInTheirOrder) {
     sheet.title = "Town";
     sheet.duplex = true;
     Drawing drawing{200, 100, {Stroke{{{0, 50}, {200, 50}}}}, {}, {}};
-    drawing.names = {{{20, 50}, "The old road from the station to the river that was closed when the new bridge was built"}};
+    drawing.names = {
+        {{20, 50}, "Donaudampfschifffahrtselektrizitätenhauptbetriebswerkbauunterbeamtengesellschaftsverwaltungsgebäudeeingang"}};
     const Pages pages = pages_of(drawing, sheet);
     ASSERT_EQ(pages.all.size(), 3u);
     const Format& brf = *find_format("brf");

@@ -10,6 +10,7 @@
 #include "tactics/geometry/box.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/layout/name_blocks.h"
+#include "tactics/layout/thing_places.h"
 
 namespace tactics::folded_names_test {
 namespace {
@@ -59,6 +60,24 @@ TEST(FoldedNames, TheSameWordsHaveTheSameLetters) {
     EXPECT_EQ(keys.size(), 1u);
     EXPECT_GE(std::count_if(page.names.begin(), page.names.end(), [](const PageName& name) { return !name.key.empty(); }), 2);
     EXPECT_EQ(std::count_if(page.words.begin(), page.words.end(), [](const auto& one) { return one.kind == WordsKind::key; }), 1);
+}
+
+// A box that is too small for its words, between boxes that have room: nothing that stands in a box is of another.
+TEST(FoldedNames, WordsOfABoxStandInNoOther) {
+    Drawing drawing{270, 180, {}, {}, {}};
+    for (const double left : {20.0, 62.0, 78.0}) {
+        const double right = left + (left == 62 ? 14 : 40);
+        drawing.strokes.push_back({{{left, 50}, {right, 50}, {right, 75}, {left, 75}}, true});
+    }
+    for (const double y : {40.0, 85.0}) drawing.strokes.push_back({{{0, y}, {270, y}}});
+    drawing.names.push_back({{69, 62.5}, "river"});
+    const Page page = lay_out(drawing, sheet());
+    ASSERT_EQ(page.names.size(), 1u);
+    const Point middle = page.names[0].place.middle();
+    for (const std::size_t box : {0u, 2u}) EXPECT_FALSE(box_of(page.strokes[box].points).holds(middle)) << box;
+    const ClosedShapes shapes(page);
+    EXPECT_TRUE(shapes.any_around_only(box_of(page.strokes[0].points).middle(), box_of(page.strokes[1].points).middle()));
+    EXPECT_FALSE(shapes.any_around_only({1, 1}, box_of(page.strokes[1].points).middle()));
 }
 
 // Whatever the words: they come in their order, whole, in no more lines than asked for, and ever narrower.
