@@ -30,8 +30,11 @@ Rect common_of(const Rect& rect, Point corner, Point opposite) {
     return {left, top, std::max(0.0, right - left), std::max(0.0, bottom - top)};
 }
 
+// What lies on the border does, whatever the last digits say: else it would depend on the size of the file's units.
 bool lies_in(const std::vector<Point>& points, const Rect& rect) {
-    return std::all_of(points.begin(), points.end(), [&](Point p) { return rect.holds(p); });
+    constexpr double kRounded = 1e-6;  // mm
+    const Rect wider{rect.left - kRounded, rect.top - kRounded, rect.width + 2 * kRounded, rect.height + 2 * kRounded};
+    return std::all_of(points.begin(), points.end(), [&](Point p) { return wider.holds(p); });
 }
 
 bool is_within(const Subpath& subpath, double farthest) {

@@ -33,10 +33,16 @@ double common_width(const FoundPage& figure) {
     return 0;
 }
 
+// Rounded, so that the last digits of a file's units decide nothing: the same drawing in other units is the same page.
+Point scaled(Point p, double scale) {
+    constexpr double kSteps = 1e5;  // per mm
+    return {std::round(p.x * scale * kSteps) / kSteps, std::round(p.y * scale * kSteps) / kSteps};
+}
+
 std::vector<Point> scaled(const std::vector<Point>& points, double scale) {
     std::vector<Point> out;
     for (const Point& p : points) {
-        const Point q{p.x * scale, p.y * scale};
+        const Point q = scaled(p, scale);
         if (out.empty() || distance(out.back(), q) > 1e-6) out.push_back(q);
     }
     return out;

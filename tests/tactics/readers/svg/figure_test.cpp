@@ -266,6 +266,28 @@ TEST(Figure, SurfacesBecomeOutlinesAndMarksStayFull) {
               (std::vector<std::string>{"1 pale line is left out, such as those of a grid; darken them to have them drawn"}));
 }
 
+// The path touches the border of the page on both sides.
+TEST(Figure, IsTheSameInAllUnits) {
+    std::vector<Drawing> drawings;
+    for (const std::string size : {"16px", "48px", "480px", "37mm"})
+        drawings.push_back(drawing_of_figure(
+            read_svg(
+                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 22 22' width='" + size + "' height='" + size +
+                    "'><path fill='#7f8c8d' d='M1.818 4A1.815 1.815 0 0 0 0 5.818v10.364C0 17.189.811 18 1.818 18h18.364A1.815 "
+                    "1.815 0 0 0 22 16.182V5.818A1.815 1.815 0 0 0 20.182 4z'/></svg>",
+                "figure.svg", 0, std::nullopt, SvgPurpose::figure),
+            170));
+    for (const Drawing& drawing : drawings) {
+        ASSERT_EQ(drawing.strokes.size(), 1u);
+        EXPECT_TRUE(drawing.strokes[0].closed);
+        ASSERT_EQ(drawing.strokes[0].points.size(), drawings[0].strokes[0].points.size());
+        for (std::size_t i = 0; i < drawing.strokes[0].points.size(); ++i) {
+            EXPECT_EQ(drawing.strokes[0].points[i].x, drawings[0].strokes[0].points[i].x);
+            EXPECT_EQ(drawing.strokes[0].points[i].y, drawings[0].strokes[0].points[i].y);
+        }
+    }
+}
+
 TEST(Figure, IsCutAtItsClip) {
     const FoundPage found = figure(
         "<defs><clipPath id='c'><rect x='50' y='20' width='100' height='60'/></clipPath></defs>"
