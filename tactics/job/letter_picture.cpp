@@ -17,8 +17,9 @@ namespace {
 // A letter that its font has not is Greek or a sign, which readers of print take for the Latin letter that looks most like it.
 bool is_unread(const FoundPage& figure, const FoundWords& words) {
     return words.text.empty() && !words.letters.empty() &&
-           std::none_of(words.letters.begin(), words.letters.end(),
-                        [&](const DrawnLetter& letter) { return figure.letter_shapes[letter.shape].adopted; });
+           std::none_of(words.letters.begin(), words.letters.end(), [&](const DrawnLetter& letter) {
+               return figure.letter_shapes[letter.shape].adopted || figure.letter_shapes[letter.shape].lone;
+           });
 }
 
 // Lower- and upper-case forms of these letters differ only in size, and some digits look the same: alone they are ambiguous.

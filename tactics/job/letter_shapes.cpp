@@ -78,7 +78,10 @@ public:
     ShapeReading(FoundPage& figure, const Fonts& fonts) : figure_(figure), read_(figure.letter_shapes.size()) {
         std::map<std::string, std::vector<std::size_t>> by_font;
         for (const LetterShape& shape : figure.letter_shapes) {
-            if (shape.code == 0 && outlines_.size() < kMostShapes) by_font[shape.font].push_back(outlines_.size());
+            if (shape.lone)
+                lone_.push_back(outlines_.size());
+            else if (shape.code == 0 && outlines_.size() < kMostShapes)
+                by_font[shape.font].push_back(outlines_.size());
             outlines_.push_back(measure_rings(shape.rings));
         }
         for (auto& [name, own] : by_font) sets_.emplace_back(outlines_, std::move(own));
@@ -115,10 +118,32 @@ private:
             const std::vector<FontLetter> letters = measured(font(codes, Hinting::none, 0), codes);
             if (has_letters(letters))
                 for (ShapeSet* set : unread())
-                    if (set->matches(letters, number))
-                        set->take(codes.size() > common_codes().size() ? letters : all_of(font), read_);
+                    if (set->matches(letters, number)) take(*set, codes.size() > common_codes().size() ? letters : all_of(font));
             return ++number < end && !unread().empty();
         });
+    }
+
+    // Of that font and size. A letter that stands by itself may be one of them, too, if it is like no other, wherever its line
+    // is; a figure in any size, as those of axes are.
+    void take(const ShapeSet& set, const std::vector<FontLetter>& letters) {
+        set.take(letters, read_);
+        for (const std::size_t shape : lone_) {
+            if (!read_[shape].empty() || !(outlines_[shape].area > 0)) continue;
+            std::vector<FontLetter> alike;
+            for (const FontLetter& letter : letters) {
+                const bool figure = letter.code >= '0' && letter.code <= '9';
+                if (is_letter(letter.code) && is_alike_anywhere(outlines_[shape], letter, set.em())) alike.push_back(letter);
+                if (figure && is_alike_anywhere(outlines_[shape], letter, em_of(shape, letter))) alike.push_back(letter);
+            }
+            if (alike.size() == 1) read_[shape] = std::move(alike);
+        }
+    }
+
+    static bool is_alike_anywhere(OutlineMeasure shape, const FontLetter& letter, double em) {
+        constexpr double kSameAlone = 0.006;  // em
+        const double down = letter.outline.lengths[1] * em - shape.lengths[1];
+        for (const std::size_t height : {1, 2, 4}) shape.lengths[height] += down;
+        return apart_at(shape, letter.outline, em) < kSameAlone;
     }
 
     static std::vector<FontLetter> all_of(const FontLetters& font) {
@@ -157,7 +182,7 @@ private:
             for (const Hinting hinting : {Hinting::full, Hinting::light}) {
                 const std::vector<FontLetter> bent = measured(font(codes, hinting, size), codes);
                 if (!set.matches_at(bent, size)) continue;
-                set.take(bent, read_);
+                take(set, bent);
                 if (set.is_read(read_)) return;
             }
     }
@@ -190,7 +215,8 @@ private:
             double left = 0, right = 0, space = kGap * tall;
             if (letter != nullptr) {
                 const double em = em_of(one.shape, *letter);
-                right = letter->advance * em;
+                left = shape.inked ? -letter->left * em : 0;
+                right = left + letter->advance * em;
                 space = kSpace * em;
                 all = all && (!is_letter(letter->code) || script_of(letter->code) == script);
             } else {
@@ -224,7 +250,8 @@ private:
     FoundPage& figure_;
     std::vector<OutlineMeasure> outlines_;  // of its shapes
     std::vector<ShapeSet> sets_;
-    LettersOfShapes read_;  // of each shape what it may be: letters that look the same
+    std::vector<std::size_t> lone_;  // that stand by themselves
+    LettersOfShapes read_;           // of each shape what it may be: letters that look the same
 };
 
 }  // namespace

@@ -50,12 +50,28 @@ std::map<std::size_t, Match> common_size(std::vector<Match>& all, double apart) 
 
 }  // namespace
 
+namespace {
+
+// Corners of curves may lie beyond them, but the leftmost of most letters do not.
+double left_of(const Letter& letter) {
+    int left = 0;
+    bool any = false;
+    for (const OutlineStep& step : letter.outline) {
+        const LetterCorner& end = step.corners[step.kind == OutlineStep::Kind::curve ? 2 : 0];
+        left = any ? std::min(left, end.x) : end.x;
+        any = true;
+    }
+    return left / 1000.0;
+}
+
+}  // namespace
+
 std::vector<FontLetter> measured(const std::map<char32_t, Letter>& letters, const std::vector<char32_t>& order) {
     std::vector<FontLetter> out;
     for (const char32_t code : order)
         if (const auto found = letters.find(code); found != letters.end())
             if (auto outline = measure_letter(found->second); outline.area > 0)
-                out.push_back({code, found->second.advance / 1000.0, outline});
+                out.push_back({code, found->second.advance / 1000.0, left_of(found->second), outline});
     return out;
 }
 

@@ -14,6 +14,7 @@ namespace tactics {
 struct FontLetter {
     char32_t code;
     double advance;  ///< em
+    double left;     ///< em, from where it begins to its ink
     OutlineMeasure outline;
 };
 
@@ -55,6 +56,8 @@ public:
 
     /// Assigns letters of the last matching font to shapes that have none yet.
     void take(const std::vector<FontLetter>& font, LettersOfShapes& read) const;
+    /// Units of an em of the font that matched.
+    double em() const { return em_; }
     /// Whether every shape has a letter.
     bool is_read(const LettersOfShapes& read) const;
 

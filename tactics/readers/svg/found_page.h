@@ -18,6 +18,8 @@ struct LetterShape {
     std::string font;                       ///< what letters of one font and size have in common in the file
     std::vector<std::vector<Point>> rings;  ///< in units of its own, down, from where it stands on its line; none: a blank
     char32_t code = 0;                      ///< if the file says which letter it is
+    bool inked = false;                     ///< the file does not tell where it begins: its ink begins at 0
+    bool lone = false;                      ///< nor where its line is: it stands by itself
     bool adopted = false;                   ///< drawn by itself, as the font has no such letter (CairoGlyphs::adopt_shapes)
 };
 

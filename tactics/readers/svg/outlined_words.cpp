@@ -8,22 +8,18 @@
 #include <utility>
 
 #include "tactics/geometry/box.h"
+#include "tactics/readers/svg/letter_rows.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
 namespace {
 
-// Limits: of a figure 200 mm wide or high, letters are no larger; shapes, and shapes of one path.
-constexpr double kLargestLetter = 14, kLeastLetter = 0.4;  // mm
+// Limits: of a figure 200 mm wide or high, letters are no smaller; shapes, and shapes of one path.
+constexpr double kLeastLetter = 0.4;  // mm
 constexpr std::size_t kMostRings = 20'000, kMostOfPath = 1'000, kMostRows = 500;
-constexpr double kDarkLetter = 0.5, kSameShade = 0.1;  // lightness
-// Settings, in heights of the letters: from one to the next of a row, and signs above and below them.
-constexpr double kNextInRow = 1.4, kMarkAbove = 0.5, kMarkBelow = 0.35;
-constexpr double kOnOneLine = 0.5;         // of the lower one's height
-constexpr double kLikeHeight = 2.2;        // times as high
-constexpr double kSmallSign = 0.8;         // of a row's height: dots, signs and accents, which tell nothing of where a row is
-constexpr double kOverEachOther = 0.5;     // of the narrower one's width: parts of one letter
-constexpr std::size_t kFewestLetters = 5;  // letters in a figure with words: fewer are icons
+constexpr double kDarkLetter = 0.9, kSameShade = 0.1;  // lightness
+constexpr std::size_t kFewestLetters = 5;              // letters in a figure with words: fewer are icons
 
 // A ring where it was.
 struct Taken {
@@ -32,122 +28,8 @@ struct Taken {
     std::vector<Point> points;
 };
 
-struct Glyph {
-    Box box;
-    std::vector<std::size_t> rings;
-};
-
-double height_of(const Glyph& glyph) { return glyph.box.height(); }
-
-Box together(const Box& a, const Box& b) {
-    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
-}
-
 bool within(const Box& inner, const Box& outer) {
     return inner.left > outer.left && inner.right < outer.right && inner.top > outer.top && inner.bottom < outer.bottom;
-}
-
-double middle_value(std::vector<double> values) {
-    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), half, values.end());
-    return *half;
-}
-
-// Which of them belong together.
-class Groups {
-public:
-    explicit Groups(std::size_t count) : of_(count) { std::iota(of_.begin(), of_.end(), std::size_t{0}); }
-    std::size_t of(std::size_t i) {
-        while (of_[i] != i) i = of_[i] = of_[of_[i]];
-        return i;
-    }
-    void unite(std::size_t a, std::size_t b) { of_[of(a)] = of(b); }
-
-private:
-    std::vector<std::size_t> of_;
-};
-
-// Rows of letters, each from the left to the right.
-std::vector<std::vector<Glyph>> rows_of(std::vector<Glyph> glyphs) {
-    std::sort(glyphs.begin(), glyphs.end(), [](const Glyph& a, const Glyph& b) {
-        return a.box.left != b.box.left ? a.box.left < b.box.left : a.box.top < b.box.top;
-    });
-    double tallest = 0;
-    for (const Glyph& glyph : glyphs) tallest = std::max(tallest, height_of(glyph));
-    Groups groups(glyphs.size());
-    std::size_t budget = 4'000'000;  // comparisons
-    for (std::size_t i = 0; i < glyphs.size(); ++i)
-        for (std::size_t j = i + 1; j < glyphs.size() && budget > 0; ++j, --budget) {
-            const Box &a = glyphs[i].box, &b = glyphs[j].box;
-            if (b.left - a.right > kNextInRow * tallest) {
-                if (b.left - a.left > kLargestLetter + kNextInRow * tallest) break;
-                continue;
-            }
-            const double high = std::max(a.height(), b.height()), low = std::min(a.height(), b.height());
-            if (high > kLikeHeight * low || b.left - a.right > kNextInRow * high) continue;
-            if (std::min(a.bottom, b.bottom) - std::max(a.top, b.top) > kOnOneLine * low) groups.unite(i, j);
-        }
-    std::vector<std::vector<std::size_t>> members(glyphs.size());
-    for (std::size_t i = 0; i < glyphs.size(); ++i) members[groups.of(i)].push_back(i);
-    std::vector<std::vector<Glyph>> rows;
-    std::vector<bool> used(glyphs.size(), false);
-    for (const auto& row : members) {
-        if (row.size() < 2) continue;
-        std::vector<Glyph>& letters = rows.emplace_back();
-        for (const std::size_t i : row) {
-            letters.push_back(glyphs[i]);
-            used[i] = true;
-        }
-    }
-    // Dots, accents and signs.
-    for (std::vector<Glyph>& row : rows) {
-        std::vector<double> heights;
-        Box all = kNothing;
-        for (const Glyph& glyph : row) {
-            heights.push_back(height_of(glyph));
-            all = together(all, glyph.box);
-        }
-        const double high = middle_value(heights);
-        const Box around{all.left - high / 2, all.top - kMarkAbove * high, all.right + high / 2, all.bottom + kMarkBelow * high};
-        const auto from = std::lower_bound(glyphs.begin(), glyphs.end(), around.left,
-                                           [](const Glyph& glyph, double left) { return glyph.box.left < left; });
-        for (auto at = from; at != glyphs.end() && at->box.left < around.right; ++at) {
-            const auto number = static_cast<std::size_t>(at - glyphs.begin());
-            if (used[number] || !around.holds(at->box.middle()) || height_of(*at) > kSmallSign * high) continue;
-            used[number] = true;
-            row.push_back(*at);
-        }
-        std::sort(row.begin(), row.end(), [](const Glyph& a, const Glyph& b) { return a.box.left < b.box.left; });
-    }
-    return rows;
-}
-
-// An i and its dot are one letter.
-std::vector<Glyph> letters_of_row(const std::vector<Glyph>& row) {
-    std::vector<Glyph> letters;
-    for (const Glyph& glyph : row) {
-        if (!letters.empty()) {
-            Glyph& last = letters.back();
-            const double common = std::min(last.box.right, glyph.box.right) - std::max(last.box.left, glyph.box.left);
-            if (common > kOverEachOther * std::min(last.box.width(), glyph.box.width())) {
-                last.box = together(last.box, glyph.box);
-                last.rings.insert(last.rings.end(), glyph.rings.begin(), glyph.rings.end());
-                continue;
-            }
-        }
-        letters.push_back(glyph);
-    }
-    return letters;
-}
-
-// Points, ticks and boxes in a row are all alike.
-bool has_different(const std::vector<Glyph>& row) {
-    const Box& first = row.front().box;
-    return std::any_of(row.begin() + 1, row.end(), [&](const Glyph& glyph) {
-        constexpr double kAlike = 0.05;
-        return std::abs(glyph.box.width() - first.width()) > kAlike * first.height() ||
-               std::abs(height_of(glyph) - first.height()) > kAlike * first.height();
-    });
 }
 
 bool is_letter_size(const std::vector<Point>& points) {
@@ -178,7 +60,7 @@ public:
     }
 
     std::vector<Taken> rings;
-    std::vector<Glyph> glyphs;
+    Glyphs glyphs;
 
 private:
     void add(Taken ring) {
@@ -198,46 +80,32 @@ private:
             const Box inner = box;
             const auto around =
                 std::find_if(glyphs.begin() + first, glyphs.end(), [&](const Glyph& glyph) { return within(inner, glyph.box); });
-            if (around != glyphs.end())
-                around->rings.push_back(ring);
-            else
-                glyphs.push_back({box, {ring}});
+            const std::size_t corners = rings[ring].points.size();
+            if (around == glyphs.end()) {
+                glyphs.push_back({box, {ring}, corners});
+                continue;
+            }
+            around->rings.push_back(ring);
+            around->corners += corners;
         }
     }
 };
-
-// Most letters end where it is, the round ones of them a little below.
-double base_of(const std::vector<Glyph>& row, double height) {
-    constexpr double kSameBase = 0.002, kRound = 0.03;  // of the height
-    std::vector<double> bottoms;
-    for (const Glyph& glyph : row) bottoms.push_back(glyph.box.bottom);
-    std::sort(bottoms.begin(), bottoms.end());
-    std::size_t most = 0;
-    double base = bottoms.front();
-    for (std::size_t i = 0, end = 0; i < bottoms.size(); ++i) {
-        while (end < bottoms.size() && bottoms[end] - bottoms[i] <= kSameBase * height) ++end;
-        if (end - i <= most) continue;
-        most = end - i;
-        base = bottoms[(i + end) / 2];
-    }
-    return *std::lower_bound(bottoms.begin(), bottoms.end(), base - kRound * height);
-}
 
 class OutlinedWords {
 public:
     explicit OutlinedWords(FoundPage& figure) {
         DarkShapes dark(figure);
-        std::vector<std::vector<Glyph>> rows = rows_of(std::move(dark.glyphs));
-        std::erase_if(rows, [](const std::vector<Glyph>& row) { return !has_different(row); });
+        std::vector<LetterRow> found = letter_rows(std::move(dark.glyphs));
         std::size_t letters = 0;
-        for (const auto& row : rows) letters += row.size();
-        if (letters < kFewestLetters || rows.size() > kMostRows) return;
-        std::sort(rows.begin(), rows.end(),
-                  [](const auto& a, const auto& b) { return a.front().box.bottom < b.front().box.bottom; });
-        for (const auto& row : rows) {
-            Row& taken = rows_.emplace_back(Row{figure.words.size(), {}});
+        for (const LetterRow& row : found) letters += row.lone || row.alike ? 0 : row.glyphs.size();
+        if (letters < kFewestLetters || found.size() > kMostRows) return;
+        std::stable_sort(found.begin(), found.end(), [](const LetterRow& a, const LetterRow& b) {
+            return a.lone != b.lone ? b.lone : a.glyphs.front().box.bottom < b.glyphs.front().box.bottom;
+        });
+        for (const LetterRow& row : found) {
+            Row& taken = rows_.emplace_back(Row{figure.words.size(), {}, row.lone || row.alike, row.doubt});
             add_words(figure, row, dark.rings);
-            for (const Glyph& glyph : row)
+            for (const Glyph& glyph : row.glyphs)
                 for (const std::size_t i : glyph.rings) {
                     const Taken& ring = taken.rings.emplace_back(std::move(dark.rings[i]));
                     (ring.stroke ? figure.page.strokes[ring.of].points : figure.page.areas[ring.of].rings[ring.ring]).clear();
@@ -247,12 +115,21 @@ public:
     }
 
     void settle(FoundPage& figure) {
-        std::size_t read = 0;
-        for (const Row& row : rows_) read += figure.words[row.words].text.empty() ? 0 : 1;
-        const bool all_print = 2 * read >= rows_.size();
+        std::size_t read = 0, all = 0;
+        for (const Row& row : rows_) {
+            FoundWords& words = figure.words[row.words];
+            words.text = without_spacing(words.text);
+            if (row.doubt || !fits(words, figure.letter_shapes) || (row.only_read && !has_letter(words.text))) {
+                words.seen = words.seen || !words.text.empty();
+                words.text.clear();
+            }
+            read += row.only_read || words.text.empty() ? 0 : 1;
+            all += row.only_read ? 0 : 1;
+        }
+        const bool all_print = 2 * read >= all;
         for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
             const FoundWords& words = figure.words[row->words];
-            if (!words.text.empty() || words.seen || all_print) continue;
+            if (!words.text.empty() || (!row->only_read && (words.seen || all_print))) continue;
             for (Taken& ring : row->rings) {
                 if (ring.stroke)
                     figure.page.strokes[ring.of].points = std::move(ring.points);
@@ -267,29 +144,80 @@ private:
     struct Row {
         std::size_t words;  // its number in the figure
         std::vector<Taken> rings;
+        bool only_read;  // it is print only if it is read
+        bool doubt;
     };
 
-    static void add_words(FoundPage& figure, const std::vector<Glyph>& row, const std::vector<Taken>& rings) {
-        Box all = kNothing;
-        for (const Glyph& glyph : row) all = together(all, glyph.box);
-        const double base = base_of(row, all.height());
+    static void add_words(FoundPage& figure, const LetterRow& row, const std::vector<Taken>& rings) {
+        const Box all = box_of_row(row.glyphs);
+        const double base = row.lone ? all.bottom : base_of_row(row.glyphs);
+        const auto on_page = [&](Point p) { return row.upwards ? turned_back(p) : p; };
         FoundWords words;
-        words.middle = all.middle();
+        words.middle = on_page(all.middle());
         words.height = std::max(kLeastLetter, base - all.top);
         words.width = all.width();
-        words.start = {all.left, base};
+        words.upwards = row.upwards;
+        words.start = on_page({all.left, base});
+        words.way = on_page({1, 0});
         words.unit = 1;
         // Rows of one size are of one font, maybe.
         const std::string font = "outlines " + std::to_string(std::lround(30 * std::log(words.height)));
-        for (const Glyph& letter : letters_of_row(row)) {
+        // Of one or two letters nobody knows where their line is: both may be round.
+        const Glyphs letters = letters_of_row(row.glyphs);
+        const bool few = letters.size() < 3;
+        for (const Glyph& letter : letters) {
             words.letters.push_back({figure.letter_shapes.size(), letter.box.left - all.left});
             LetterShape& shape = figure.letter_shapes.emplace_back(LetterShape{font, {}});
+            shape.inked = true;
+            shape.lone = few;
             for (const std::size_t i : letter.rings) {
                 auto& ring = shape.rings.emplace_back(rings[i].points);
-                for (Point& p : ring) p = {p.x - letter.box.left, p.y - base};
+                for (Point& p : ring) {
+                    if (row.upwards) p = turned(p);
+                    p = {p.x - letter.box.left, p.y - base};
+                }
             }
         }
         figure.words.push_back(std::move(words));
+    }
+
+    // A row of points may be one of full stops.
+    static bool has_letter(const std::string& text) {
+        return std::any_of(text.begin(), text.end(), [](char c) {
+            return (c >= '0' && c <= '9') || ((c | 32) >= 'a' && (c | 32) <= 'z') || static_cast<unsigned char>(c) >= 0x80;
+        });
+    }
+
+    // "B o b" is a word whose letters stand apart.
+    static std::string without_spacing(const std::string& text) {
+        const auto blanks = static_cast<std::size_t>(std::count(text.begin(), text.end(), ' '));
+        if (blanks < 2 || letters_in(text) != 2 * blanks + 1) return text;
+        std::string out;
+        bool blank = true;
+        for (std::string_view rest = text; !rest.empty(); blank = !blank) {
+            const std::string_view before = rest;
+            const char32_t letter = take_letter(rest);
+            if ((letter == U' ') == blank) return text;
+            if (letter != U' ') out += before.substr(0, before.size() - rest.size());
+        }
+        return out;
+    }
+
+    // What was read as print is has as many letters as there are, and as many words as they leave gaps.
+    static bool fits(const FoundWords& words, const std::vector<LetterShape>& shapes) {
+        constexpr double kGapOfWords = 0.38;  // heights, from ink to ink
+        if (words.text.empty() || words.sureness >= 100) return true;
+        std::size_t parts = 1;
+        double edge = 0;
+        for (std::size_t i = 0; i < words.letters.size(); ++i) {
+            const DrawnLetter& letter = words.letters[i];
+            if (i > 0 && letter.at - edge > kGapOfWords * words.height) ++parts;
+            edge = letter.at;
+            for (const auto& ring : shapes[letter.shape].rings)
+                for (const Point p : ring) edge = std::max(edge, letter.at + p.x);
+        }
+        const auto blanks = static_cast<std::size_t>(std::count(words.text.begin(), words.text.end(), ' '));
+        return letters_in(words.text) - blanks == words.letters.size() && blanks + 1 == parts && words.letters.size() > 2;
     }
 
     std::vector<Row> rows_;

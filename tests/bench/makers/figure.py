@@ -3,6 +3,7 @@
 import dataclasses
 import json
 import os
+import re
 import shutil
 import subprocess
 
@@ -64,6 +65,15 @@ def renderings(svg, dpi, forms=("PNG", "PDF")):
         run("rsvg-convert", "--format", form.lower(), "--zoom", str(dpi / 96), "--background-color", "white", "--output", files[form],
             svg)
     return files
+
+
+def outlined(source, target):
+    """An SVG with its texts as paths, as Inkscape makes them, without the labels by which it says what they were."""
+    subprocess.run(["inkscape", source, "--export-text-to-path", "--export-plain-svg", "-o", target], check=True, capture_output=True)
+    with open(target, encoding="utf-8") as file:
+        text = file.read()
+    with open(target, "w", encoding="utf-8") as file:
+        file.write(re.sub(r'\saria-label="[^"]*"', "", text))
 
 
 def copies(png, form):

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "print/letters.h"
 #include "tactics/job/letter_shapes.h"
@@ -27,16 +29,15 @@ std::string outline(const Letter& letter, double size, double x, double y) {
 }
 
 // A line of print as paths: one for all, or one for each letter.
-std::string outlined(const std::string& text, double x, double y, bool each) {
-    constexpr double kSize = 6;
+std::string outlined(const std::string& text, double x, double y, bool each, double size = 6) {
     Page page;
     page.print.push_back({{}, 1, text});
     const auto letters = letters_of(page);
     std::string paths, all;
     for (std::string_view rest = text; !rest.empty();) {
         const Letter& letter = letters.at(take_letter(rest));
-        const std::string d = outline(letter, kSize, x, y);
-        x += letter.advance * kSize / 1000;
+        const std::string d = outline(letter, size, x, y);
+        x += letter.advance * size / 1000;
         if (each && !d.empty()) paths += "<path d='" + d + "'/>";
         all += d;
     }
@@ -73,6 +74,40 @@ TEST(OutlinedWords, AreReadWhetherOnePathOrMany) {
     }
 }
 
+std::vector<std::string> texts_of(const FoundPage& page) {
+    std::vector<std::string> texts;
+    for (const FoundWords& words : page.words) texts.push_back(words.text);
+    std::sort(texts.begin(), texts.end());
+    return texts;
+}
+
+TEST(OutlinedWords, NumbersOfAnAxisAndItsNameAreRead) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    std::string axis = "<path d='M30,20 V120' stroke='black'/><g transform='rotate(-90 10 100)'>" +
+                       outlined("Tide in metres", 10, 100, false) + "</g>";
+    double y = 30;
+    for (const std::string number : {"0", "6", "80", "22", "-40", "0.25"}) axis += outlined(number, 16, y += 12, true, 4);
+    const FoundPage page = figure(axis, kFonts);
+    EXPECT_EQ(texts_of(page), (std::vector<std::string>{"-40", "0", "0.25", "22", "6", "80", "Tide in metres"}));
+    for (const FoundWords& words : page.words) EXPECT_EQ(words.upwards, words.text.starts_with('T')) << words.text;
+    EXPECT_EQ(page.page.strokes.size(), 1u);
+    EXPECT_TRUE(page.page.areas.empty());
+}
+
+TEST(OutlinedWords, WithSomethingElseBesideThemAreNotSet) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const FoundPage page =
+        figure(outlined("Cells", 20, 30, false) + outlined("10", 20, 60, false) + outlined("3", 28, 57.5, false, 4), kFonts);
+    for (const FoundWords& words : page.words) EXPECT_TRUE(words.text.empty() || words.text == "Cells") << words.text;
+}
+
+TEST(OutlinedWords, ThatStandApartEvenlyAreOneWord) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const std::string spaced = outlined("B", 20, 30, true) + outlined("o", 26, 30, true) + outlined("b", 32, 30, true);
+    EXPECT_EQ(texts_of(figure(spaced + outlined("Traits owned", 20, 50, false), kFonts)),
+              (std::vector<std::string>{"Bob", "Traits owned"}));
+}
+
 TEST(OutlinedWords, NobodyReadsAreDrawn) {
     if (!has_font()) GTEST_SKIP() << "no font is installed";
     const std::string body = outlined("Traits owned", 20, 30, false);
@@ -104,10 +139,11 @@ TEST(OutlinedWords, RowsOfPointsAndFewShapesAreNone) {
     std::string points, few;
     for (int i = 0; i < 12; ++i) points += "<circle cx='" + std::to_string(20 + 4 * i) + "' cy='40' r='1'/>";
     EXPECT_TRUE(figure(points, all).words.empty());
-    if (has_font()) {
-        EXPECT_TRUE(figure(outlined("RQ", 20, 30, true), all).words.empty());
-        EXPECT_FALSE(figure(outlined("RQRQRQ", 20, 30, true), all).words.empty());
-    }
+    const std::size_t drawn = figure(points, {}).page.areas.size();
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    EXPECT_EQ(figure(points + outlined("Traits", 20, 60, false), kFonts).page.areas.size(), drawn);
+    EXPECT_TRUE(figure(outlined("RQ", 20, 30, true), all).words.empty());
+    EXPECT_FALSE(figure(outlined("RQRQRQ", 20, 30, true), all).words.empty());
 }
 
 }  // namespace
