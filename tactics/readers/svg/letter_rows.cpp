@@ -45,8 +45,6 @@ private:
     std::vector<std::size_t> of_;
 };
 
-using Glyphs = std::vector<Glyph>;
-
 double tallest_of(const Glyphs& glyphs) {
     double tallest = 0;
     for (const Glyph& glyph : glyphs) tallest = std::max(tallest, height_of(glyph));

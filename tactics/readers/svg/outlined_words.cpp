@@ -17,7 +17,7 @@ namespace {
 
 // Limits: of a figure 200 mm wide or high, letters are no smaller; shapes, and shapes of one path.
 constexpr double kLeastLetter = 0.4;  // mm
-constexpr std::size_t kMostRings = 20'000, kMostOfPath = 1'000, kMostRows = 500;
+constexpr std::size_t kMostRings = 8'000, kMostOfPath = 1'000, kMostRows = 500;
 constexpr double kDarkLetter = 0.9, kSameShade = 0.1;  // lightness
 constexpr std::size_t kFewestLetters = 5;              // letters in a figure with words: fewer are icons
 
