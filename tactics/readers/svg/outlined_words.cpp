@@ -26,7 +26,14 @@ struct Taken {
     bool stroke;           // a closed one, else a ring of an area
     std::size_t of, ring;  // its number in the page, and in the area
     std::vector<Point> points;
+    bool twin = false;  // of another: letters with a line around them are there twice
 };
+
+bool is_same(const Box& a, const Box& b) {
+    constexpr double kSameRing = 0.02;  // mm
+    return std::abs(a.left - b.left) < kSameRing && std::abs(a.right - b.right) < kSameRing &&
+           std::abs(a.top - b.top) < kSameRing && std::abs(a.bottom - b.bottom) < kSameRing;
+}
 
 bool within(const Box& inner, const Box& outer) {
     return inner.left > outer.left && inner.right < outer.right && inner.top > outer.top && inner.bottom < outer.bottom;
@@ -78,15 +85,18 @@ private:
         const auto first = static_cast<std::ptrdiff_t>(glyphs.size());
         for (const auto& [box, ring] : boxes) {
             const Box inner = box;
-            const auto around =
-                std::find_if(glyphs.begin() + first, glyphs.end(), [&](const Glyph& glyph) { return within(inner, glyph.box); });
+            const auto around = std::find_if(glyphs.begin() + first, glyphs.end(), [&](const Glyph& glyph) {
+                return within(inner, glyph.box) || is_same(inner, glyph.box);
+            });
             const std::size_t corners = rings[ring].points.size();
             if (around == glyphs.end()) {
                 glyphs.push_back({box, {ring}, corners});
                 continue;
             }
+            rings[ring].twin = std::any_of(around->rings.begin(), around->rings.end(),
+                                           [&](std::size_t i) { return is_same(box_of(rings[i].points), inner); });
             around->rings.push_back(ring);
-            around->corners += corners;
+            around->corners += rings[ring].twin ? 0 : corners;
         }
     }
 };
@@ -171,6 +181,7 @@ private:
             shape.inked = true;
             shape.lone = few;
             for (const std::size_t i : letter.rings) {
+                if (rings[i].twin) continue;
                 auto& ring = shape.rings.emplace_back(rings[i].points);
                 for (Point& p : ring) {
                     if (row.upwards) p = turned(p);

@@ -21,11 +21,11 @@ std::string outline(const Letter& letter, double size, double x, double y) {
     std::ostringstream d;
     for (const OutlineStep& step : letter.outline) {
         const int corners = step.kind == OutlineStep::Kind::curve ? 3 : 1;
-        d << (step.kind == OutlineStep::Kind::move ? " M" : corners == 3 ? " C" : " L");
+        d << (step.kind == OutlineStep::Kind::move ? " Z M" : corners == 3 ? " C" : " L");
         for (int i = 0; i < corners; ++i)
             d << ' ' << x + step.corners[i].x * size / 1000 << ' ' << y - step.corners[i].y * size / 1000;
     }
-    return d.str();
+    return d.str().empty() ? "" : d.str().substr(2) + " Z";
 }
 
 // A line of print as paths: one for all, or one for each letter.
@@ -99,6 +99,14 @@ TEST(OutlinedWords, WithSomethingElseBesideThemAreNotSet) {
     const FoundPage page =
         figure(outlined("Cells", 20, 30, false) + outlined("10", 20, 60, false) + outlined("3", 28, 57.5, false, 4), kFonts);
     for (const FoundWords& words : page.words) EXPECT_TRUE(words.text.empty() || words.text == "Cells") << words.text;
+}
+
+TEST(OutlinedWords, WithALineAroundEachLetterAreReadOnce) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const FoundPage page = figure("<g stroke='black' stroke-width='0.2'>" + outlined("Odd boxes", 20, 30, true) + "</g>", kFonts);
+    EXPECT_EQ(texts_of(page), std::vector<std::string>{"Odd boxes"});
+    EXPECT_TRUE(page.page.strokes.empty());
+    EXPECT_TRUE(page.page.areas.empty());
 }
 
 TEST(OutlinedWords, ThatStandApartEvenlyAreOneWord) {
