@@ -202,7 +202,7 @@ private:
 
     // A raised figure, or the rest of a word on a slope.
     void doubt_some() {
-        constexpr double kAbove = 0.5, kRowAbove = 0.2;
+        constexpr double kAbove = 0.5, kRowAbove = 0.05;
         for (LetterRow& row : rows) {
             const double high = usual_height(row.glyphs);
             const Box all = box_of_row(row.glyphs);

@@ -216,7 +216,7 @@ private:
 
     // What was read as print is has as many letters as there are, and as many words as they leave gaps.
     static bool fits(const FoundWords& words, const std::vector<LetterShape>& shapes) {
-        constexpr double kGapOfWords = 0.38;  // heights, from ink to ink
+        constexpr double kGapOfWords = 0.3;  // heights, from ink to ink
         if (words.text.empty() || words.sureness >= 100) return true;
         std::size_t parts = 1;
         double edge = 0;
@@ -228,7 +228,9 @@ private:
                 for (const Point p : ring) edge = std::max(edge, letter.at + p.x);
         }
         const auto blanks = static_cast<std::size_t>(std::count(words.text.begin(), words.text.end(), ' '));
-        return letters_in(words.text) - blanks == words.letters.size() && blanks + 1 == parts && words.letters.size() > 2;
+        // Letters that touch are one shape, and signs of two parts two.
+        const std::size_t said = letters_in(words.text) - blanks, drawn = words.letters.size();
+        return std::max(said, drawn) - std::min(said, drawn) <= drawn / 8 && blanks + 1 == parts && drawn > 2;
     }
 
     std::vector<Row> rows_;

@@ -6,7 +6,7 @@ import os
 import re
 import shutil
 import subprocess
-
+import sys
 
 # Degrees turned, pixels of blur, deviation of the noise in grey levels, and whether it is coarser than pixels, under uneven light.
 SCANS = {"scan": (0.4, 0.8, 7, False), "fine scan": (0.2, 0.6, 4, False), "soft scan": (-0.5, 1.0, 10, False),
@@ -69,6 +69,8 @@ def renderings(svg, dpi, forms=("PNG", "PDF")):
 
 def outlined(source, target):
     """An SVG with its texts as paths, as Inkscape makes them, without the labels by which it says what they were."""
+    if not shutil.which("inkscape"):
+        sys.exit("figures: Inkscape is missing, which makes outlines; install inkscape")
     subprocess.run(["inkscape", source, "--export-text-to-path", "--export-plain-svg", "-o", target], check=True, capture_output=True)
     with open(target, encoding="utf-8") as file:
         text = file.read()
