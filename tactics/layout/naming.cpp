@@ -52,6 +52,9 @@ std::optional<NamedPage> named_yielding(const Page& page, const std::vector<Name
 // Words in several lines may take the room of other names, too.
 std::optional<NamedPage> best_named(const Page& page, const std::vector<Name>& names, const Sheet& sheet,
                                     std::span<const Rect> windows, double most) {
+    // Of very many names no page has room for all, in whatever lines.
+    constexpr std::size_t kMostFolded = 200;
+    if (names.size() > kMostFolded) return named_yielding(page, names, sheet, windows, most, {.one_line = true});
     std::optional<NamedPage> best;
     try {
         best = named_yielding(page, names, sheet, windows, most, {});

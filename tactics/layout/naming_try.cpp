@@ -13,6 +13,7 @@
 #include "tactics/layout/label.h"
 #include "tactics/layout/lead_search.h"
 #include "tactics/layout/name_blocks.h"
+#include "tactics/layout/naming.h"
 #include "tactics/layout/room.h"
 #include "tactics/layout/sheet.h"
 #include "tactics/layout/thing_places.h"

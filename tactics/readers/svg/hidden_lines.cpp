@@ -20,7 +20,7 @@ constexpr double kOpaque = 0.95;
 constexpr double kLeastCover = 8;  // mm of a figure 200 mm wide or high: smaller ones are marks on lines
 constexpr double kAlong = 0.2;     // mm: what runs along the border of a surface is not behind it
 constexpr double kLeastPiece = 1;  // mm: of what is left of a line
-constexpr std::size_t kMostCovers = 5'000, kMostSides = 40'000'000;  // sides of lines against sides of surfaces
+constexpr std::size_t kMostCovers = 5'000, kMostSides = 10'000'000;  // sides of lines against sides of surfaces
 
 using Rings = std::vector<std::vector<Point>>;
 
