@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tactics/error.h"
+#include "tactics/layout/wrapped.h"
 
 namespace tactics {
 
@@ -16,31 +17,13 @@ bool reads_before(const PageName& a, const PageName& b) {
     return row_a != row_b ? row_a < row_b : a.place.left < b.place.left;
 }
 
-using Cells = std::vector<std::uint8_t>;
-
-std::vector<Cells> words_of(const Cells& cells) {
-    std::vector<Cells> words(1);
-    for (const std::uint8_t cell : cells)
-        if (cell != 0)
-            words.back().push_back(cell);
-        else if (!words.back().empty())
-            words.emplace_back();
-    if (words.back().empty()) words.pop_back();
-    return words;
-}
-
-// Words side by side, as many in each line as it has room for.
-std::vector<Cells> filled(const std::vector<Cells>& words, std::size_t most) {
-    std::vector<Cells> lines;
-    for (const Cells& word : words) {
-        if (lines.empty() || lines.back().size() + 1 + word.size() > most)
-            lines.push_back(word);
-        else {
-            lines.back().push_back(0);
-            lines.back().insert(lines.back().end(), word.begin(), word.end());
-        }
+std::size_t longest_word(const std::vector<std::uint8_t>& cells) {
+    std::size_t longest = 0, length = 0;
+    for (const std::uint8_t cell : cells) {
+        length = cell == 0 ? 0 : length + 1;
+        longest = std::max(longest, length);
     }
-    return lines;
+    return longest;
 }
 
 }  // namespace
@@ -73,20 +56,21 @@ LabelBlock block_of(const Name& name, const Sheet& sheet) {
 std::vector<LabelBlock> folded(const LabelBlock& line, std::size_t most, const Page& page) {
     std::vector<LabelBlock> blocks;
     if (line.braille.size() != 1 || !line.print.empty()) return blocks;
-    const std::vector<Cells> words = words_of(line.braille.front().cells);
-    std::size_t narrowest = 0, before = line.braille.front().cells.size();
-    for (const Cells& word : words) narrowest = std::max(narrowest, word.size());
-    for (std::size_t lines = 2; lines <= std::min(most, words.size()) && narrowest < before; ++lines) {
+    const std::vector<std::uint8_t>& cells = line.braille.front().cells;
+    const std::size_t words = words_in(cells), narrowest = longest_word(cells);
+    const auto in_lines = [&](std::size_t width) { return wrapped(cells, width, WordDivision()); };  // no word is longer
+    std::size_t before = cells.size();
+    for (std::size_t lines = 2; lines <= std::min(most, words) && narrowest < before; ++lines) {
         std::size_t width = narrowest;
-        while (filled(words, width).size() > lines) ++width;
+        while (in_lines(width).size() > lines) ++width;
         if (width >= before) continue;
         before = width;
         LabelBlock block;
         block.width = dots_width(width, page);
-        for (Cells& cells : filled(words, width)) {
+        for (std::vector<std::uint8_t>& part : in_lines(width)) {
             const double down = static_cast<double>(block.braille.size()) * page.cell.line_pitch;
             const Point first = line.braille.front().first_dot;
-            block.braille.push_back({{first.x, first.y + down}, std::move(cells)});
+            block.braille.push_back({{first.x, first.y + down}, std::move(part)});
             block.height = line.height + down;
         }
         blocks.push_back(std::move(block));

@@ -11,6 +11,7 @@
 #include "tactics/geometry/grid.h"
 #include "tactics/geometry/places.h"
 #include "tactics/geometry/vectors.h"
+#include "tactics/readers/svg/svg_marker.h"
 
 namespace tactics {
 
@@ -100,8 +101,7 @@ private:
 
     void add_ends(std::size_t number) {
         const std::vector<Point>& points = drawing_.strokes[number].points;
-        double length = 0;
-        for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
+        const double length = length_of(drawing_.strokes[number]);
         if (!(length > 0)) return;
         for (const bool from_end : {false, true}) {
             const Point at = from_end ? points.back() : points.front(), before = inside(points, from_end, kLastPart);
@@ -147,7 +147,7 @@ private:
         around.push_back(ring.front());
         std::vector<Point> all = course_of(around, extent / 10);
         all.pop_back();
-        if (all.size() < 3 || all.size() > 4 || !is_pointed(all)) return std::nullopt;
+        if (all.size() < 3 || !is_head(all)) return std::nullopt;
         return head_of(all, box.middle(), extent, drawing_.strokes.size());
     }
 
@@ -168,14 +168,6 @@ private:
             if (rim.size() > 2 && std::all_of(rim.begin(), rim.end(), is_of_ring)) rim.clear();
             return false;
         });
-    }
-
-    // A triangle, or one with a notch.
-    static bool is_pointed(const std::vector<Point>& all) {
-        int left = 0;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            left += cross(all[(i + 1) % all.size()] - all[i], all[(i + 2) % all.size()] - all[(i + 1) % all.size()]) > 0 ? 1 : 0;
-        return all.size() == 3 || left == 1 || left == 3;
     }
 
     std::optional<Head> open(const Stroke& stroke) const {

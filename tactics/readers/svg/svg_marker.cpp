@@ -50,9 +50,6 @@ Transform marker_place(const Element& marker, const LineEnd& end, double width, 
     return Transform{c, s, -s, c, end.at.x, end.at.y} * Transform{1, 0, 0, 1, -reference.x, -reference.y} * content;
 }
 
-namespace {
-
-// A triangle, or one with a barb: a corner that turns the other way.
 bool is_head(const std::vector<Point>& ring) {
     if (ring.size() <= 3) return true;
     if (ring.size() > 4) return false;
@@ -63,8 +60,6 @@ bool is_head(const std::vector<Point>& ring) {
     }
     return left == 1 || left == 3;
 }
-
-}  // namespace
 
 void tell_marker(Page& page, std::size_t strokes, std::size_t areas) {
     const bool head = [&] {

@@ -35,6 +35,9 @@ Transform marker_place(const Element& marker, const LineEnd& end, double width, 
 /// figure.
 bool is_sign(const std::vector<Subpath>& subpaths);
 
+/// Corners of an arrow head: a triangle, or one with a barb, a corner that turns the other way.
+bool is_head(const std::vector<Point>& ring);
+
 /// What was drawn for a marker, from these strokes and areas on: an arrow head if it is one shape of three or four corners,
 /// else a point symbol. A line around a surface is of the same shape.
 void tell_marker(Page& page, std::size_t strokes, std::size_t areas);
