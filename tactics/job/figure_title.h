@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tactics/job/axis_names.h"
 #include "tactics/job/told_words.h"
 
 namespace tactics {
