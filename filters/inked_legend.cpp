@@ -55,20 +55,28 @@ bool alike(const KeySample& a, const KeySample& b) {
            (a.hatch || channels_apart(a.colour, b.colour) <= kSame);
 }
 
-// What stands free in that window: neither through it nor out of it.
+// What stands free in that window: neither through it nor out of it. What is far paler than the darkest of it is a piece of a
+// legend's frame, or noise around the letters.
 std::optional<PixelBox> free_ink(const Image& ink, const PixelBox& window) {
+    constexpr double kPaler = 0.35;  // of the darkest ink's depth. Setting
     if (window.width() < 2 || window.height() < 2) return std::nullopt;
-    const cv::Mat part = view_of(ink)(cv::Rect(window.left, window.top, window.width(), window.height())) < kInkOfKeys;
+    const cv::Mat levels = view_of(ink)(cv::Rect(window.left, window.top, window.width(), window.height()));
     cv::Mat labels, stats, middles;
-    const int count = cv::connectedComponentsWithStats(part, labels, stats, middles, 8, CV_32S);
-    std::optional<PixelBox> box;
+    const int count = cv::connectedComponentsWithStats(levels < kInkOfKeys, labels, stats, middles, 8, CV_32S);
+    std::vector<std::pair<PixelBox, double>> pieces;  // and how far off the ground
+    double deepest = 0;
     for (int i = 1; i < count; ++i) {
         const int x = stats.at<int>(i, cv::CC_STAT_LEFT), y = stats.at<int>(i, cv::CC_STAT_TOP);
         const int wide = stats.at<int>(i, cv::CC_STAT_WIDTH), high = stats.at<int>(i, cv::CC_STAT_HEIGHT);
         if (y == 0 || y + high == window.height()) continue;
-        const PixelBox one{window.left + x, window.top + y, window.left + x + wide, window.top + y + high};
-        box = box ? around(*box, one) : one;
+        double darkest = 255;
+        cv::minMaxLoc(levels, &darkest, nullptr, nullptr, nullptr, labels == i);
+        pieces.push_back({{window.left + x, window.top + y, window.left + x + wide, window.top + y + high}, 255 - darkest});
+        deepest = std::max(deepest, 255 - darkest);
     }
+    std::optional<PixelBox> box;
+    for (const auto& [piece, depth] : pieces)
+        if (depth >= kPaler * deepest) box = box ? around(*box, piece) : piece;
     return box;
 }
 
@@ -145,6 +153,22 @@ std::optional<KeySample> sample_beside(const Image& picture, const Image& ink, c
     return sample;
 }
 
+// How far its words are from it.
+int off_words(const KeySample& sample, const std::vector<LegendWords>& words) {
+    const PixelBox& box = words[sample.words].box;
+    return std::max(box.left - sample.box.right, sample.box.left - box.right);
+}
+
+// A number beside an axis may be as far from a sample as the words are that it belongs to.
+void keep_nearest_words(std::vector<KeySample>& samples, const std::vector<LegendWords>& words) {
+    const std::vector<KeySample> all = samples;
+    std::erase_if(samples, [&](const KeySample& one) {
+        return std::any_of(all.begin(), all.end(), [&](const KeySample& other) {
+            return other.words != one.words && overlap(other.box, one.box) && off_words(other, words) < off_words(one, words);
+        });
+    });
+}
+
 std::vector<KeySample> samples_of(const Image& picture, const Image& ink, const std::vector<LegendWords>& words) {
     std::vector<KeySample> all;
     for (std::size_t i = 0; i < words.size(); ++i)
@@ -153,6 +177,7 @@ std::vector<KeySample> samples_of(const Image& picture, const Image& ink, const 
                 all.push_back(*sample);
                 break;
             }
+    keep_nearest_words(all, words);
     std::vector<KeySample> rows;
     for (const KeySample& one : all)
         if (std::any_of(all.begin(), all.end(), [&](const KeySample& other) {

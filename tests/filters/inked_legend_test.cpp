@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of a legend and curves without colour.
+// Words of a legend, its samples, and curves without colour.
 #include "filters/inked_legend.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "tests/filters/pictures.h"
 
@@ -51,6 +54,38 @@ TEST(InkedLegend, AGreyLineAndABlackOneThatCrossKeepTheirNames) {
             EXPECT_NEAR(entry.at.y, on[entry.words], 4) << half << " " << entry.words;
         }
     }
+}
+
+// A red curve and a blue one, and at the right of their samples, at 40 and 70 from the top, their words.
+Image red_and_blue() {
+    Image picture = make_image(400, 340, 3, 0, 255);
+    const auto paint = [&](int left, int right, int top, std::array<std::uint8_t, 3> colour) {
+        for (int y = top; y < top + 4; ++y)
+            for (int x = left; x < right; ++x) std::copy(colour.begin(), colour.end(), picture.row(y) + 3 * x);
+    };
+    for (const auto& [left, right, row] : {std::array{40, 90, 38}, {20, 380, 180}}) paint(left, right, row, {220, 30, 30});
+    for (const auto& [left, right, row] : {std::array{40, 90, 68}, {20, 380, 260}}) paint(left, right, row, {30, 60, 200});
+    return picture;
+}
+
+void expect_red_and_blue(const std::vector<LegendEntry>& entries) {
+    ASSERT_EQ(entries.size(), 2u);
+    for (const LegendEntry& entry : entries) EXPECT_NEAR(entry.at.y, entry.words == 0 ? 182 : 262, 2) << entry.words;
+}
+
+// JPEG leaves of its pale line what is a little darker than the rest of it.
+TEST(InkedLegend, PiecesOfItsFrameAreNoSamples) {
+    Image picture = red_and_blue();
+    for (const int y : {26, 84})
+        for (int x = 24; x < 160; ++x) {
+            if (x % 7 < 3) continue;
+            std::fill_n(picture.row(y) + 3 * x, 3, 205);
+        }
+    expect_red_and_blue(legend_in(picture, {{{106, 32, 150, 48}, 16}, {{106, 62, 150, 78}, 16}}));
+}
+
+TEST(InkedLegend, ASampleBelongsToTheNearestWords) {
+    expect_red_and_blue(legend_in(red_and_blue(), {{{106, 32, 150, 48}, 16}, {{106, 62, 150, 78}, 16}, {{2, 60, 12, 76}, 16}}));
 }
 
 }  // namespace
