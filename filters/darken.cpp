@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "filters/lab.h"
 #include "tactics/filter.h"
 
 namespace tactics {
@@ -51,9 +52,12 @@ int sign_of_ink(const Image& image, const Colour& ground) {
 
 }  // namespace
 
-// The commonest colour, within an eighth of the range: grain spreads a ground over some levels.
+// The commonest colour, within an eighth of the range: grain spreads a ground over some levels. Paper is white, and less may be
+// left of it than is painted in one colour, most of all where the margins are cut off. A paler colour may be paper in the shade.
 std::array<int, 3> ground_of(const Image& image) {
     constexpr int kShift = 5, kCells = 8;
+    constexpr double kWhiteOfMost = 0.4;  // setting
+    constexpr int kPainted = 96;          // levels off white in a channel
     struct Cell {
         std::size_t count = 0;
         std::array<std::size_t, 3> sum{};
@@ -70,11 +74,17 @@ std::array<int, 3> ground_of(const Image& image) {
         cell.count += count;
         for (std::size_t c = 0; c < 3; ++c) cell.sum[c] += count * static_cast<std::size_t>(colour[c]);
     }
+    const auto mean = [](const Cell& cell) {
+        Colour colour{};
+        for (std::size_t c = 0; c < 3; ++c) colour[c] = static_cast<int>(cell.sum[c] / std::max<std::size_t>(1, cell.count));
+        return colour;
+    };
+    const Cell& white = cells.back();
     const Cell& most =
         *std::max_element(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.count < b.count; });
-    Colour ground{};
-    for (std::size_t c = 0; c < 3; ++c) ground[c] = static_cast<int>(most.sum[c] / std::max<std::size_t>(1, most.count));
-    return ground;
+    const bool is_paper = static_cast<double>(white.count) >= kWhiteOfMost * static_cast<double>(most.count) &&
+                          channels_apart(mean(white), mean(most)) >= kPainted;
+    return mean(is_paper ? white : most);
 }
 
 std::vector<Image> inks_on_white(const Image& image) {

@@ -83,6 +83,10 @@ MeanColour mean_of(const cv::Mat& pixels, const cv::Mat& mask) {
     return pixels.channels() == 1 ? MeanColour{mean[0], mean[0], mean[0]} : MeanColour{mean[0], mean[1], mean[2]};
 }
 
+MeanColour as_mean(const std::array<int, 3>& colour) {
+    return {static_cast<double>(colour[0]), static_cast<double>(colour[1]), static_cast<double>(colour[2])};
+}
+
 bool alike(const MeanColour& a, const MeanColour& b) {
     for (std::size_t c = 0; c < 3; ++c)
         if (std::abs(a[c] - b[c]) > kSameColour) return false;
@@ -103,17 +107,15 @@ cv::Mat flat_places(const cv::Mat& pixels) { return range_around(pixels) <= kFla
 struct Found {
     std::vector<Part> flats;  // without the ground
     cv::Mat open;             // where one colour is all around, the ground's, too
-    MeanColour ground{};
 };
 
-Found flats_of(const cv::Mat& pixels, double mm) {
+Found flats_of(const cv::Mat& pixels, const MeanColour& ground, double mm) {
     Found found;
     cv::Mat labels, stats, middles;
     const int count = cv::connectedComponentsWithStats(flat_places(pixels), labels, stats, middles, 4, CV_32S);
     found.open = cv::Mat::zeros(pixels.size(), CV_8U);
     const double least = kHatchGap / mm;
     std::vector<Part> parts;
-    std::vector<int> sizes;
     for (int i = 1; i < count; ++i) {
         const int wide = stats.at<int>(i, cv::CC_STAT_WIDTH), high = stats.at<int>(i, cv::CC_STAT_HEIGHT);
         const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP), wide, high);
@@ -127,19 +129,8 @@ Found flats_of(const cv::Mat& pixels, double mm) {
         cv::Mat(found.open(box)) |= own;
         if (width * mm < kNarrowest && stats.at<int>(i, cv::CC_STAT_AREA) < 0.1 * static_cast<double>(pixels.total())) continue;
         parts.push_back(std::move(part));
-        sizes.push_back(stats.at<int>(i, cv::CC_STAT_AREA));
     }
-    // The ground is the colour of which there is most.
-    double most = 0;
-    for (const Part& one : parts) {
-        double size = 0;
-        for (std::size_t k = 0; k < parts.size(); ++k) size += alike(parts[k].kind.colour, one.kind.colour) ? sizes[k] : 0;
-        if (size > most) {
-            most = size;
-            found.ground = one.kind.colour;
-        }
-    }
-    std::erase_if(parts, [&](const Part& part) { return alike(part.kind.colour, found.ground); });
+    std::erase_if(parts, [&](const Part& part) { return alike(part.kind.colour, ground); });
     found.flats = std::move(parts);
     return found;
 }
@@ -228,12 +219,12 @@ Area area_of(const Part& part, double mm) {
 
 }  // namespace
 
-std::vector<Area> take_fills(Image& picture) {
+std::vector<Area> take_fills(Image& picture, const std::array<int, 3>& ground) {
     const double mm = picture.mm_per_pixel;
     if (std::min(picture.width, picture.height) * mm < kNarrowest) return {};
     cv::Mat pixels = view_of(picture);
     const Image ink = ink_on_white(picture);
-    Found found = flats_of(pixels, mm);
+    Found found = flats_of(pixels, as_mean(ground), mm);
     std::vector<Part> parts = hatches_of(pixels, ink, found, mm);
     const cv::Mat dark = dark_places(found.flats, pixels.size());
     for (const Part& hatch : parts)
@@ -287,8 +278,9 @@ std::vector<Area> without_ground_around(std::vector<Area> areas, double width, d
 std::optional<Point> hatched_place(const Image& picture) {
     constexpr double kPage = 250;  // mm of the longer side
     const double mm = kPage / std::max(picture.width, picture.height);
+    const cv::Mat pixels = view_of(picture);
     const Image ink = ink_on_white(picture);
-    const std::vector<Part> parts = hatches_of(view_of(picture), ink, flats_of(view_of(picture), mm), mm);
+    const std::vector<Part> parts = hatches_of(pixels, ink, flats_of(pixels, as_mean(ground_of(picture)), mm), mm);
     std::optional<Point> place;
     double most = 0;
     for (const Part& part : parts) {

@@ -3,6 +3,7 @@
 // which surface is what.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -11,10 +12,11 @@
 
 namespace tactics {
 
-/// Surfaces that have room for a texture, each with a texture of its own for each kind of fill; their outlines are left to
-/// whoever draws the picture. Places in mm. Empty where one colour is all there is, or where there are more kinds than textures.
-/// Hatches are painted over in the picture with their mean, up to their outline, so that their lines are not drawn.
-std::vector<Area> take_fills(Image& picture);
+/// Surfaces of other colours than the ground's that have room for a texture, each with one of its own for each kind of fill;
+/// their outlines are left to whoever draws the picture. Places in mm. Empty where one colour is all there is, or where there are
+/// more kinds than textures. Hatches are painted over in the picture with their mean, up to their outline, so that their lines
+/// are not drawn.
+std::vector<Area> take_fills(Image& picture, const std::array<int, 3>& ground);
 
 /// Without the surfaces of the fill that is around all others: along three tenths of the picture's frame or more.
 std::vector<Area> without_ground_around(std::vector<Area> areas, double width, double height);

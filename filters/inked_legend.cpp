@@ -14,6 +14,7 @@
 #include "filters/darken.h"
 #include "filters/dash_rows.h"
 #include "filters/inked_fills.h"
+#include "filters/key_samples.h"
 #include "filters/lab.h"
 #include "filters/opencv.h"
 
@@ -21,179 +22,13 @@ namespace tactics {
 
 namespace {
 
-// In heights of the letters beside them. Settings; those of legends in SVG (readers/svg/legend.cpp) are alike.
-constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kNearest = 0.25, kAroundRow = 1.2, kLineHigh = 0.6;
-constexpr double kSameColumn = 0.8, kNextRow = 5, kNextColumn = 30;
-constexpr int kInkOfKeys = 215;    // of 255 is the ground
 constexpr int kSame = 45;          // levels in each channel
 constexpr int kSameOfDashes = 70;  // thin dashes are blurred, and thin curves
 constexpr int kPalestDash = 0xb0;
 constexpr double kColour = 40;  // levels between the channels of what is not grey
 
-using PixelColour = std::array<int, 3>;
-
-struct KeySample {
-    std::size_t words = 0;
-    PixelBox box;
-    bool line = false, hatch = false;
-    PixelColour colour{};
-    double height = 0;                    // of the words
-    int off_ground = 0;                   // levels
-    std::optional<DashKind> dashes = {};  // of a line that is not whole
-};
-
-PixelColour colour_at(const Image& picture, int x, int y) {
-    const std::uint8_t* at = picture.row(y) + x * picture.channels;
-    return picture.channels == 3 ? PixelColour{at[0], at[1], at[2]} : PixelColour{at[0], at[0], at[0]};
-}
-
 bool is_grey(const PixelColour& c) {
     return *std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end()) < kColour;
-}
-bool alike(const KeySample& a, const KeySample& b) {
-    return a.line == b.line && a.hatch == b.hatch && a.dashes == b.dashes &&
-           (a.hatch || channels_apart(a.colour, b.colour) <= kSame);
-}
-
-// What stands free in that window: neither through it nor out of it. What is far paler than the darkest of it is a piece of a
-// legend's frame, or noise around the letters.
-std::optional<PixelBox> free_ink(const Image& ink, const PixelBox& window) {
-    constexpr double kPaler = 0.35;  // of the darkest ink's depth. Setting
-    if (window.width() < 2 || window.height() < 2) return std::nullopt;
-    const cv::Mat levels = view_of(ink)(cv::Rect(window.left, window.top, window.width(), window.height()));
-    cv::Mat labels, stats, middles;
-    const int count = cv::connectedComponentsWithStats(levels < kInkOfKeys, labels, stats, middles, 8, CV_32S);
-    std::vector<std::pair<PixelBox, double>> pieces;  // and how far off the ground
-    double deepest = 0;
-    for (int i = 1; i < count; ++i) {
-        const int x = stats.at<int>(i, cv::CC_STAT_LEFT), y = stats.at<int>(i, cv::CC_STAT_TOP);
-        const int wide = stats.at<int>(i, cv::CC_STAT_WIDTH), high = stats.at<int>(i, cv::CC_STAT_HEIGHT);
-        if (y == 0 || y + high == window.height()) continue;
-        double darkest = 255;
-        cv::minMaxLoc(levels, &darkest, nullptr, nullptr, nullptr, labels == i);
-        pieces.push_back({{window.left + x, window.top + y, window.left + x + wide, window.top + y + high}, 255 - darkest});
-        deepest = std::max(deepest, 255 - darkest);
-    }
-    std::optional<PixelBox> box;
-    for (const auto& [piece, depth] : pieces)
-        if (depth >= kPaler * deepest) box = box ? around(*box, piece) : piece;
-    return box;
-}
-
-// The colour of most of it, and whether it is one.
-void find_look(const Image& picture, const Image& ink, KeySample& sample) {
-    std::array<std::vector<int>, 3> values;
-    int darkest = 255;
-    for (int y = sample.box.top; y < sample.box.bottom; ++y)
-        for (int x = sample.box.left; x < sample.box.right; ++x) darkest = std::min<int>(darkest, ink.row(y)[x]);
-    const int dx = sample.line ? 0 : sample.box.width() / 4, dy = sample.line ? 0 : sample.box.height() / 4;
-    int white = 0, all = 0;
-    for (int y = sample.box.top + dy; y < sample.box.bottom - dy; ++y)
-        for (int x = sample.box.left + dx; x < sample.box.right - dx; ++x, ++all) {
-            white += ink.row(y)[x] >= kInkOfKeys ? 1 : 0;
-            if (sample.line && ink.row(y)[x] > darkest + 40) continue;
-            const PixelColour colour = colour_at(picture, x, y);
-            for (std::size_t c = 0; c < 3; ++c) values[c].push_back(colour[c]);
-        }
-    const int middle_x = (sample.box.left + sample.box.right) / 2, middle_y = (sample.box.top + sample.box.bottom) / 2;
-    sample.off_ground = 255 - (sample.line ? darkest : ink.row(middle_y)[middle_x]);
-    for (std::size_t c = 0; c < 3; ++c) {
-        if (values[c].empty()) continue;
-        const auto middle = values[c].begin() + static_cast<std::ptrdiff_t>(values[c].size() / 2);
-        std::nth_element(values[c].begin(), middle, values[c].end());
-        sample.colour[c] = *middle;
-    }
-    // In a pale surface all is as white.
-    sample.hatch = !sample.line && white > 0.1 * all && white < 0.95 * all;
-}
-
-// By the ink along it. The last mark may be cut off.
-std::optional<DashKind> dashes_along(const Image& ink, const PixelBox& box) {
-    std::vector<int> columns;
-    double all = 0;
-    for (int x = box.left; x < box.right; ++x) {
-        int darkest = 255;
-        for (int y = box.top; y < box.bottom; ++y) {
-            darkest = std::min<int>(darkest, ink.row(y)[x]);
-            all += 255 - ink.row(y)[x];
-        }
-        columns.push_back(darkest);
-    }
-    const int darkest = *std::min_element(columns.begin(), columns.end()), halfway = (darkest + 255) / 2;
-    std::vector<double> lengths;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        if (columns[i] >= halfway) continue;
-        if (i == 0 || columns[i - 1] >= halfway) lengths.push_back(0);
-        ++lengths.back();
-    }
-    if (lengths.size() < 2) return std::nullopt;
-    // As much ink as that is, if it were evenly dark.
-    const double width = all / (255.0 - darkest) / std::accumulate(lengths.begin(), lengths.end(), 0.0);
-    if (lengths.size() > 2) lengths.pop_back();
-    for (double& length : lengths) length /= std::max(1.0, width);
-    return dash_kind(std::move(lengths));
-}
-
-std::optional<KeySample> sample_beside(const Image& picture, const Image& ink, const LegendWords& words, std::size_t number,
-                                       bool left) {
-    const double h = words.height, y = (words.box.top + words.box.bottom) / 2.0;
-    const double from = left ? words.box.left - kMostWide * h : words.box.right + kNearest * h;
-    const double to = left ? words.box.left - kNearest * h : words.box.right + kMostWide * h;
-    const PixelBox window{std::max(0, static_cast<int>(from)), std::max(0, static_cast<int>(y - kAroundRow * h)),
-                          std::min(picture.width, static_cast<int>(to)),
-                          std::min(picture.height, static_cast<int>(y + kAroundRow * h))};
-    const auto box = free_ink(ink, window);
-    if (!box || box->width() < kLeastWide * h || box->height() > kMostHigh * h || box->width() < box->height())
-        return std::nullopt;
-    if (box->left <= window.left || box->right >= window.right) return std::nullopt;
-    if (std::abs((box->top + box->bottom) / 2.0 - y) > kSameColumn * h) return std::nullopt;
-    KeySample sample{number, *box, box->height() <= kLineHigh * h, false, {}, h};
-    find_look(picture, ink, sample);
-    if (sample.line) sample.dashes = dashes_along(ink, *box);
-    return sample;
-}
-
-// How far its words are from it.
-int off_words(const KeySample& sample, const std::vector<LegendWords>& words) {
-    const PixelBox& box = words[sample.words].box;
-    return std::max(box.left - sample.box.right, sample.box.left - box.right);
-}
-
-// A number beside an axis may be as far from a sample as the words are that it belongs to.
-void keep_nearest_words(std::vector<KeySample>& samples, const std::vector<LegendWords>& words) {
-    const std::vector<KeySample> all = samples;
-    std::erase_if(samples, [&](const KeySample& one) {
-        return std::any_of(all.begin(), all.end(), [&](const KeySample& other) {
-            return other.words != one.words && overlap(other.box, one.box) && off_words(other, words) < off_words(one, words);
-        });
-    });
-}
-
-std::vector<KeySample> samples_of(const Image& picture, const Image& ink, const std::vector<LegendWords>& words) {
-    std::vector<KeySample> all;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        for (const bool left : {true, false})
-            if (const auto sample = words[i].height > 0 ? sample_beside(picture, ink, words[i], i, left) : std::nullopt) {
-                all.push_back(*sample);
-                break;
-            }
-    keep_nearest_words(all, words);
-    std::vector<KeySample> rows;
-    for (const KeySample& one : all)
-        if (std::any_of(all.begin(), all.end(), [&](const KeySample& other) {
-                const double across = std::abs(one.box.left - other.box.left), down = std::abs(one.box.top - other.box.top);
-                const double h = one.height;
-                return one.words != other.words && one.line == other.line &&
-                       ((across < kSameColumn * h && down < kNextRow * h) ||
-                        (down < kSameColumn * h && across < kNextColumn * h));
-            }))
-            rows.push_back(one);
-    std::vector<KeySample> unlike;
-    for (const KeySample& one : rows)
-        if (std::none_of(rows.begin(), rows.end(),
-                         [&](const KeySample& other) { return one.words != other.words && alike(one, other); }))
-            unlike.push_back(one);
-    return unlike;
 }
 
 std::optional<Point> highest_in(const cv::Mat& field, const cv::Mat& mask) {
@@ -218,25 +53,63 @@ std::optional<Point> farthest_on(const cv::Mat& mask, const cv::Mat& own, const 
     return highest_in(field, mask);
 }
 
-// A place on what is painted so, without the samples; on a curve where all else is far, in a surface where it is widest.
-std::optional<Point> place_of(const Image& picture, const Image& ink, const KeySample& sample, const cv::Mat& elsewhere,
-                              const std::vector<LegendEntry>& before) {
-    // Pale surfaces are nearer to the ground than curves are.
-    const int same = std::clamp(sample.off_ground / 2, 3, kSame);
-    const cv::Scalar low(sample.colour[0] - same, sample.colour[1] - same, sample.colour[2] - same);
-    const cv::Scalar high(sample.colour[0] + same, sample.colour[1] + same, sample.colour[2] + same);
-    cv::Mat own, field;
-    cv::inRange(view_of(picture), low, high, own);
-    own &= elsewhere;
-    if (!sample.line) {
-        cv::distanceTransform(own, field, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-        const auto at = highest_in(field, own);
-        // Wider than the sample: else it is an outline in that colour.
-        if (!at ||
-            static_cast<double>(field.at<float>(static_cast<int>(at->y), static_cast<int>(at->x))) < 0.5 * sample.box.height())
-            return std::nullopt;
-        return at;
+// How much of an ink is in a pixel, 1 is all, and by how many levels of a channel it differs from such a mixture with the ground.
+struct InkShare {
+    double share = 0, rest = 0;
+};
+
+InkShare share_of_ink(const PixelColour& pixel, const PixelColour& ground, const PixelColour& ink) {
+    double across = 0, whole = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        across += static_cast<double>(ground[c] - pixel[c]) * (ground[c] - ink[c]);
+        whole += static_cast<double>(ground[c] - ink[c]) * (ground[c] - ink[c]);
     }
+    InkShare found{across / std::max(1.0, whole), 0};
+    for (std::size_t c = 0; c < 3; ++c)
+        found.rest = std::max(found.rest, std::abs(ground[c] - pixel[c] - found.share * (ground[c] - ink[c])));
+    return found;
+}
+
+// A curve of one pixel's width has its own colour only where it runs level or upright, and JPEG mixes it with the ground. A pixel
+// is of the ink that explains it best.
+cv::Mat thinly_painted(const Image& picture, const KeySample& sample, const std::vector<KeySample>& samples) {
+    constexpr double kLeastInk = 0.4, kMostInk = 1.2;  // a pale band around a curve has less. Settings
+    constexpr double kRest = 32, kSameInk = 12;        // levels
+    const PixelColour ground = ground_of(picture);
+    cv::Mat own = cv::Mat::zeros(picture.height, picture.width, CV_8U);
+    for (const KeySample& other : samples)
+        if (other.words != sample.words && share_of_ink(other.colour, ground, sample.colour).rest <= kSameInk) return own;
+    for (int y = 0; y < own.rows; ++y)
+        for (int x = 0; x < own.cols; ++x) {
+            const PixelColour pixel = pixel_colour(picture, x, y);
+            const InkShare found = share_of_ink(pixel, ground, sample.colour);
+            if (found.rest > kRest || found.share < kLeastInk || found.share > kMostInk) continue;
+            const bool is_best = std::none_of(samples.begin(), samples.end(), [&](const KeySample& other) {
+                return other.words != sample.words && share_of_ink(pixel, ground, other.colour).rest < found.rest;
+            });
+            if (is_best) own.at<std::uint8_t>(y, x) = 255;
+        }
+    return own;
+}
+
+// Within so many levels of its colour, and no nearer to that of another sample.
+cv::Mat painted_like(const Image& picture, const KeySample& sample, const std::vector<KeySample>& samples, int same) {
+    cv::Mat own = cv::Mat::zeros(picture.height, picture.width, CV_8U);
+    for (int y = 0; y < own.rows; ++y)
+        for (int x = 0; x < own.cols; ++x) {
+            const PixelColour pixel = pixel_colour(picture, x, y);
+            const int apart = channels_apart(pixel, sample.colour);
+            if (apart <= same && std::none_of(samples.begin(), samples.end(), [&](const KeySample& other) {
+                    return other.line == sample.line && !other.hatch && channels_apart(pixel, other.colour) < apart;
+                }))
+                own.at<std::uint8_t>(y, x) = 255;
+        }
+    return own;
+}
+
+// On the longer pieces of it.
+std::optional<Point> place_on_curve(const cv::Mat& own, const KeySample& sample, const Image& ink,
+                                    const std::vector<LegendEntry>& before) {
     cv::Mat labels, stats, middles, mask = cv::Mat::zeros(own.size(), CV_8U);
     const int count = cv::connectedComponentsWithStats(own, labels, stats, middles, 8, CV_32S);
     std::vector<bool> large(static_cast<std::size_t>(count));
@@ -247,6 +120,27 @@ std::optional<Point> place_of(const Image& picture, const Image& ink, const KeyS
         for (int x = 0; x < mask.cols; ++x)
             if (large[static_cast<std::size_t>(labels.at<int>(y, x))]) mask.at<std::uint8_t>(y, x) = 255;
     return farthest_on(mask, own, ink, before);
+}
+
+// A place on what is painted so, without the samples; on a curve where all else is far, in a surface where it is widest.
+std::optional<Point> place_of(const Image& picture, const Image& ink, const KeySample& sample,
+                              const std::vector<KeySample>& samples, const cv::Mat& elsewhere,
+                              const std::vector<LegendEntry>& before) {
+    // Pale surfaces are nearer to the ground than curves are.
+    const int same = std::clamp(sample.off_ground / 2, 3, kSame);
+    cv::Mat field, own = painted_like(picture, sample, samples, same);
+    own &= elsewhere;
+    if (!sample.line) {
+        cv::distanceTransform(own, field, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+        const auto at = highest_in(field, own);
+        // Wider than the sample: else it is an outline in that colour.
+        if (!at ||
+            static_cast<double>(field.at<float>(static_cast<int>(at->y), static_cast<int>(at->x))) < 0.5 * sample.box.height())
+            return std::nullopt;
+        return at;
+    }
+    if (const auto at = place_on_curve(own, sample, ink, before)) return at;
+    return place_on_curve(thinly_painted(picture, sample, samples) & elsewhere, sample, ink, before);
 }
 
 std::vector<DashRow> dashed_lines_of(const Image& ink, const Image& picture, const std::vector<KeySample>& samples) {
@@ -270,7 +164,7 @@ std::optional<Point> place_on_dashes(const Image& picture, const Image& ink, con
         PixelColour own_colour{};
         for (const Run& run : row.ink)
             for (int x = run.begin; x < run.end; ++x) {
-                const PixelColour colour = colour_at(picture, x, run.row);
+                const PixelColour colour = pixel_colour(picture, x, run.row);
                 const int sum = colour[0] + colour[1] + colour[2];
                 if (sum >= darkest) continue;
                 darkest = sum;
@@ -292,7 +186,7 @@ cv::Mat grey_ink(const Image& picture, const Image& ink) {
     cv::Mat grey = view_of(ink) < kInkOfKeys;
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
-            const PixelColour c = colour_at(picture, x, y);
+            const PixelColour c = pixel_colour(picture, x, y);
             const int apart = *std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end());
             if (apart > std::max(kLeastOfColour, kShare * (255 - ink.row(y)[x]))) grey.at<std::uint8_t>(y, x) = 0;
         }
@@ -364,7 +258,7 @@ std::optional<Point> place_on_grey(const Image& picture, const Image& ink, const
 
 std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<LegendWords>& words) {
     const Image ink = ink_on_white(picture);
-    const std::vector<KeySample> samples = samples_of(picture, ink, words);
+    const std::vector<KeySample> samples = key_samples_in(picture, ink, words);
     if (samples.size() < 2) return {};
     cv::Mat elsewhere(picture.height, picture.width, CV_8U, cv::Scalar(255));
     for (const KeySample& one : samples) {
@@ -381,7 +275,7 @@ std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<Legen
         const auto at = one.hatch                         ? hatched_place(picture)
                         : one.dashes                      ? place_on_dashes(picture, ink, one, rows, elsewhere, entries)
                         : one.line && is_grey(one.colour) ? place_on_grey(picture, ink, one, rows, elsewhere, entries)
-                                                          : place_of(picture, ink, one, elsewhere, entries);
+                                                          : place_of(picture, ink, one, samples, elsewhere, entries);
         if (at) entries.push_back({one.words, one.box, *at});
     }
     return entries;

@@ -273,11 +273,11 @@ std::vector<Phrase> KnownParts::told() const {
     return told;
 }
 
-KnownParts take_known_parts(Image& picture, bool fills) {
+KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 3>>& ground) {
     KnownParts parts;
     quieten(picture);
-    if (fills) parts.areas = take_fills(picture);
-    if (fills && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
+    if (ground) parts.areas = take_fills(picture, *ground);
+    if (ground && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
     KnownOfPicture known(picture);
     take_noisy_curves(picture, known, parts);
     take_heads(picture, known, parts);

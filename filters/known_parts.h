@@ -3,7 +3,9 @@
 // knows them by that form, so they are looked for first and drawn as such; what is left is drawn by the recipe.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "tactics/drawing.h"
@@ -23,8 +25,9 @@ struct KnownParts {
     std::vector<Phrase> told() const;  ///< what a reader of the picture would not expect
 };
 
-/// Takes them out of the picture, which has its size in mm; the lines that heads and points were on stay whole. With `fills`
-/// surfaces get textures, too (inked_fills.h): for who draws both sides of every line and outlines of surfaces.
-KnownParts take_known_parts(Image& picture, bool fills);
+/// Takes them out of the picture, which has its size in mm; the lines that heads and points were on stay whole. With
+/// the colour of the ground surfaces of other colours get textures, too (inked_fills.h): for who draws both sides of every line
+/// and outlines of surfaces.
+KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 3>>& ground = {});
 
 }  // namespace tactics

@@ -2,10 +2,13 @@
 #include "tactics/job/drawable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "filters/chart.h"
+#include "filters/darken.h"
 #include "filters/drawing_of.h"
 #include "filters/flat_regions.h"
 #include "filters/inked_fills.h"
@@ -54,7 +57,8 @@ double setting_of(const Recipe& recipe, std::string_view name) {
 
 // Heads of arrows, dashes and points are as small as print, so only a recipe that looks closely at a figure takes them for what
 // they are. One that draws lines by their middle draws surfaces by their outlines, which a texture may fill.
-KnownParts known_parts_of(Image& picture, const Recipe& recipe, bool has_legend) {
+// `ground`: of the whole picture, as little of it may be left in what is drawn.
+KnownParts known_parts_of(Image& picture, const Recipe& recipe, bool has_legend, const std::array<int, 3>& ground) {
     constexpr double kClosely = 100;  // dots per inch
     if (!recipe.has_words || !(picture.mm_per_pixel > 0)) return {};
     // Many colours of a map say which regions are neighbours, and no more; few, or those of a legend, may say what a region is.
@@ -62,10 +66,10 @@ KnownParts known_parts_of(Image& picture, const Recipe& recipe, bool has_legend)
         std::any_of(recipe.steps.begin(), recipe.steps.end(), [](const Step& step) { return step.filter->name == "borders"; });
     KnownParts parts;
     if (is_map && (has_legend || map_traits_of(picture).colours <= textures().size()))
-        parts.areas = without_ground_around(take_fills(picture), picture.width * picture.mm_per_pixel,
+        parts.areas = without_ground_around(take_fills(picture, ground), picture.width * picture.mm_per_pixel,
                                             picture.height * picture.mm_per_pixel);
     else if (!is_map && setting_of(recipe, "dpi") >= kClosely)
-        parts = take_known_parts(picture, setting_of(recipe, "lines") > 0);
+        parts = take_known_parts(picture, setting_of(recipe, "lines") > 0 ? std::optional(ground) : std::nullopt);
     return parts;
 }
 
@@ -91,9 +95,10 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
             read_for(fitting, {place.left, place.top, place.width / part.width, place.height / part.height}, *reading);
         way.finer = longest > std::max(picture.width, picture.height);
         print.take_from(picture);
+        const std::array<int, 3> ground = ground_of(picture);
         picture = cut_out(std::move(picture), part);
         if (chooses) way.detail = choose_detail(fitting, picture, on, place, as_drawn);
-        KnownParts parts = known_parts_of(picture, recipe, !print.samples.empty());
+        KnownParts parts = known_parts_of(picture, recipe, !print.samples.empty(), ground);
         Drawing drawing = drawing_of(run_settling(fitting, std::move(picture), way.chosen));
         if (!drawing.picture) {
             way.told = parts.told();

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ink of any colour.
+#include "filters/darken.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,6 +43,16 @@ TEST(Darken, ColouredLinesAreDarkAndTheGroundIsWhite) {
 }
 
 // As a camera sees paper: what is lighter than most of it is no ink.
+// A chart whose margins are cut off.
+TEST(Darken, PaperIsTheGroundThoughMoreIsPaintedInOneColour) {
+    const Image picture = pictures::drawn(100, 100, [](int x, int) { return x < 40 ? 255 : x < 90 ? 60 : 120; });
+    EXPECT_EQ(ground_of(picture), (std::array<int, 3>{255, 255, 255}));
+    const Image shade = pictures::drawn(100, 100, [](int x, int) { return x < 40 ? 240 : x < 90 ? 180 : 60; });
+    EXPECT_EQ(ground_of(shade), (std::array<int, 3>{180, 180, 180}));
+    const Image board = pictures::drawn(100, 100, [](int x, int) { return x < 10 ? 255 : x < 90 ? 30 : 120; });
+    EXPECT_EQ(ground_of(board), (std::array<int, 3>{30, 30, 30}));
+}
+
 TEST(Darken, LighterPaperIsNoInk) {
     Image image = make_image(400, 40, 1, kPixel, 190);
     for (int y = 0; y < image.height; ++y)

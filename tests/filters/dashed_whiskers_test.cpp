@@ -27,7 +27,7 @@ bool is_whole(const Image& picture, int x, int top) {
 // The second has no dash of its own, only what hangs on its cap and what stands on the bar.
 TEST(DashedWhiskers, AreWholeIfOneIsShort) {
     Image picture = plot({65, 12, 340});
-    const KnownParts parts = take_known_parts(picture, false);
+    const KnownParts parts = take_known_parts(picture);
     EXPECT_TRUE(parts.strokes.empty());
     EXPECT_TRUE(is_whole(picture, 50, 315));
     EXPECT_TRUE(is_whole(picture, 150, 368));
@@ -36,7 +36,7 @@ TEST(DashedWhiskers, AreWholeIfOneIsShort) {
 
 TEST(DashedWhiskers, LongOnesAloneAreDashed) {
     Image picture = plot({340, 300, 280});
-    const KnownParts parts = take_known_parts(picture, false);
+    const KnownParts parts = take_known_parts(picture);
     ASSERT_EQ(parts.strokes.size(), 3u);
     for (const Stroke& stroke : parts.strokes) EXPECT_EQ(stroke.role, Role::dash);
 }

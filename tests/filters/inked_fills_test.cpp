@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "filters/darken.h"
 #include "filters/known_parts.h"
 #include "tests/filters/pictures.h"
 
@@ -27,7 +28,7 @@ TEST(InkedFills, EachKindOfFillHasATextureOfItsOwn) {
     const auto other = [](int x, int y) { return (x - y + 400) % 12 < 2 ? 0 : 255; };
     const auto black = [](int, int) { return 0; };
     Image picture = bars({hatch, black, other, hatch, black, other});
-    const KnownParts parts = take_known_parts(picture, true);
+    const KnownParts parts = take_known_parts(picture, ground_of(picture));
     ASSERT_EQ(parts.areas.size(), 6u);
     std::vector<int> textures(6);
     for (const Area& area : parts.areas) {
@@ -51,7 +52,7 @@ TEST(InkedFills, AHatchEndsAtTheAxisThoughThePictureDoesSoon) {
         return x % 160 < 90 ? hatch(x, y) : 0;
     });
     const Image before = picture;
-    const KnownParts parts = take_known_parts(picture, true);
+    const KnownParts parts = take_known_parts(picture, ground_of(picture));
     std::multiset<int> textures;
     for (const Area& area : parts.areas) {
         textures.insert(area.texture);
@@ -66,10 +67,16 @@ TEST(InkedFills, AHatchEndsAtTheAxisThoughThePictureDoesSoon) {
 
 TEST(InkedFills, OneFillOrMoreThanThereAreTexturesHaveNone) {
     Image one = bars({[](int, int) { return 120; }, [](int, int) { return 120; }});
-    EXPECT_TRUE(take_known_parts(one, true).areas.empty());
+    EXPECT_TRUE(take_known_parts(one, ground_of(one)).areas.empty());
     Image many = bars({[](int, int) { return 0; }, [](int, int) { return 40; }, [](int, int) { return 80; },
                        [](int, int) { return 120; }, [](int, int) { return 160; }, [](int, int) { return 200; }});
-    EXPECT_TRUE(take_known_parts(many, true).areas.empty());
+    EXPECT_TRUE(take_known_parts(many, ground_of(many)).areas.empty());
+}
+
+// Cut out at its frame, a drawing has no ground in it.
+TEST(InkedFills, NoneIsTheGroundThatIsNotOfItsColour) {
+    Image picture = pictures::drawn(400, 200, [](int x, int) { return x < 250 ? 90 : 160; });
+    EXPECT_EQ(take_known_parts(picture, {{255, 255, 255}}).areas.size(), 2u);
 }
 
 }  // namespace

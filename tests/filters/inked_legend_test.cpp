@@ -56,36 +56,86 @@ TEST(InkedLegend, AGreyLineAndABlackOneThatCrossKeepTheirNames) {
     }
 }
 
-// A red curve and a blue one, and at the right of their samples, at 40 and 70 from the top, their words.
-Image red_and_blue() {
+using TestColour = std::array<std::uint8_t, 3>;
+constexpr TestColour kRed = {220, 30, 30}, kBlue = {30, 60, 200};
+
+void paint(Image& picture, const PixelBox& box, const TestColour& colour) {
+    for (int y = box.top; y < box.bottom; ++y)
+        for (int x = box.left; x < box.right; ++x) std::copy(colour.begin(), colour.end(), picture.row(y) + 3 * x);
+}
+
+// Samples at 40 and 70 from the top, with words at the right of them.
+Image two_samples(const TestColour& first, const TestColour& second) {
     Image picture = make_image(400, 340, 3, 0, 255);
-    const auto paint = [&](int left, int right, int top, std::array<std::uint8_t, 3> colour) {
-        for (int y = top; y < top + 4; ++y)
-            for (int x = left; x < right; ++x) std::copy(colour.begin(), colour.end(), picture.row(y) + 3 * x);
-    };
-    for (const auto& [left, right, row] : {std::array{40, 90, 38}, {20, 380, 180}}) paint(left, right, row, {220, 30, 30});
-    for (const auto& [left, right, row] : {std::array{40, 90, 68}, {20, 380, 260}}) paint(left, right, row, {30, 60, 200});
+    paint(picture, {40, 38, 90, 42}, first);
+    paint(picture, {40, 68, 90, 72}, second);
+    return picture;
+}
+const std::vector<LegendWords> kTwoWords = {{{106, 32, 150, 48}, 16}, {{106, 62, 150, 78}, 16}};
+
+// The first one's curve is level at 182 from the top, the second one's at 262.
+Image two_curves(const TestColour& first, const TestColour& second) {
+    Image picture = two_samples(first, second);
+    paint(picture, {20, 180, 380, 184}, first);
+    paint(picture, {20, 260, 380, 264}, second);
     return picture;
 }
 
-void expect_red_and_blue(const std::vector<LegendEntry>& entries) {
+void expect_both_curves(const std::vector<LegendEntry>& entries) {
     ASSERT_EQ(entries.size(), 2u);
     for (const LegendEntry& entry : entries) EXPECT_NEAR(entry.at.y, entry.words == 0 ? 182 : 262, 2) << entry.words;
 }
 
 // JPEG leaves of its pale line what is a little darker than the rest of it.
 TEST(InkedLegend, PiecesOfItsFrameAreNoSamples) {
-    Image picture = red_and_blue();
+    Image picture = two_curves(kRed, kBlue);
     for (const int y : {26, 84})
-        for (int x = 24; x < 160; ++x) {
-            if (x % 7 < 3) continue;
-            std::fill_n(picture.row(y) + 3 * x, 3, 205);
-        }
-    expect_red_and_blue(legend_in(picture, {{{106, 32, 150, 48}, 16}, {{106, 62, 150, 78}, 16}}));
+        for (int x = 24; x < 160; x += 7) paint(picture, {x, y, x + 4, y + 1}, {205, 205, 205});
+    expect_both_curves(legend_in(picture, kTwoWords));
 }
 
 TEST(InkedLegend, ASampleBelongsToTheNearestWords) {
-    expect_red_and_blue(legend_in(red_and_blue(), {{{106, 32, 150, 48}, 16}, {{106, 62, 150, 78}, 16}, {{2, 60, 12, 76}, 16}}));
+    std::vector<LegendWords> words = kTwoWords;
+    words.push_back({{2, 60, 12, 76}, 16});
+    expect_both_curves(legend_in(two_curves(kRed, kBlue), words));
+}
+
+TEST(InkedLegend, ACurveMayRunByBesideASample) {
+    Image picture = two_curves(kRed, kBlue);
+    paint(picture, {4, 82, 30, 84}, kRed);
+    expect_both_curves(legend_in(picture, kTwoWords));
+}
+
+TEST(InkedLegend, ItMayStandOnAPanel) {
+    Image picture = two_curves(kRed, kBlue);
+    for (int y = 20; y < 90; ++y)
+        for (int x = 30; x < 170; ++x)
+            if (picture.row(y)[3 * x] == 255) std::fill_n(picture.row(y) + 3 * x, 3, 190);
+    expect_both_curves(legend_in(picture, kTwoWords));
+}
+
+// As JPEG mixes two colours of thin lines with the ground.
+TEST(InkedLegend, ColoursMayBeNearEachOther) {
+    expect_both_curves(legend_in(two_curves({108, 134, 169}, {117, 167, 135}), kTwoWords));
+}
+
+// On a slope no pixel of it has the whole colour.
+TEST(InkedLegend, AThinCurveIsPalerThanItsSample) {
+    Image picture = two_samples(kRed, kBlue);
+    for (int x = 20; x < 380; ++x) {
+        const double y = 150 + 0.4 * x;
+        for (const int row : {static_cast<int>(y), static_cast<int>(y) + 1}) {
+            const double ink = std::min(0.6, 1 - std::abs(row - y));
+            for (std::size_t c = 0; c < 3; ++c) {
+                picture.row(row)[3 * x + static_cast<int>(c)] = static_cast<std::uint8_t>(255 - ink * (255 - kRed[c]));
+                picture.row(row - 60)[3 * x + static_cast<int>(c)] = static_cast<std::uint8_t>(255 - ink * (255 - kBlue[c]));
+            }
+        }
+    }
+    const auto entries = legend_in(picture, kTwoWords);
+    ASSERT_EQ(entries.size(), 2u);
+    for (const LegendEntry& entry : entries)
+        EXPECT_NEAR(entry.at.y, (entry.words == 0 ? 150 : 90) + 0.4 * entry.at.x, 3) << entry.words;
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ TEST(KnownParts, ADashedCurveIsOneLineOfItsWholeLengthAndIsTakenOut) {
     const auto at = [](double t) { return Point{20 + t, 100 + 40 * std::sin(t / 50)}; };
     for (double t = 0; t < 340; t += 16) dashes.push_back(line(at(t), at(t + 9), 2));
     Image picture = inked(400, 200, dashes);
-    const KnownParts parts = take_known_parts(picture, false);
+    const KnownParts parts = take_known_parts(picture);
     ASSERT_EQ(parts.strokes.size(), 1u);
     EXPECT_EQ(parts.strokes[0].role, Role::dash);
     EXPECT_NEAR(std::abs(parts.strokes[0].points.front().x - parts.strokes[0].points.back().x), 345 * pictures::kPixel, 1);
@@ -181,7 +181,7 @@ TEST(KnownParts, ADashedCurveIsOneLineOfItsWholeLengthAndIsTakenOut) {
 
 TEST(KnownParts, HeadsAreOpenAndLargeEnoughForAFinger) {
     Image picture = inked(200, 200, arrow(Form::filled, 10, 14, 20, 2).shapes);
-    const KnownParts parts = take_known_parts(picture, false);
+    const KnownParts parts = take_known_parts(picture);
     ASSERT_EQ(parts.strokes.size(), 1u);
     const Stroke& head = parts.strokes[0];
     EXPECT_EQ(head.role, Role::arrow);
@@ -273,13 +273,13 @@ TEST(DashRows, GetStylesThatAFingerTellsApartIfAPictureHasSeveral) {
     Image picture = inked(400, 200, {wave(50, kDashed), wave(100, kDotted), wave(150, kDashDotted)});
     picture.mm_per_pixel = 0.4;
     std::set<std::pair<Role, LineClass>> styles;
-    for (const Stroke& stroke : take_known_parts(picture, false).strokes) styles.insert({stroke.role, stroke.line});
+    for (const Stroke& stroke : take_known_parts(picture).strokes) styles.insert({stroke.role, stroke.line});
     const std::set<std::pair<Role, LineClass>> all{
         {Role::dash, LineClass::normal}, {Role::dots, LineClass::thick}, {Role::dash, LineClass::thick}};
     EXPECT_EQ(styles, all);
     Image one = inked(400, 100, {wave(50, kDotted)});
     one.mm_per_pixel = 0.4;
-    const KnownParts parts = take_known_parts(one, false);
+    const KnownParts parts = take_known_parts(one);
     ASSERT_EQ(parts.strokes.size(), 1u);
     EXPECT_EQ(parts.strokes[0].role, Role::dash);
 }

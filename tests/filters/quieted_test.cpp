@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Noise of a scan goes, and what is drawn stays.
+#include "filters/darken.h"
 #include "filters/quieted.h"
 
 #include <gtest/gtest.h>
@@ -123,7 +124,7 @@ TEST(Quieted, EveryChannelIs) {
 
 TEST(Quieted, SurfacesOfAScanHaveNoMarks) {
     Image picture = scanned(7);
-    const KnownParts parts = take_known_parts(picture, true);
+    const KnownParts parts = take_known_parts(picture, ground_of(picture));
     EXPECT_TRUE(parts.strokes.empty()) << parts.strokes.size();
     EXPECT_EQ(parts.areas.size(), 3u) << "the three surfaces, of two kinds";
 }

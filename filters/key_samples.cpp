@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "filters/key_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "filters/lab.h"
+#include "filters/opencv.h"
+
+namespace tactics {
+
+namespace {
+
+// In heights of the letters beside them. Settings; those of legends in SVG (readers/svg/legend.cpp) are alike.
+constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kNearest = 0.25, kAroundRow = 1.2, kLineHigh = 0.6;
+constexpr double kSameColumn = 0.8, kNextRow = 5, kNextColumn = 30;
+constexpr int kAlikeSamples = 25;  // levels in each channel
+
+bool alike(const KeySample& a, const KeySample& b) {
+    return a.line == b.line && a.hatch == b.hatch && a.dashes == b.dashes &&
+           (a.hatch || channels_apart(a.colour, b.colour) <= kAlikeSamples);
+}
+
+// The middle level of each channel.
+PixelColour middle_colour(const Image& picture, const PixelBox& box) {
+    PixelColour colour{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::vector<int> levels;
+        for (int y = box.top; y < box.bottom; ++y)
+            for (int x = box.left; x < box.right; ++x) levels.push_back(pixel_colour(picture, x, y)[c]);
+        if (levels.empty()) continue;
+        const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
+        std::nth_element(levels.begin(), middle, levels.end());
+        colour[c] = *middle;
+    }
+    return colour;
+}
+
+// Ink on white in that window.
+cv::Mat ink_on(const PixelColour& ground, const Image& picture, const PixelBox& window) {
+    cv::Mat ink(window.height(), window.width(), CV_8U);
+    for (int y = 0; y < ink.rows; ++y)
+        for (int x = 0; x < ink.cols; ++x)
+            ink.at<std::uint8_t>(y, x) =
+                static_cast<std::uint8_t>(255 - channels_apart(pixel_colour(picture, window.left + x, window.top + y), ground));
+    return ink;
+}
+
+struct KeyInk {
+    PixelBox box;
+    double depth = 0;  // how far off the ground
+};
+
+// What stands free in that window: neither through it nor out of it, nor towards the words. What is far paler than the darkest of
+// it is a piece of a legend's frame, or noise around the letters.
+std::vector<KeyInk> free_pieces(const cv::Mat& ink, const PixelBox& window, bool left) {
+    constexpr double kPaler = 0.35;  // of the darkest ink's depth. Setting
+    cv::Mat labels, stats, middles;
+    const int count = cv::connectedComponentsWithStats(ink < kInkOfKeys, labels, stats, middles, 8, CV_32S);
+    std::vector<KeyInk> pieces;
+    double deepest = 0;
+    for (int i = 1; i < count; ++i) {
+        const int x = stats.at<int>(i, cv::CC_STAT_LEFT), y = stats.at<int>(i, cv::CC_STAT_TOP);
+        const int right = x + stats.at<int>(i, cv::CC_STAT_WIDTH), bottom = y + stats.at<int>(i, cv::CC_STAT_HEIGHT);
+        if (y == 0 || bottom == ink.rows || (left ? right == ink.cols : x == 0)) continue;
+        double darkest = 255;
+        cv::minMaxLoc(ink, &darkest, nullptr, nullptr, nullptr, labels == i);
+        pieces.push_back({{window.left + x, window.top + y, window.left + right, window.top + bottom}, 255 - darkest});
+        deepest = std::max(deepest, 255 - darkest);
+    }
+    std::erase_if(pieces, [&](const KeyInk& piece) { return piece.depth < kPaler * deepest; });
+    return pieces;
+}
+
+// The piece that is nearest to the words, and what is in a row with it: a curve may run by beyond the legend.
+std::optional<PixelBox> sample_among(const std::vector<KeyInk>& pieces, bool left) {
+    if (pieces.empty()) return std::nullopt;
+    PixelBox box = std::min_element(pieces.begin(), pieces.end(), [left](const KeyInk& a, const KeyInk& b) {
+                       return left ? a.box.right > b.box.right : a.box.left < b.box.left;
+                   })->box;
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (const KeyInk& piece : pieces) {
+            if (piece.box.bottom <= box.top || piece.box.top >= box.bottom || around(box, piece.box) == box) continue;
+            box = around(box, piece.box);
+            grows = true;
+        }
+    }
+    return box;
+}
+
+// The colour of most of it, and whether it is one.
+void find_look(const Image& picture, const Image& ink, KeySample& sample) {
+    std::array<std::vector<int>, 3> values;
+    int darkest = 255;
+    for (int y = sample.box.top; y < sample.box.bottom; ++y)
+        for (int x = sample.box.left; x < sample.box.right; ++x) darkest = std::min<int>(darkest, ink.row(y)[x]);
+    const int dx = sample.line ? 0 : sample.box.width() / 4, dy = sample.line ? 0 : sample.box.height() / 4;
+    int white = 0, all = 0;
+    for (int y = sample.box.top + dy; y < sample.box.bottom - dy; ++y)
+        for (int x = sample.box.left + dx; x < sample.box.right - dx; ++x, ++all) {
+            white += ink.row(y)[x] >= kInkOfKeys ? 1 : 0;
+            if (sample.line && ink.row(y)[x] > darkest + 40) continue;
+            const PixelColour colour = pixel_colour(picture, x, y);
+            for (std::size_t c = 0; c < 3; ++c) values[c].push_back(colour[c]);
+        }
+    const int middle_x = (sample.box.left + sample.box.right) / 2, middle_y = (sample.box.top + sample.box.bottom) / 2;
+    sample.off_ground = 255 - (sample.line ? darkest : ink.row(middle_y)[middle_x]);
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (values[c].empty()) continue;
+        const auto middle = values[c].begin() + static_cast<std::ptrdiff_t>(values[c].size() / 2);
+        std::nth_element(values[c].begin(), middle, values[c].end());
+        sample.colour[c] = *middle;
+    }
+    // In a pale surface all is as white.
+    sample.hatch = !sample.line && white > 0.1 * all && white < 0.95 * all;
+}
+
+// By the ink along it. The last mark may be cut off.
+std::optional<DashKind> dashes_along(const Image& ink, const PixelBox& box) {
+    std::vector<int> columns;
+    double all = 0;
+    for (int x = box.left; x < box.right; ++x) {
+        int darkest = 255;
+        for (int y = box.top; y < box.bottom; ++y) {
+            darkest = std::min<int>(darkest, ink.row(y)[x]);
+            all += 255 - ink.row(y)[x];
+        }
+        columns.push_back(darkest);
+    }
+    const int darkest = *std::min_element(columns.begin(), columns.end()), halfway = (darkest + 255) / 2;
+    std::vector<double> lengths;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (columns[i] >= halfway) continue;
+        if (i == 0 || columns[i - 1] >= halfway) lengths.push_back(0);
+        ++lengths.back();
+    }
+    if (lengths.size() < 2) return std::nullopt;
+    // As much ink as that is, if it were evenly dark.
+    const double width = all / (255.0 - darkest) / std::accumulate(lengths.begin(), lengths.end(), 0.0);
+    if (lengths.size() > 2) lengths.pop_back();
+    for (double& length : lengths) length /= std::max(1.0, width);
+    return dash_kind(std::move(lengths));
+}
+
+std::optional<KeySample> sample_beside(const Image& picture, const Image& ink, const LegendWords& words, std::size_t number,
+                                       bool left) {
+    const double h = words.height, y = (words.box.top + words.box.bottom) / 2.0;
+    const double from = left ? words.box.left - kMostWide * h : words.box.right + kNearest * h;
+    const double to = left ? words.box.left - kNearest * h : words.box.right + kMostWide * h;
+    const PixelBox window{std::max(0, static_cast<int>(from)), std::max(0, static_cast<int>(y - kAroundRow * h)),
+                          std::min(picture.width, static_cast<int>(to)),
+                          std::min(picture.height, static_cast<int>(y + kAroundRow * h))};
+    if (window.width() < 2 || window.height() < 2) return std::nullopt;
+    const cv::Mat own_ink = ink_on(middle_colour(picture, words.box), picture, window);
+    const auto box = sample_among(free_pieces(own_ink, window, left), left);
+    if (!box || box->width() < kLeastWide * h || box->height() > kMostHigh * h || box->width() < box->height())
+        return std::nullopt;
+    if (box->left <= window.left || box->right >= window.right) return std::nullopt;
+    if (std::abs((box->top + box->bottom) / 2.0 - y) > kSameColumn * h) return std::nullopt;
+    KeySample sample{number, *box, box->height() <= kLineHigh * h, false, {}, h};
+    find_look(picture, ink, sample);
+    if (sample.line) sample.dashes = dashes_along(ink, *box);
+    return sample;
+}
+
+// How far its words are from it.
+int off_words(const KeySample& sample, const std::vector<LegendWords>& words) {
+    const PixelBox& box = words[sample.words].box;
+    return std::max(box.left - sample.box.right, sample.box.left - box.right);
+}
+
+// A number beside an axis may be as far from a sample as the words are that it belongs to.
+void keep_nearest_words(std::vector<KeySample>& samples, const std::vector<LegendWords>& words) {
+    const std::vector<KeySample> all = samples;
+    std::erase_if(samples, [&](const KeySample& one) {
+        return std::any_of(all.begin(), all.end(), [&](const KeySample& other) {
+            return other.words != one.words && overlap(other.box, one.box) && off_words(other, words) < off_words(one, words);
+        });
+    });
+}
+
+}  // namespace
+
+PixelColour pixel_colour(const Image& picture, int x, int y) {
+    const std::uint8_t* at = picture.row(y) + x * picture.channels;
+    return picture.channels == 3 ? PixelColour{at[0], at[1], at[2]} : PixelColour{at[0], at[0], at[0]};
+}
+
+std::vector<KeySample> key_samples_in(const Image& picture, const Image& ink, const std::vector<LegendWords>& words) {
+    std::vector<KeySample> all;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        for (const bool left : {true, false})
+            if (const auto sample = words[i].height > 0 ? sample_beside(picture, ink, words[i], i, left) : std::nullopt) {
+                all.push_back(*sample);
+                break;
+            }
+    keep_nearest_words(all, words);
+    std::vector<KeySample> rows;
+    for (const KeySample& one : all)
+        if (std::any_of(all.begin(), all.end(), [&](const KeySample& other) {
+                const double across = std::abs(one.box.left - other.box.left), down = std::abs(one.box.top - other.box.top);
+                const double h = one.height;
+                return one.words != other.words && one.line == other.line &&
+                       ((across < kSameColumn * h && down < kNextRow * h) ||
+                        (down < kSameColumn * h && across < kNextColumn * h));
+            }))
+            rows.push_back(one);
+    std::vector<KeySample> unlike;
+    for (const KeySample& one : rows)
+        if (std::none_of(rows.begin(), rows.end(),
+                         [&](const KeySample& other) { return one.words != other.words && alike(one, other); }))
+            unlike.push_back(one);
+    return unlike;
+}
+
+}  // namespace tactics
