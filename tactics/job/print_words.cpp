@@ -9,6 +9,7 @@
 #include <set>
 
 #include "filters/inked_legend.h"
+#include "filters/legend_frame.h"
 #include "filters/quieted.h"
 #include "tactics/braille/braille.h"
 #include "tactics/error.h"
@@ -111,8 +112,12 @@ void PrintWords::take_from(Image& picture) const {
         const int right = pixel(sample.left + sample.width, picture.width, kFades),
                   bottom = pixel(sample.top + sample.height, picture.height, kFades);
         if (left >= right || top >= bottom) continue;
+        // Beside it: at the end of a side of a frame there is more of that line.
+        const bool level = right - left > bottom - top;
+        const int beside_x = level ? (left + right) / 2 : std::max(0, left - 1),
+                  beside_y = level ? std::max(0, top - 1) : (top + bottom) / 2;
         std::array<std::uint8_t, 3> ground{};
-        std::copy_n(picture.row((top + bottom) / 2) + std::max(0, left - 1) * picture.channels, picture.channels, ground.begin());
+        std::copy_n(picture.row(beside_y) + beside_x * picture.channels, picture.channels, ground.begin());
         for (int y = top; y < bottom; ++y)
             for (int x = left; x < right; ++x)
                 std::copy_n(ground.begin(), picture.channels, picture.row(y) + x * picture.channels);
@@ -192,6 +197,19 @@ bool is_even(const Image& grey, const Box& place) {
     return lightest - darkest <= kLine;
 }
 
+// What looked like print and is a sample of the legend.
+void forget_samples(PrintWords& words) {
+    for (std::size_t i = words.told.size(); i-- > 0;) {
+        const ToldWords& one = words.told[i];
+        if (one.set || std::none_of(words.samples.begin(), words.samples.end(), [&](const Rect& box) {
+                return one.x >= box.left && one.x <= box.left + box.width && one.y >= box.top && one.y <= box.top + box.height;
+            }))
+            continue;
+        words.told.erase(words.told.begin() + static_cast<std::ptrdiff_t>(i));
+        words.lettering.words.erase(words.lettering.words.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
 // Words of a legend stand at what their samples show.
 void place_legend(PrintWords& words, Reading& reading) {
     const Lettering& lettering = words.lettering;
@@ -210,14 +228,22 @@ void place_legend(PrintWords& words, Reading& reading) {
                          may ? lettering.words[i].letter_height * down : 0});
     }
     std::vector<Phrase> told;
+    std::vector<PixelBox> legend;
+    double height = 0;
+    const double x = 100.0 / picture.width, y = 100.0 / picture.height;
+    const auto leave_out = [&](const PixelBox& box) {
+        words.samples.push_back({box.left * x, box.top * y, box.width() * x, box.height() * y});
+    };
     for (const LegendEntry& entry : legend_in(picture, boxes)) {
-        const double x = 100.0 / picture.width, y = 100.0 / picture.height;
         words.told[entry.words].wanted = {entry.at.x * x, entry.at.y * y};
         words.told[entry.words].loose = false;
-        words.samples.push_back(
-            {entry.sample.left * x, entry.sample.top * y, entry.sample.width() * x, entry.sample.height() * y});
+        leave_out(entry.sample);
+        legend.insert(legend.end(), {entry.sample, boxes[entry.words].box});
+        height = std::max(height, boxes[entry.words].height);
         told.push_back(phrase("\"{0}\"", words.told[entry.words].text));
     }
+    forget_samples(words);
+    for (const PixelBox& side : legend_frame(picture, legend, height)) leave_out(side);
     if (!told.empty())
         words.notes.push_back(
             phrase("of its legend these words {0} each name what is painted like their sample, and stand there", row_of(told)));

@@ -26,7 +26,7 @@ struct PrintWords {
     std::vector<ToldWords> told;
     Notes notes;                     ///< for the user
     bool remove_all = false;         ///< remove all print and set nothing
-    std::vector<Rect> samples = {};  ///< of a legend whose words stand at the things themselves, in percent
+    std::vector<Rect> samples = {};  ///< and frame of a legend whose words stand at the things themselves, in percent
     std::string title = {};          ///< title of the figure, if it has a long one; empty: none, or the user gave one
 
     /// Paints over the print that does not stay in the drawing. What may be drawn stays, and is reported.
