@@ -56,13 +56,14 @@ int sign_of_ink(const Image& image, const Colour& ground) {
 // left of it than is painted in one colour, most of all where the margins are cut off. A paler colour may be paper in the shade.
 std::array<int, 3> ground_of(const Image& image) {
     constexpr int kShift = 5, kCells = 8;
-    constexpr double kWhiteOfMost = 0.4;  // setting
-    constexpr int kPainted = 96;          // levels off white in a channel
+    constexpr double kWhiteOfMost = 0.4;        // setting
+    constexpr int kWhite = 240, kPainted = 96;  // levels: no darker is paper, and so far off it in a channel is paint
     struct Cell {
         std::size_t count = 0;
         std::array<std::size_t, 3> sum{};
     };
     std::vector<Cell> cells(kCells * kCells * kCells);
+    Cell white;
     const auto channels = static_cast<std::size_t>(image.channels);
     for (std::size_t i = 0, next = 0; i + channels <= image.pixels.size(); i = next) {
         const std::uint8_t* pixel = &image.pixels[i];
@@ -71,15 +72,18 @@ std::array<int, 3> ground_of(const Image& image) {
         const std::array<int, 3> colour{pixel[0], pixel[channels == 3 ? 1 : 0], pixel[channels == 3 ? 2 : 0]};
         Cell& cell = cells[static_cast<std::size_t>(((colour[0] >> kShift) * kCells + (colour[1] >> kShift)) * kCells +
                                                     (colour[2] >> kShift))];
-        cell.count += count;
-        for (std::size_t c = 0; c < 3; ++c) cell.sum[c] += count * static_cast<std::size_t>(colour[c]);
+        const auto add = [&](Cell& to) {
+            to.count += count;
+            for (std::size_t c = 0; c < 3; ++c) to.sum[c] += count * static_cast<std::size_t>(colour[c]);
+        };
+        add(cell);
+        if (std::min({colour[0], colour[1], colour[2]}) >= kWhite) add(white);
     }
     const auto mean = [](const Cell& cell) {
         Colour colour{};
         for (std::size_t c = 0; c < 3; ++c) colour[c] = static_cast<int>(cell.sum[c] / std::max<std::size_t>(1, cell.count));
         return colour;
     };
-    const Cell& white = cells.back();
     const Cell& most =
         *std::max_element(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.count < b.count; });
     const bool is_paper = static_cast<double>(white.count) >= kWhiteOfMost * static_cast<double>(most.count) &&

@@ -130,7 +130,18 @@ Found flats_of(const cv::Mat& pixels, const MeanColour& ground, double mm) {
         if (width * mm < kNarrowest && stats.at<int>(i, cv::CC_STAT_AREA) < 0.1 * static_cast<double>(pixels.total())) continue;
         parts.push_back(std::move(part));
     }
-    std::erase_if(parts, [&](const Part& part) { return alike(part.kind.colour, ground); });
+    // Of two that are like it, as white and a pale fill are, the nearer one is the ground.
+    const auto off_ground = [&](const Part& part) {
+        double off = 0;
+        for (std::size_t c = 0; c < 3; ++c) off = std::max(off, std::abs(part.kind.colour[c] - ground[c]));
+        return off;
+    };
+    const auto nearest =
+        std::min_element(parts.begin(), parts.end(), [&](const Part& a, const Part& b) { return off_ground(a) < off_ground(b); });
+    if (nearest != parts.end() && alike(nearest->kind.colour, ground)) {
+        const MeanColour own = nearest->kind.colour;
+        std::erase_if(parts, [&](const Part& part) { return alike(part.kind.colour, own); });
+    }
     found.flats = std::move(parts);
     return found;
 }

@@ -224,7 +224,8 @@ void place_legend(PrintWords& words, Reading& reading) {
         const PixelBox& box = lettering.words[i].box;
         const bool may = words.told[i].set && !words.told[i].title && !lettering.words[i].upwards;
         boxes.push_back({{static_cast<int>(box.left * across), static_cast<int>(box.top * down),
-                          static_cast<int>(box.right * across), static_cast<int>(box.bottom * down)},
+                          std::min(picture.width, static_cast<int>(box.right * across)),
+                          std::min(picture.height, static_cast<int>(box.bottom * down))},
                          may ? lettering.words[i].letter_height * down : 0});
     }
     std::vector<Phrase> told;
