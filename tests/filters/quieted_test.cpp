@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Noise of a scan goes, and what is drawn stays.
-#include "filters/darken.h"
 #include "filters/quieted.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +10,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "filters/darken.h"
 #include "filters/known_parts.h"
 #include "tactics/measure/disturbance.h"
 
