@@ -57,7 +57,7 @@ int sign_of_ink(const Image& image, const Colour& ground) {
 std::array<int, 3> ground_of(const Image& image) {
     constexpr int kShift = 5, kCells = 8;
     constexpr double kWhiteOfMost = 0.4;        // setting
-    constexpr int kWhite = 240, kPainted = 96;  // levels: no darker is paper, and so far off it in a channel is paint
+    constexpr int kWhite = 240, kPainted = 96;  // levels: paper is no darker, and paint so far off it in a channel
     struct Cell {
         std::size_t count = 0;
         std::array<std::size_t, 3> sum{};

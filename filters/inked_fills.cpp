@@ -87,11 +87,12 @@ MeanColour as_mean(const std::array<int, 3>& colour) {
     return {static_cast<double>(colour[0]), static_cast<double>(colour[1]), static_cast<double>(colour[2])};
 }
 
-bool alike(const MeanColour& a, const MeanColour& b) {
-    for (std::size_t c = 0; c < 3; ++c)
-        if (std::abs(a[c] - b[c]) > kSameColour) return false;
-    return true;
+// In the channel of most.
+double levels_between(const MeanColour& a, const MeanColour& b) {
+    return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
+
+bool alike(const MeanColour& a, const MeanColour& b) { return levels_between(a, b) <= kSameColour; }
 
 bool same_kind(const FillKind& a, const FillKind& b) {
     constexpr double kSameOrder = 0.25, kSameAngle = 0.7;  // 20 degrees of a line's direction, doubled
@@ -131,11 +132,7 @@ Found flats_of(const cv::Mat& pixels, const MeanColour& ground, double mm) {
         parts.push_back(std::move(part));
     }
     // Of two that are like it, as white and a pale fill are, the nearer one is the ground.
-    const auto off_ground = [&](const Part& part) {
-        double off = 0;
-        for (std::size_t c = 0; c < 3; ++c) off = std::max(off, std::abs(part.kind.colour[c] - ground[c]));
-        return off;
-    };
+    const auto off_ground = [&](const Part& part) { return levels_between(part.kind.colour, ground); };
     const auto nearest =
         std::min_element(parts.begin(), parts.end(), [&](const Part& a, const Part& b) { return off_ground(a) < off_ground(b); });
     if (nearest != parts.end() && alike(nearest->kind.colour, ground)) {

@@ -27,19 +27,24 @@ bool alike(const KeySample& a, const KeySample& b) {
            (a.hatch || channels_apart(a.colour, b.colour) <= kAlikeSamples);
 }
 
-// The middle level of each channel.
-PixelColour middle_colour(const Image& picture, const PixelBox& box) {
-    PixelColour colour{};
+// The middle level of each channel; black if there are none.
+PixelColour middle_of(std::vector<PixelColour> colours) {
+    PixelColour middle{};
+    if (colours.empty()) return middle;
+    const auto half = colours.begin() + static_cast<std::ptrdiff_t>(colours.size() / 2);
     for (std::size_t c = 0; c < 3; ++c) {
-        std::vector<int> levels;
-        for (int y = box.top; y < box.bottom; ++y)
-            for (int x = box.left; x < box.right; ++x) levels.push_back(pixel_colour(picture, x, y)[c]);
-        if (levels.empty()) continue;
-        const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
-        std::nth_element(levels.begin(), middle, levels.end());
-        colour[c] = *middle;
+        std::nth_element(colours.begin(), half, colours.end(),
+                         [c](const PixelColour& a, const PixelColour& b) { return a[c] < b[c]; });
+        middle[c] = (*half)[c];
     }
-    return colour;
+    return middle;
+}
+
+PixelColour middle_colour(const Image& picture, const PixelBox& box) {
+    std::vector<PixelColour> colours;
+    for (int y = box.top; y < box.bottom; ++y)
+        for (int x = box.left; x < box.right; ++x) colours.push_back(pixel_colour(picture, x, y));
+    return middle_of(std::move(colours));
 }
 
 // Ink on white in that window.
@@ -97,7 +102,7 @@ std::optional<PixelBox> sample_among(const std::vector<KeyInk>& pieces, bool lef
 
 // The colour of most of it, and whether it is one.
 void find_look(const Image& picture, const Image& ink, KeySample& sample) {
-    std::array<std::vector<int>, 3> values;
+    std::vector<PixelColour> colours;
     int darkest = 255;
     for (int y = sample.box.top; y < sample.box.bottom; ++y)
         for (int x = sample.box.left; x < sample.box.right; ++x) darkest = std::min<int>(darkest, ink.row(y)[x]);
@@ -107,17 +112,11 @@ void find_look(const Image& picture, const Image& ink, KeySample& sample) {
         for (int x = sample.box.left + dx; x < sample.box.right - dx; ++x, ++all) {
             white += ink.row(y)[x] >= kInkOfKeys ? 1 : 0;
             if (sample.line && ink.row(y)[x] > darkest + 40) continue;
-            const PixelColour colour = pixel_colour(picture, x, y);
-            for (std::size_t c = 0; c < 3; ++c) values[c].push_back(colour[c]);
+            colours.push_back(pixel_colour(picture, x, y));
         }
     const int middle_x = (sample.box.left + sample.box.right) / 2, middle_y = (sample.box.top + sample.box.bottom) / 2;
     sample.off_ground = 255 - (sample.line ? darkest : ink.row(middle_y)[middle_x]);
-    for (std::size_t c = 0; c < 3; ++c) {
-        if (values[c].empty()) continue;
-        const auto middle = values[c].begin() + static_cast<std::ptrdiff_t>(values[c].size() / 2);
-        std::nth_element(values[c].begin(), middle, values[c].end());
-        sample.colour[c] = *middle;
-    }
+    sample.colour = middle_of(std::move(colours));
     // In a pale surface all is as white.
     sample.hatch = !sample.line && white > 0.1 * all && white < 0.95 * all;
 }

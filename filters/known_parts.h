@@ -25,9 +25,9 @@ struct KnownParts {
     std::vector<Phrase> told() const;  ///< what a reader of the picture would not expect
 };
 
-/// Takes them out of the picture, which has its size in mm; the lines that heads and points were on stay whole. With
-/// the colour of the ground surfaces of other colours get textures, too (inked_fills.h): for who draws both sides of every line
-/// and outlines of surfaces.
+/// Takes them out of the picture, which has its size in mm; the lines that heads and points were on stay whole. If
+/// `ground`, the colour of the ground, is given, surfaces of other colours get textures, too (inked_fills.h): for who draws both
+/// sides of every line and outlines of surfaces.
 KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 3>>& ground = {});
 
 }  // namespace tactics

@@ -95,7 +95,7 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
             read_for(fitting, {place.left, place.top, place.width / part.width, place.height / part.height}, *reading);
         way.finer = longest > std::max(picture.width, picture.height);
         print.take_from(picture);
-        const std::array<int, 3> ground = ground_of(picture);
+        const std::array<int, 3> ground = recipe.has_words ? ground_of(picture) : std::array<int, 3>{};
         picture = cut_out(std::move(picture), part);
         if (chooses) way.detail = choose_detail(fitting, picture, on, place, as_drawn);
         KnownParts parts = known_parts_of(picture, recipe, !print.samples.empty(), ground);

@@ -112,7 +112,7 @@ void PrintWords::take_from(Image& picture) const {
         const int right = pixel(sample.left + sample.width, picture.width, kFades),
                   bottom = pixel(sample.top + sample.height, picture.height, kFades);
         if (left >= right || top >= bottom) continue;
-        // Beside it: at the end of a side of a frame there is more of that line.
+        // Above what is level and left of what is upright: beyond the end of a frame's side its line may go on.
         const bool level = right - left > bottom - top;
         const int beside_x = level ? (left + right) / 2 : std::max(0, left - 1),
                   beside_y = level ? std::max(0, top - 1) : (top + bottom) / 2;

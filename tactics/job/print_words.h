@@ -24,10 +24,11 @@ WordsWish find_words_wish(std::string_view name, std::string_view place);
 struct PrintWords {
     Lettering lettering;
     std::vector<ToldWords> told;
-    Notes notes;                     ///< for the user
-    bool remove_all = false;         ///< remove all print and set nothing
-    std::vector<Rect> samples = {};  ///< and frame of a legend whose words stand at the things themselves, in percent
-    std::string title = {};          ///< title of the figure, if it has a long one; empty: none, or the user gave one
+    Notes notes;              ///< for the user
+    bool remove_all = false;  ///< remove all print and set nothing
+    std::vector<Rect> samples =
+        {};  ///< in percent: samples of a legend whose words stand at the things themselves, and the sides of its frame
+    std::string title = {};  ///< title of the figure, if it has a long one; empty: none, or the user gave one
 
     /// Paints over the print that does not stay in the drawing. What may be drawn stays, and is reported.
     void take_from(Image& picture) const;
