@@ -17,6 +17,7 @@ struct Traits {
     double clear = 0;       ///< of all steps, those with a plain part on either side
     double few = 0;         ///< in one of the eight commonest colours
     double ground = 0;      ///< in the commonest colour
+    double paper = 0;       ///< in one of the two commonest, if both are light and one is the border's: paper and panels on it
     double rim = 0;         ///< of the places along the border: in their commonest colour
     double colourful = 0;   ///< clearly of another hue than that
     double thick = 0;       ///< darker than the ground over more than a line's width

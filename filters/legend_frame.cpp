@@ -16,8 +16,11 @@ constexpr int kFrameInk = 240;        // of 255 is the ground: frames may be as 
 constexpr double kFrameAround = 2.5;  // heights of letters from what is in it
 constexpr double kWholeSide = 0.85;   // of its length is ink: corners may be round
 constexpr double kLongestTick = 2;    // heights of letters
-constexpr int kThickestSide = 6;      // pixels
-constexpr int kFromAxis = 3;          // pixels: what fades around a side that goes is none of a side that stays
+
+// Pixels, for letters of that height: more is a bar, no side.
+int thickest_side(double height) { return std::max(6, static_cast<int>(height / 4)); }
+// What fades around a side that goes is none of a side that stays.
+int fading(double height) { return std::max(3, static_cast<int>(height / 8)); }
 
 // One side of a rectangle, seen as if it were the left one.
 struct KeySide {
@@ -58,7 +61,7 @@ std::optional<KeySide> side_of(const TurnedInk& ink, const PixelBox& inside, dou
         if (inked_share(ink, x, inside.top, inside.bottom) < kWholeSide) continue;
         KeySide side{x, x + 1};
         while (side.outer > 0 && inked_share(ink, side.outer - 1, inside.top, inside.bottom) >= kWholeSide) --side.outer;
-        if (side.inner - side.outer > kThickestSide) return std::nullopt;
+        if (side.inner - side.outer > thickest_side(height)) return std::nullopt;
         return side;
     }
     return std::nullopt;
@@ -71,7 +74,7 @@ bool goes_on_beyond(const TurnedInk& ink, const PixelBox& frame, double height) 
         top = std::clamp(top, 0, ink.down());
         bottom = std::clamp(bottom, 0, ink.down());
         double most = 0;
-        for (int x = frame.left; x < std::min(frame.left + kThickestSide, ink.across()); ++x)
+        for (int x = frame.left; x < std::min(frame.left + thickest_side(height), ink.across()); ++x)
             most = std::max(most, inked_share(ink, x, top, bottom));
         return most >= kWholeSide;
     };
@@ -79,7 +82,7 @@ bool goes_on_beyond(const TurnedInk& ink, const PixelBox& frame, double height) 
 }
 
 bool holds_more(const Image& ink, const PixelBox& frame, const std::vector<PixelBox>& legend, double height) {
-    const int beside = std::max(3, static_cast<int>(height / 3)), corner = kThickestSide;
+    const int beside = std::max(3, static_cast<int>(height / 3)), corner = thickest_side(height);
     int more = 0;
     for (int y = frame.top + corner; y < frame.bottom - corner; ++y)
         for (int x = frame.left + corner; x < frame.right - corner; ++x)
@@ -113,8 +116,9 @@ std::vector<PixelBox> legend_frame(const Image& picture, const std::vector<Pixel
         stays[static_cast<std::size_t>(quarter)] = goes_on_beyond(turned, turned.turned(frame), height);
     }
     // Corners belong to what stays.
-    const PixelBox going{stays[0] ? sides[0].right + kFromAxis : frame.left, stays[1] ? sides[1].bottom + kFromAxis : frame.top,
-                         stays[2] ? sides[2].left - kFromAxis : frame.right, stays[3] ? sides[3].top - kFromAxis : frame.bottom};
+    const int from_axis = fading(height);
+    const PixelBox going{stays[0] ? sides[0].right + from_axis : frame.left, stays[1] ? sides[1].bottom + from_axis : frame.top,
+                         stays[2] ? sides[2].left - from_axis : frame.right, stays[3] ? sides[3].top - from_axis : frame.bottom};
     std::vector<PixelBox> found;
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
         const PixelBox& side = sides[quarter];

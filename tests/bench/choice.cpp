@@ -25,15 +25,15 @@ void tell(const std::string& name) {
     const Traits traits = traits_of(picture);
     std::cout << name << '\t' << choice.recipe << '\t' << choice.reason.english() << '\t' << traits.noise << '\t' << traits.flat
               << '\t' << traits.soft << '\t' << traits.clear << '\t' << traits.few << '\t' << traits.ground << '\t' << traits.rim
-              << '\t' << traits.colourful << '\t' << traits.thick << '\t' << traits.range << '\t' << traits.lightest << '\t'
-              << traits.darkest << '\t' << seconds.count() << '\n';
+              << '\t' << traits.paper << '\t' << traits.colourful << '\t' << traits.thick << '\t' << traits.range << '\t'
+              << traits.lightest << '\t' << traits.darkest << '\t' << seconds.count() << '\n';
 }
 
 }  // namespace
 
 int main() {
-    std::cout << "name\trecipe\treason\tnoise\tflat\tsoft\tclear\tfew\tground\trim\tcolourful\tthick\trange\tlightest\tdarkest\ts"
-                 "econds\n";
+    std::cout << "name\trecipe\treason\tnoise\tflat\tsoft\tclear\tfew\tground\trim\tpaper\tcolourful\tthick\trange\tlightest\tdar"
+                 "kest\tseconds\n";
     int failed = 0;
     for (std::string name; std::getline(std::cin, name);) try {
             tell(name);

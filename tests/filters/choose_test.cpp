@@ -180,6 +180,18 @@ Image coloured(int width, int height, const std::function<std::array<double, 3>(
     return image;
 }
 
+// Half of it is the panel's grey, and the lines of its grid are hardly lighter.
+TEST(Choice, OfAChartOnAPanelIsDiagram) {
+    const Image chart = coloured(kLook, 360, [](double x, double y) -> std::array<double, 3> {
+        if (x < 60 || x >= 460 || y < 40 || y >= 310) return {255, 255, 255};
+        if (std::abs(y - 180 - 90 * std::sin(x / 40)) < 3) return {175, 165, 165};
+        const double level = std::fmod(x - 60, 80) < 4 || std::fmod(y - 40, 80) < 4 ? 245 : 229;
+        return {level, level, level};
+    });
+    const Choice choice = choose_recipe(softened(chart));
+    EXPECT_EQ(choice.recipe, "diagram") << choice.reason.english();
+}
+
 // Smooth hills and valleys of all sizes, -1 to 1: fur, cloud, foliage.
 double mottle(double x, double y) {
     double sum = 0, height = 0.5;

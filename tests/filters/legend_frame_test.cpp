@@ -64,6 +64,19 @@ TEST(LegendFrame, WhatGoesOnAsAnAxisStays) {
     for (const PixelBox& side : sides) EXPECT_GE(side.left, kFrame.left + 4);
 }
 
+// Thin and thick are for letters to say.
+TEST(LegendFrame, OfAHugePictureItIsAsThick) {
+    constexpr int kTimes = 10;
+    const Image small = framed(0, 2);
+    Image huge = make_image(small.width * kTimes, small.height * kTimes, 1, pictures::kPixel, 255);
+    for (int y = 0; y < huge.height; ++y)
+        for (int x = 0; x < huge.width; ++x) huge.row(y)[x] = small.row(y / kTimes)[x / kTimes];
+    std::vector<PixelBox> legend = kLegend;
+    for (PixelBox& box : legend) box = {box.left * kTimes, box.top * kTimes, box.right * kTimes, box.bottom * kTimes};
+    EXPECT_EQ(legend_frame(huge, legend, kTimes * kHeight).size(), 4u);
+    EXPECT_TRUE(legend_frame(framed(0, 8), kLegend, kHeight).empty());
+}
+
 TEST(LegendFrame, AFrameWithMoreInItStays) {
     Image picture = framed(0, 2);
     line(picture, {64, 78, 150, 80}, 0);
