@@ -8,6 +8,7 @@
 #include <string>
 
 #include "filters/choose.h"
+#include "filters/traits.h"
 #include "tactics/readers/read.h"
 
 namespace {

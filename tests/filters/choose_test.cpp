@@ -10,6 +10,7 @@
 #include <functional>
 #include <random>
 
+#include "filters/traits.h"
 #include "samples/draw/scenes.h"
 #include "tests/filters/pictures.h"
 #include "tests/tactics/readers/pictures.h"
@@ -178,6 +179,20 @@ Image coloured(int width, int height, const std::function<std::array<double, 3>(
                 image.row(y)[3 * x + c] =
                     static_cast<std::uint8_t>(std::clamp(std::lround(at(x, y)[static_cast<std::size_t>(c)]), 0L, 255L));
     return image;
+}
+
+// A grey curve goes with one cut between ink and paper; the grid, as pale, may.
+TEST(Choice, OfPaleLinesBesideDarkOnesIsDiagram) {
+    const auto chart = [](bool curve) {
+        return pictures::drawn(kLook, 360, [curve](int x, int y) {
+            const auto from_curve = [&](double high) { return std::abs(y - 180 - high * std::sin(x / 25.0)); };
+            if (std::abs(x - 60) < 2 || std::abs(y - 310) < 2 || from_curve(40) < 2) return 40;
+            if (curve && from_curve(90) < 2) return 185;
+            return x % 80 < 2 || y % 80 < 2 ? 185 : 255;
+        });
+    };
+    EXPECT_EQ(choose_recipe(chart(true)).recipe, "diagram");
+    EXPECT_EQ(choose_recipe(chart(false)).recipe, "line-art");
 }
 
 // Half of it is the panel's grey, and the lines of its grid are hardly lighter.
