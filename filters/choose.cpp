@@ -32,8 +32,9 @@ constexpr double kDarkSoft = 0.17;
 // A grey photograph has fewer colours than the same in colour (0.79 in the eight commonest, and 0.63).
 constexpr double kGreyGround = 0.52, kGreyFew = 0.88;
 // A panel on paper has half of the ground, or more; together they are as much as a ground of charts. Four charts and scans of 130
-// were taken for photographs without this line, and no photograph is taken for a chart by it.
-constexpr double kPaper = 0.7;
+// and four drawings of ink or shaded were taken for photographs without this line, and no photograph is taken for a drawing by
+// it.
+constexpr double kPaper = 0.7, kPaperFew = 0.87, kPaperSoft = 0.33;
 // Very few colours on white: small icons, soft all over as their borders are, and shaded ones. 45 of 100 of the latter are told
 // by it, 33 without, and hardly any photograph.
 constexpr double kVeryFew = 0.92, kIconSoft = 0.4;
@@ -80,7 +81,8 @@ Choice choose_recipe(const Image& picture) {
         traits.soft < kSoftOfClear * traits.clear || (colourful && traits.soft <= kHardlySoft && traits.clear >= kSomeClear);
     const bool lines =
         few && traits.soft <= (traits.darkest ? kDarkSoft : kFewSoft) && (traits.lightest || traits.darkest || colourful);
-    const bool panels = traits.paper >= kPaper && traits.few >= kGreyFew + kFewOfGrain * traits.noise && traits.soft <= kFewSoft;
+    const bool panels =
+        traits.paper >= kPaper && traits.few >= kPaperFew + kFewOfGrain * traits.noise && traits.soft <= kPaperSoft;
     const bool icon = traits.lightest && traits.few >= kVeryFew + kFewOfGrain * traits.noise && traits.ground >= kFewGround &&
                       traits.soft <= kIconSoft;
     const bool pale = few && colourful && traits.clear >= kPaleClear;
