@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "filters/first_ink.h"
 #include "filters/inked_legend.h"
 #include "filters/legend_frame.h"
 #include "filters/quieted.h"
@@ -26,8 +27,6 @@ namespace {
 
 // The distance from its place at which the name of an axis needs no lead line, mm. A setting: two braille lines.
 constexpr double kLoose = 24;
-
-constexpr double kFrame = 0.02;  // of the longer side: nearer to the edge stands no more than a frame. A setting
 
 bool is_one_number(std::string_view text) {
     if (text.starts_with("\u2212")) text.remove_prefix(std::string_view("\u2212").size());
@@ -143,23 +142,6 @@ std::vector<Name> PrintWords::names_on(const Drawing& drawing, const Rect& part)
 }
 
 namespace {
-
-// The beginning of the first thing other than print and a frame around the whole, in percent from the top.
-double first_ink(Reading& reading, const Lettering& lettering) {
-    constexpr int kInk = 64;  // grey levels from the ground: what is paler is a grid or a shade
-    Image picture = to_grey(reading.get({kLookForWords, false}));
-    take_out(picture, lettering, true);
-    if (picture.width == 0 || picture.height == 0) return 0;
-    const int frame = static_cast<int>(kFrame * std::max(picture.width, picture.height));
-    const std::uint8_t* const inside = picture.row(std::min(frame, picture.height / 2));  // the first row that is no frame
-    std::vector<std::uint8_t> first(inside, inside + picture.width);
-    std::nth_element(first.begin(), first.begin() + picture.width / 2, first.end());
-    const int ground = first[static_cast<std::size_t>(picture.width / 2)];
-    for (int y = std::min(frame, picture.height / 2); y < picture.height; ++y)
-        for (int x = std::min(frame, picture.width / 2); x < picture.width - frame; ++x)
-            if (std::abs(picture.row(y)[x] - ground) > kInk) return 100.0 * y / picture.height;
-    return 100;
-}
 
 // A person must look at each, but of many pictures a line for each picture is enough to send them there.
 void add_unsure(Notes& notes, const PrintWords& words) {
@@ -311,7 +293,11 @@ PrintWords words_of(Reading& reading, const Recipe& recipe, WordsWish wish, cons
         if (one.at) places.back().at = {100 * one.at->x / lettering.width, 100 * one.at->y / lettering.height};
     }
     keep_what_has_braille(words.told, sheet.braille_table);
-    if (sheet.title.empty() && !words.told.empty()) words.title = take_title(words.told, places, first_ink(reading, lettering));
+    if (sheet.title.empty() && !words.told.empty()) {
+        Image picture = to_grey(reading.get({kLookForWords, false}));
+        take_out(picture, lettering, true);
+        words.title = take_title(words.told, places, first_ink(picture));
+    }
     want_places(words.told, std::move(places));
     place_legend(words, reading);
     // What stays in the lines stays there as a whole.

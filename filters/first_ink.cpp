@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "filters/first_ink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+namespace tactics {
+
+namespace {
+
+constexpr double kFrameStrip = 0.02;    // of the longer side: nearer to the edge stands no more than a frame. A setting
+constexpr int kDrawnInk = 64;           // grey levels from the ground: what is paler is a grid or a shade
+constexpr int kPaleFrame = 32;          // frames may be paler
+constexpr double kLineAlongSide = 0.8;  // of its length; corners may be round
+
+int ground_below(const Image& grey, int frame) {
+    const std::uint8_t* const inside = grey.row(std::min(frame, grey.height / 2));  // the first row that is no frame
+    std::vector<std::uint8_t> row(inside, inside + grey.width);
+    std::nth_element(row.begin(), row.begin() + grey.width / 2, row.end());
+    return row[static_cast<std::size_t>(grey.width / 2)];
+}
+
+enum class Edge { top, bottom, left, right };
+
+// Whether a line runs along one edge of the picture, no farther in than a frame.
+bool has_line(const Image& grey, int ground, int frame, Edge edge) {
+    const bool level = edge == Edge::top || edge == Edge::bottom;
+    const int length = level ? grey.width : grey.height, across = level ? grey.height : grey.width;
+    for (int in = 0; in < std::min(frame, across); ++in) {
+        const int line = edge == Edge::top || edge == Edge::left ? in : across - 1 - in;
+        int count = 0;
+        for (int at = 0; at < length; ++at)
+            count += std::abs((level ? grey.row(line)[at] : grey.row(at)[line]) - ground) > kPaleFrame ? 1 : 0;
+        if (count >= kLineAlongSide * length) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+double first_ink(const Image& grey) {
+    if (grey.width == 0 || grey.height == 0) return 0;
+    const int frame = static_cast<int>(kFrameStrip * std::max(grey.width, grey.height));
+    const int ground = ground_below(grey, frame);
+    const auto line_at = [&](Edge edge) { return has_line(grey, ground, frame, edge); };
+    if (line_at(Edge::top) && !(line_at(Edge::bottom) && line_at(Edge::left) && line_at(Edge::right))) return 0;
+    for (int y = std::min(frame, grey.height / 2); y < grey.height; ++y)
+        for (int x = std::min(frame, grey.width / 2); x < grey.width - frame; ++x)
+            if (std::abs(grey.row(y)[x] - ground) > kDrawnInk) return 100.0 * y / grey.height;
+    return 100;
+}
+
+}  // namespace tactics
