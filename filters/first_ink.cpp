@@ -23,14 +23,14 @@ int ground_below(const Image& grey, int frame) {
     return row[static_cast<std::size_t>(grey.width / 2)];
 }
 
-enum class Edge { top, bottom, left, right };
+enum class PictureEdge { top, bottom, left, right };
 
 // Whether a line runs along one edge of the picture, no farther in than a frame.
-bool has_line(const Image& grey, int ground, int frame, Edge edge) {
-    const bool level = edge == Edge::top || edge == Edge::bottom;
+bool has_line(const Image& grey, int ground, int frame, PictureEdge edge) {
+    const bool level = edge == PictureEdge::top || edge == PictureEdge::bottom;
     const int length = level ? grey.width : grey.height, across = level ? grey.height : grey.width;
     for (int in = 0; in < std::min(frame, across); ++in) {
-        const int line = edge == Edge::top || edge == Edge::left ? in : across - 1 - in;
+        const int line = edge == PictureEdge::top || edge == PictureEdge::left ? in : across - 1 - in;
         int count = 0;
         for (int at = 0; at < length; ++at)
             count += std::abs((level ? grey.row(line)[at] : grey.row(at)[line]) - ground) > kPaleFrame ? 1 : 0;
@@ -45,8 +45,9 @@ double first_ink(const Image& grey) {
     if (grey.width == 0 || grey.height == 0) return 0;
     const int frame = static_cast<int>(kFrameStrip * std::max(grey.width, grey.height));
     const int ground = ground_below(grey, frame);
-    const auto line_at = [&](Edge edge) { return has_line(grey, ground, frame, edge); };
-    if (line_at(Edge::top) && !(line_at(Edge::bottom) && line_at(Edge::left) && line_at(Edge::right))) return 0;
+    const auto line_at = [&](PictureEdge edge) { return has_line(grey, ground, frame, edge); };
+    if (line_at(PictureEdge::top) && !(line_at(PictureEdge::bottom) && line_at(PictureEdge::left) && line_at(PictureEdge::right)))
+        return 0;
     for (int y = std::min(frame, grey.height / 2); y < grey.height; ++y)
         for (int x = std::min(frame, grey.width / 2); x < grey.width - frame; ++x)
             if (std::abs(grey.row(y)[x] - ground) > kDrawnInk) return 100.0 * y / grey.height;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "tactics/lettering/alike_letters.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -20,25 +21,16 @@ constexpr double kAccent = 0.12;      // in small print a letter with an accent 
 constexpr double kKnownBonus = 1.03;  // of the value in a size that other words have
 constexpr double kNeutral = 0.5;      // likeness that speaks neither for nor against a letter
 constexpr double kOffLine = 0.05;     // by so much must a raised letter be more likely than one on the line
+constexpr double kLow = 0.65;         // of the height of a line: an underscore begins below
 constexpr double kOffPixels = 1.3;    // a point of less than a pixel lies on two
 constexpr std::size_t kMostSizes = 6, kMostFeet = 5, kMostUnits = 120, kMostLetterPieces = 4;
 
-// Pieces side by side that may be one letter; and a stem, with or without a dot.
-constexpr std::u32string_view kWide = U"%\u2030\u00bd\u00bc\u00be\"\u201c\u201d\u2033\u2026",
-                              kThin = U"ilI\u00cc\u00cd\u00ce\u00ec\u00ed\u00ee";
+// Pieces side by side that may be one letter.
+constexpr std::u32string_view kWide = U"%\u2030\u00bd\u00bc\u00be\"\u201c\u201d\u2033\u2026";
 
 // Two letters that touch in small print and look like one: rn and m, cl and d.
 constexpr std::u32string_view kLikeOne[] = {U"rn", U"cl", U"ri", U"li", U"Cl", U"vv", U"Fi", U"fi"};
 
-bool is_accented(char32_t code) { return code >= 0xC0 && code <= 0xFF; }
-bool is_raised_figure(char32_t code) { return code == 0xB9 || code == 0xB2 || code == 0xB3; }
-bool is_thin(char32_t code) { return kThin.find(code) != kThin.npos; }
-// Letters that differ by their height alone, which a pixel more or less does not tell. A 0 is seldom an o.
-bool is_same_in_two_sizes(char32_t one, char32_t other) {
-    constexpr std::u32string_view kSame = U"cosuvwxz";
-    if (one == U'o' || one == U'O') return other == U'0' || other == (one ^ 32);
-    return (one ^ other) == 32 && kSame.find(one | 32) != kSame.npos;
-}
 bool may_be_off_line(char32_t code) {
     return is_digit(code) || is_minus(code) || code == '+' || (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z');
 }
@@ -119,10 +111,17 @@ private:
         if (only_guessed_)
             for (const char32_t code : guessed_) add(code, unit, unit, span);
         else
-            for (const auto& [code, shape] : font_.shapes()) add(code, unit, unit, span);
+            for (const auto& [code, shape] : font_.shapes())
+                if (code != '_' || lies_low(span.box)) add(code, unit, unit, span);
         for (const char32_t code : joined_) add(code, unit, unit, span);
         for (const char32_t code : pairs_)
             if (std::find(joined_.begin(), joined_.end(), code) == joined_.end()) add(code, unit, unit, span);
+    }
+
+    // A hyphen of another size is none.
+    bool lies_low(const InkBox& box) const {
+        const InkBox line = strip_.measure(0, count_ - 1);
+        return box.top > line.top + kLow * line.height();
     }
 
     // Letters of a word that stand side by side may touch.

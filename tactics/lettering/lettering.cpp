@@ -173,16 +173,16 @@ bool stands_right_beside(const LetteringLine& one, const LetteringLine& other) {
 // A label of which a part is only told is told as a whole: "effect" of "random effect" would name something else. Figures stand
 // beside each other along a scale.
 void doubt_parts(std::vector<ReadLine>& all, const std::vector<bool>& told) {
-    const auto has_word = [](const ReadLine& one) {
-        return is_words(one.line) && std::any_of(one.words.text.begin(), one.words.text.end(),
-                                                 [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; });
+    const auto has_letter = [](const ReadLine& one) {
+        return std::any_of(one.words.text.begin(), one.words.text.end(),
+                           [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; });
     };
     for (bool more = true; more;) {
         more = false;
         for (ReadLine& one : all) {
-            if (!one.words.sure || !has_word(one)) continue;
+            if (!one.words.sure || !has_letter(one)) continue;
             for (std::size_t i = 0; i < all.size() && one.words.sure; ++i)
-                if (!all[i].words.sure && (told[i] || all[i].tell) && has_word(all[i]) &&
+                if (!all[i].words.sure && (told[i] || all[i].tell) && is_words(all[i].line) && has_letter(all[i]) &&
                     stands_right_beside(one.line, all[i].line)) {
                     one.words.sure = false;
                     one.tell = more = true;

@@ -12,6 +12,8 @@
 #include "tactics/lettering/found_boxes.h"
 #include "tactics/lettering/letter_parts.h"
 #include "tactics/lettering/pale_ink.h"
+#include "tactics/lettering/signs_between.h"
+#include "tactics/lettering/underscores.h"
 
 namespace tactics {
 
@@ -22,8 +24,9 @@ constexpr std::size_t kLowUpwards = 3;  // letters that none is as tall as that 
 // Of the height of the taller of two letters, which may both be small ones (0.52 em): a word space is 0.25 to 0.33 em and its
 // letters' side bearings.
 constexpr double kWordGap = 1.0;
-constexpr double kPointGap = 1.6;  // with a point between them, in monospaced print
-constexpr double kMinusGap = 1.7;  // with a minus sign between them, of 0.84 em: "1e-14"
+constexpr double kPointGap = 1.6;       // with a point between them, in monospaced print
+constexpr double kMinusGap = 1.7;       // with a minus sign between them, of 0.84 em: "1e-14"
+constexpr double kUnderscoreGap = 2.6;  // with two underscores between them, of 0.5 em or more each
 constexpr double kMarkGap = 0.5;
 // From x-height to a letter with ascender and descender.
 constexpr double kUnlike = 2.4;
@@ -62,55 +65,6 @@ bool stand_in_line(const PixelBox& a, const PixelBox& b, double most) {
     return gap < most * high;
 }
 
-// Points, commas and minus signs between letters, in the order of their places.
-class Points {
-public:
-    explicit Points(const std::vector<PixelBox>& boxes) {
-        constexpr int kMostHeight = 12;  // pixels, of print that is as high as it may be
-        for (const PixelBox& box : boxes) {
-            if (box.height() > kMostHeight) continue;
-            if (box.width() <= box.height() + 1) points_.push_back(box);
-            if (box.width() > 2 * box.height()) bars_.push_back(box);
-        }
-        for (std::vector<PixelBox>* all : {&points_, &bars_})
-            std::sort(all->begin(), all->end(), [](const PixelBox& a, const PixelBox& b) { return a.left < b.left; });
-    }
-
-    // In monospaced print a point has as much room as a letter: "12.5" has a wider gap than two words.
-    bool any_between(const PixelBox& a, const PixelBox& b) const {
-        constexpr double kOffFoot = 0.2, kLeast = 0.12, kMost = 0.3;  // of the height; specks of noise are smaller
-        const int foot = std::min(a.bottom, b.bottom), height = std::max(a.height(), b.height());
-        const auto is_point = [&](const PixelBox& one) {
-            return std::min(one.width(), one.height()) >= kLeast * height && one.height() <= std::max(2.0, kMost * height) &&
-                   std::abs(one.bottom - foot) <= std::max(1.0, kOffFoot * height);
-        };
-        return any_of(points_, a, b, is_point);
-    }
-
-    // About as wide as a figure, in the middle of their height, and close to both.
-    bool any_minus_between(const PixelBox& a, const PixelBox& b) const {
-        constexpr double kLeast = 0.35, kMost = 1.1, kHigh = 0.25, kLow = 0.8, kBeside = 0.5;  // of the height
-        const int foot = std::max(a.bottom, b.bottom), height = std::max(a.height(), b.height());
-        return any_of(bars_, a, b, [&](const PixelBox& one) {
-            return one.width() >= kLeast * height && one.width() <= kMost * height && foot - one.bottom >= kHigh * height &&
-                   foot - one.top <= kLow * height && one.left - a.right <= kBeside * height &&
-                   b.left - one.right <= kBeside * height;
-        });
-    }
-
-private:
-    template <typename Is>
-    static bool any_of(const std::vector<PixelBox>& marks, const PixelBox& a, const PixelBox& b, const Is& is) {
-        for (auto mark = std::lower_bound(marks.begin(), marks.end(), a.right,
-                                          [](const PixelBox&one, int right) { return one.left < right; });
-             mark != marks.end() && mark->right <= b.left; ++mark)
-            if (is(*mark)) return true;
-        return false;
-    }
-
-    std::vector<PixelBox> points_, bars_;
-};
-
 struct Group {
     std::vector<std::size_t> letters;  // along the line
 };
@@ -127,15 +81,16 @@ std::vector<Group> group(const std::vector<PixelBox>& boxes, const std::vector<b
         while (parent[one] != one) one = parent[one] = parent[parent[one]];
         return one;
     };
-    const Points points(boxes);
+    const SignsBetween signs(boxes);
     for (std::size_t i = 0; i < order.size(); ++i) {
         const PixelBox& one = boxes[order[i]];
         const int farthest = std::min(kMostInkHeight, static_cast<int>(kUnlike * one.height()) + 1);
         for (std::size_t k = i + 1; k < order.size(); ++k) {
             const PixelBox& other = boxes[order[k]];
-            if (other.left - one.right > kMinusGap * farthest) break;
-            if (stand_in_line(one, other, kWordGap) || (stand_in_line(one, other, kPointGap) && points.any_between(one, other)) ||
-                (stand_in_line(one, other, kMinusGap) && points.any_minus_between(one, other)))
+            if (other.left - one.right > kUnderscoreGap * farthest) break;
+            if (stand_in_line(one, other, kWordGap) || (stand_in_line(one, other, kPointGap) && signs.any_point(one, other)) ||
+                (stand_in_line(one, other, kMinusGap) && signs.any_minus(one, other)) ||
+                (stand_in_line(one, other, kUnderscoreGap) && signs.any_underscore(one, other)))
                 parent[std::max(root(i), root(k))] = std::min(root(i), root(k));
         }
     }
@@ -279,15 +234,27 @@ private:
                 for (const std::size_t letter : one.letters) climbs[letter] = true;
             add(pieces, turned_boxes, one, level, light, true, is_short ? short_ : found_);
         }
-        for (const Group& one : group(upright, climbs)) add(pieces, upright, one, level, light, false, found_);
+        const std::vector<Group> groups = group(upright, climbs);
+        // An underscore lies as near to the line below.
+        std::vector<bool> underscores(pieces.size(), false);
+        for (const Group& one : groups)
+            for (const std::size_t bar : underscores_of(upright, one.letters, foot_of(upright, one), tallest(upright, one)))
+                underscores[bar] = true;
+        for (const Group& one : groups) add(pieces, upright, one, level, light, false, found_, underscores);
+    }
+
+    static int tallest(const std::vector<PixelBox>& boxes, const Group& group) {
+        int height = 0;
+        for (const std::size_t letter : group.letters) height = std::max(height, boxes[letter].height());
+        return height;
     }
 
     // Short numbers of a table, one below the other: seen by who reads upwards, their letters stand apart as words do.
     static bool are_rows(const std::vector<PixelBox>& turned_boxes, const Group& group, const std::vector<std::size_t>& in_row) {
         constexpr double kApart = 0.45;  // of the height
-        int height = 0, reached = turned_boxes[group.letters.front()].right;
+        const int height = tallest(turned_boxes, group);
+        int reached = turned_boxes[group.letters.front()].right;
         std::size_t apart = 0, in_pairs = 0;
-        for (const std::size_t letter : group.letters) height = std::max(height, turned_boxes[letter].height());
         for (const std::size_t letter : group.letters) {
             apart += turned_boxes[letter].left - reached > kApart * height ? 1 : 0;
             reached = std::max(reached, turned_boxes[letter].right);
@@ -297,14 +264,14 @@ private:
     }
 
     void add(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, Group group, int level, bool light,
-             bool upwards, std::vector<FoundLine>& to) {
+             bool upwards, std::vector<FoundLine>& to, const std::vector<bool>& underscores = {}) {
         FoundLine found;
         LetteringLine& line = found.line;
         line.upwards = upwards;
         line.light = light;
         line.level = level;
         drop_ticks(boxes, group);
-        for (const std::size_t letter : group.letters) line.letter_height = std::max(line.letter_height, boxes[letter].height());
+        line.letter_height = tallest(boxes, group);
         const bool low = line.letter_height < kLeastTallest;
         if (low && (!keeps_low_ || (upwards && group.letters.size() < kLowUpwards))) return;
         // The baseline of most letters: their median foot, ignoring descenders.
@@ -326,7 +293,7 @@ private:
             line.box = around(line.box, pieces[letter].box);
         }
         if (low && are_blocks(line)) return;
-        attach_marks(pieces, boxes, group, seen, line);
+        attach_marks(pieces, boxes, group, seen, underscores, line);
         found.rank = off_middle(grey_, line);
         if (found.rank > 255) return;
         (low ? low_ : to).push_back(std::move(found));
@@ -350,11 +317,18 @@ private:
 
     // Dots may follow each other. What lies below everything else is a tick of an axis.
     static void attach_marks(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, const Group& group,
-                             PixelBox seen, LetteringLine& line) {
+                             PixelBox seen, std::vector<bool> known, LetteringLine& line) {
         const double reach = kMarkGap * line.letter_height;
         const int foot = foot_of(boxes, group);
-        std::vector<bool> known(pieces.size(), false);
+        known.resize(pieces.size());
         for (const std::size_t letter : group.letters) known[letter] = true;
+        for (const std::size_t bar : underscores_of(boxes, group.letters, foot, line.letter_height)) {
+            known[bar] = true;
+            line.marks.push_back(pieces[bar]);
+            line.box = around(line.box, pieces[bar].box);
+            seen.left = std::min(seen.left, boxes[bar].left);
+            seen.right = std::max(seen.right, boxes[bar].right);
+        }
         for (bool more = true; more;) {
             more = false;
             for (std::size_t i = 0; i < pieces.size(); ++i) {
