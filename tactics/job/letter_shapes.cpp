@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
+#include "tactics/job/loose_shapes.h"
 #include "tactics/job/shape_set.h"
 #include "tactics/text/utf8.h"
 
@@ -55,12 +57,10 @@ const std::vector<char32_t>& all_codes() {
     return codes;
 }
 
-bool is_letter(char32_t code) { return (code | 32) >= 'a' && (code | 32) <= 'z' ? true : code >= 0xC0 && code < 0x500; }
-
 // Α is Greek where its neighbours are.
 const FontLetter* letter_in(const std::vector<FontLetter>& choices, char script) {
     for (const FontLetter& one : choices)
-        if (!is_letter(one.code) || script_of(one.code) == script) return &one;
+        if (!is_alphabetic(one.code) || script_of(one.code) == script) return &one;
     return choices.empty() ? nullptr : &choices.front();
 }
 
@@ -78,10 +78,7 @@ public:
     ShapeReading(FoundPage& figure, const Fonts& fonts) : figure_(figure), read_(figure.letter_shapes.size()) {
         std::map<std::string, std::vector<std::size_t>> by_font;
         for (const LetterShape& shape : figure.letter_shapes) {
-            if (shape.lone)
-                lone_.push_back(outlines_.size());
-            else if (shape.code == 0 && outlines_.size() < kMostShapes)
-                by_font[shape.font].push_back(outlines_.size());
+            if (!shape.lone && shape.code == 0 && outlines_.size() < kMostShapes) by_font[shape.font].push_back(outlines_.size());
             outlines_.push_back(measure_rings(shape.rings));
         }
         for (auto& [name, own] : by_font) sets_.emplace_back(outlines_, std::move(own));
@@ -92,6 +89,7 @@ public:
         look(fonts, common_codes(), kLikelyFonts, all);
         look_bent(fonts);
         look(fonts, all_codes(), 0, kMostWide);
+        look_for_loose(fonts);
     }
 
     void fill(FoundWords& words) const {
@@ -123,27 +121,22 @@ private:
         });
     }
 
-    // Of that font and size. A letter that stands by itself may be one of them, too, if it is like no other, wherever its line
-    // is; a figure in any size, as those of axes are.
+    // Of that font and size.
     void take(const ShapeSet& set, const std::vector<FontLetter>& letters) {
         set.take(letters, read_);
-        for (const std::size_t shape : lone_) {
-            if (!read_[shape].empty() || !(outlines_[shape].area > 0)) continue;
-            std::vector<FontLetter> alike;
-            for (const FontLetter& letter : letters) {
-                const bool figure = letter.code >= '0' && letter.code <= '9';
-                if (is_letter(letter.code) && is_alike_anywhere(outlines_[shape], letter, set.em())) alike.push_back(letter);
-                if (figure && is_alike_anywhere(outlines_[shape], letter, em_of(shape, letter))) alike.push_back(letter);
-            }
-            if (alike.size() == 1) read_[shape] = std::move(alike);
-        }
+        known_.push_back({letters, set.em()});
     }
 
-    static bool is_alike_anywhere(OutlineMeasure shape, const FontLetter& letter, double em) {
-        constexpr double kSameAlone = 0.006;  // em
-        const double down = letter.outline.lengths[1] * em - shape.lengths[1];
-        for (const std::size_t height : {1, 2, 4}) shape.lengths[height] += down;
-        return apart_at(shape, letter.outline, em) < kSameAlone;
+    // First in the fonts of other words.
+    void look_for_loose(const Fonts& fonts) {
+        LooseShapes loose(figure_, outlines_, read_);
+        for (const KnownFont& one : known_) loose.read_as(one.letters, one.em);
+        if (!loose.may_tell_font()) return;
+        fonts([&](const FontLetters& font) {
+            const std::vector<FontLetter> letters = measured(font(common_codes(), Hinting::none, 0), common_codes());
+            if (const auto em = has_letters(letters) ? loose.em_in(letters) : std::nullopt) loose.read_as(all_of(font), *em);
+            return loose.may_tell_font();
+        });
     }
 
     static std::vector<FontLetter> all_of(const FontLetters& font) {
@@ -197,6 +190,7 @@ private:
     // Empty: some letter is not known. `all`: each has a letter of that script.
     std::string text_of(const FoundWords& words, char script, bool& all) const {
         std::string text;
+        const Line line = line_of(words, script);
         double edge = 0;  // where the last letter ends
         bool after_letter = false;
         double tall = 0;
@@ -218,7 +212,7 @@ private:
                 left = shape.inked ? -letter->left * em : 0;
                 right = left + letter->advance * em;
                 space = kSpace * em;
-                all = all && (!is_letter(letter->code) || script_of(letter->code) == script);
+                all = all && (!is_alphabetic(letter->code) || script_of(letter->code) == script);
             } else {
                 left = right = shape.rings[0][0].x;
                 for (const auto& ring : shape.rings)
@@ -228,7 +222,7 @@ private:
                     }
             }
             if (after_letter && one.at + left - edge > space) text += ' ';
-            add(text, letter != nullptr ? letter->code : plain_code(shape.code));
+            add(text, letter != nullptr ? placed(one.shape, *letter, line) : plain_code(shape.code));
             edge = one.at + right;
             after_letter = true;
         }
@@ -237,6 +231,34 @@ private:
 
     double em_of(std::size_t shape, const FontLetter& letter) const {
         return std::sqrt(outlines_[shape].area / letter.outline.area);
+    }
+
+    // The em of the largest letters, and where their line is, up from where the shapes have it.
+    struct Line {
+        double em = 0, foot = 0;
+    };
+    Line line_of(const FoundWords& words, char script) const {
+        Line line;
+        for (const DrawnLetter& one : words.letters) {
+            const FontLetter* letter = letter_in(read_[one.shape], script);
+            if (letter == nullptr) continue;
+            const double em = em_of(one.shape, *letter);
+            if (em <= line.em) continue;
+            line = {em, outlines_[one.shape].lengths[1] - letter->outline.lengths[1] * em};
+        }
+        return line;
+    }
+
+    // Smaller and off the line it is an exponent or an index.
+    char32_t placed(std::size_t shape, const FontLetter& letter, const Line& line) const {
+        constexpr double kSmaller = 0.85, kRaised = 0.15, kLowered = 0.05;  // of the em
+        const double em = em_of(shape, letter);
+        if (!figure_.letter_shapes[shape].inked || em > kSmaller * line.em) return letter.code;
+        const double foot = outlines_[shape].lengths[1] - letter.outline.lengths[1] * em - line.foot;
+        const char32_t code = foot > kRaised * line.em     ? raised(letter.code)
+                              : foot < -kLowered * line.em ? lowered(letter.code)
+                                                           : 0;
+        return code != 0 ? code : letter.code;
     }
 
     static void add(std::string& text, char32_t code) {
@@ -250,8 +272,12 @@ private:
     FoundPage& figure_;
     std::vector<OutlineMeasure> outlines_;  // of its shapes
     std::vector<ShapeSet> sets_;
-    std::vector<std::size_t> lone_;  // that stand by themselves
-    LettersOfShapes read_;           // of each shape what it may be: letters that look the same
+    struct KnownFont {
+        std::vector<FontLetter> letters;
+        double em;
+    };
+    std::vector<KnownFont> known_;
+    LettersOfShapes read_;  // of each shape what it may be: letters that look the same
 };
 
 }  // namespace

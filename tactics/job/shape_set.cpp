@@ -89,6 +89,8 @@ bool has_letters(const std::vector<FontLetter>& font) {
     });
 }
 
+bool is_alphabetic(char32_t code) { return ((code | 32) >= 'a' && (code | 32) <= 'z') || (code >= 0xC0 && code < 0x500); }
+
 char script_of(char32_t code) { return code >= 0x370 && code < 0x400 ? 'g' : code >= 0x400 && code < 0x500 ? 'c' : 'l'; }
 
 ShapeSet::ShapeSet(const std::vector<OutlineMeasure>& outlines, std::vector<std::size_t> own) : own_(std::move(own)) {

@@ -24,6 +24,9 @@ std::vector<FontLetter> measured(const std::map<char32_t, Letter>& letters, cons
 /// False for a symbol font, which has signs in place of letters.
 bool has_letters(const std::vector<FontLetter>& font);
 
+/// Of Latin, Greek or Cyrillic script.
+bool is_alphabetic(char32_t code);
+
 /// 'g' Greek, 'c' Cyrillic, 'l' everything else.
 char script_of(char32_t code);
 

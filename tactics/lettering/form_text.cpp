@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // What letters that were found say, in order.
-#include <array>
 
 #include "tactics/lettering/form_reader.h"
 #include "tactics/text/utf8.h"
@@ -12,14 +11,10 @@ namespace {
 constexpr double kWordSpace = 0.14;  // em
 
 void append_placed(std::string& text, const FormLetter& letter) {
-    constexpr std::array<char32_t, 10> kRaised{0x2070, 0xB9, 0xB2, 0xB3, 0x2074, 0x2075, 0x2076, 0x2077, 0x2078, 0x2079};
-    const bool digit = is_digit(letter.code);
-    if (letter.place == FormLetter::Place::raised && (digit || is_minus(letter.code)))
-        append_letter(text, digit ? kRaised[letter.code - '0'] : 0x207B);
-    else if (letter.place == FormLetter::Place::lowered && digit)
-        append_letter(text, 0x2080 + (letter.code - '0'));
-    else
-        append_letter(text, letter.code);
+    char32_t code = 0;
+    if (letter.place == FormLetter::Place::raised) code = raised(letter.code);
+    if (letter.place == FormLetter::Place::lowered && is_digit(letter.code)) code = lowered(letter.code);
+    append_letter(text, code != 0 ? code : letter.code);
 }
 
 }  // namespace

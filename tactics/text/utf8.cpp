@@ -36,6 +36,18 @@ char32_t take_letter(std::string_view& rest) {
     return kNoLetter;
 }
 
+char32_t raised(char32_t sign) {
+    if (sign == '1') return 0xB9;
+    if (sign == '2' || sign == '3') return 0xB0 + (sign - '0');
+    if (is_digit(sign)) return 0x2070 + (sign - '0');
+    return sign == '-' || sign == 0x2212 ? 0x207B : 0;
+}
+
+char32_t lowered(char32_t sign) {
+    if (is_digit(sign)) return 0x2080 + (sign - '0');
+    return sign == '-' || sign == 0x2212 ? 0x208B : 0;
+}
+
 std::size_t letters_in(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }

@@ -30,6 +30,10 @@ constexpr bool is_dash(char32_t letter) {
     return letter == '-' || letter == '~' || (letter >= 0x2010 && letter <= 0x2015) || letter == 0x2212;
 }
 
+/// That digit or minus sign as an exponent or an index; 0 for other letters.
+char32_t raised(char32_t sign);
+char32_t lowered(char32_t sign);
+
 /// The number of letters in a UTF-8 text.
 std::size_t letters_in(std::string_view text);
 

@@ -19,7 +19,7 @@ namespace {
 constexpr double kLeastLetter = 0.4;  // mm
 constexpr std::size_t kMostRings = 8'000, kMostOfPath = 1'000, kMostRows = 500;
 constexpr double kDarkLetter = 0.9, kSameShade = 0.1;  // lightness
-constexpr std::size_t kFewestLetters = 5;              // letters in a figure with words: fewer are icons
+constexpr std::size_t kFewestLetters = 5;              // letters in a figure with words: fewer may be parts of an icon
 
 // A ring where it was.
 struct Taken {
@@ -44,13 +44,20 @@ bool is_letter_size(const std::vector<Point>& points) {
     return points.size() > 2 && std::max(box.width(), box.height()) <= kLargestLetter && box.height() >= kLeastLetter / 4;
 }
 
-// Shapes of a figure that are dark all over and no larger than letters.
-class DarkShapes {
+// Letters are dark all over, or drawn as their outlines alone.
+enum class LetterPaint { filled, outlined };
+
+bool has_paint(const FoundLook& look, LetterPaint paint) {
+    if (paint == LetterPaint::outlined) return look.fill < 0 && look.line >= 0 && look.line <= kDarkLetter;
+    return look.fill >= 0 && look.fill <= kDarkLetter && (look.line < 0 || std::abs(look.line - look.fill) <= kSameShade);
+}
+
+// Shapes of a figure that are so painted and no larger than letters.
+class SmallShapes {
 public:
-    explicit DarkShapes(const FoundPage& figure) {
+    SmallShapes(const FoundPage& figure, LetterPaint paint) {
         for (const FoundLook& look : figure.looks) {
-            if (look.fill < 0 || look.fill > kDarkLetter) continue;
-            if (look.line >= 0 && std::abs(look.line - look.fill) > kSameShade) continue;
+            if (!has_paint(look, paint)) continue;
             const std::size_t from = rings.size();
             for (std::size_t i = look.stroke; i < look.strokes_end; ++i)
                 if (const PageStroke& stroke = figure.page.strokes[i]; stroke.closed && stroke.role == Role::line)
@@ -104,23 +111,7 @@ private:
 class OutlinedWords {
 public:
     explicit OutlinedWords(FoundPage& figure) {
-        DarkShapes dark(figure);
-        std::vector<LetterRow> found = letter_rows(std::move(dark.glyphs));
-        std::size_t letters = 0;
-        for (const LetterRow& row : found) letters += row.lone || row.alike ? 0 : row.glyphs.size();
-        if (letters < kFewestLetters || found.size() > kMostRows) return;
-        std::stable_sort(found.begin(), found.end(), [](const LetterRow& a, const LetterRow& b) {
-            return a.lone != b.lone ? b.lone : a.glyphs.front().box.bottom < b.glyphs.front().box.bottom;
-        });
-        for (const LetterRow& row : found) {
-            Row& taken = rows_.emplace_back(Row{figure.words.size(), {}, row.lone || row.alike, row.doubt});
-            add_words(figure, row, dark.rings);
-            for (const Glyph& glyph : row.glyphs)
-                for (const std::size_t i : glyph.rings) {
-                    const Taken& ring = taken.rings.emplace_back(std::move(dark.rings[i]));
-                    (ring.stroke ? figure.page.strokes[ring.of].points : figure.page.areas[ring.of].rings[ring.ring]).clear();
-                }
-        }
+        for (const LetterPaint paint : {LetterPaint::filled, LetterPaint::outlined}) take_rows(figure, paint);
         for (Area& area : figure.page.areas) std::erase_if(area.rings, [](const auto& ring) { return ring.empty(); });
     }
 
@@ -158,7 +149,28 @@ private:
         bool doubt;
     };
 
-    static void add_words(FoundPage& figure, const LetterRow& row, const std::vector<Taken>& rings) {
+    void take_rows(FoundPage& figure, LetterPaint paint) {
+        SmallShapes shapes(figure, paint);
+        std::vector<LetterRow> found = letter_rows(std::move(shapes.glyphs));
+        std::size_t letters = 0;
+        for (const LetterRow& row : found) letters += row.lone || row.alike ? 0 : row.glyphs.size();
+        if (found.size() > kMostRows) return;
+        const bool sure = letters >= kFewestLetters && paint == LetterPaint::filled;
+        std::stable_sort(found.begin(), found.end(), [](const LetterRow& a, const LetterRow& b) {
+            return a.lone != b.lone ? b.lone : a.glyphs.front().box.bottom < b.glyphs.front().box.bottom;
+        });
+        for (const LetterRow& row : found) {
+            Row& taken = rows_.emplace_back(Row{figure.words.size(), {}, !sure || row.lone || row.alike, row.doubt});
+            add_words(figure, row, shapes.rings, !sure);
+            for (const Glyph& glyph : row.glyphs)
+                for (const std::size_t i : glyph.rings) {
+                    const Taken& ring = taken.rings.emplace_back(std::move(shapes.rings[i]));
+                    (ring.stroke ? figure.page.strokes[ring.of].points : figure.page.areas[ring.of].rings[ring.ring]).clear();
+                }
+        }
+    }
+
+    static void add_words(FoundPage& figure, const LetterRow& row, const std::vector<Taken>& rings, bool lone) {
         const Box all = box_of_row(row.glyphs);
         const double base = row.lone ? all.bottom : base_of_row(row.glyphs);
         const auto on_page = [&](Point p) { return row.upwards ? turned_back(p) : p; };
@@ -179,7 +191,7 @@ private:
             words.letters.push_back({figure.letter_shapes.size(), letter.box.left - all.left});
             LetterShape& shape = figure.letter_shapes.emplace_back(LetterShape{font, {}});
             shape.inked = true;
-            shape.lone = few;
+            shape.lone = lone || few;
             for (const std::size_t i : letter.rings) {
                 if (rings[i].twin) continue;
                 auto& ring = shape.rings.emplace_back(rings[i].points);
@@ -199,7 +211,7 @@ private:
         });
     }
 
-    // "B o b" is a word whose letters stand apart.
+    // "B o b" is a word whose letters stand apart; "n > 0 ?" is none.
     static std::string without_spacing(const std::string& text) {
         const auto blanks = static_cast<std::size_t>(std::count(text.begin(), text.end(), ' '));
         if (blanks < 2 || letters_in(text) != 2 * blanks + 1) return text;
@@ -208,7 +220,8 @@ private:
         for (std::string_view rest = text; !rest.empty(); blank = !blank) {
             const std::string_view before = rest;
             const char32_t letter = take_letter(rest);
-            if ((letter == U' ') == blank) return text;
+            const bool is_sign = letter < 0x80 && !((letter | 32) >= 'a' && (letter | 32) <= 'z');
+            if ((letter == U' ') == blank || (is_sign && letter != U' ')) return text;
             if (letter != U' ') out += before.substr(0, before.size() - rest.size());
         }
         return out;

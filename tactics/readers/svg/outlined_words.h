@@ -11,7 +11,8 @@ namespace tactics {
 
 /// Takes shapes that stand in a row as letters do, and are as large as letters, out of the figure: each row becomes words that
 /// say nothing yet, for `read` among its other letters, which is called if there are any. Rows that it takes for no print are
-/// drawn again; where it reads most, all are print. Few such shapes stay, as icons have them.
+/// drawn again; where it reads most, all are print. Few such shapes, as icons have them, and such as are drawn as their outlines
+/// alone are print only where they are read.
 void read_with_outlined_words(FoundPage& figure, const std::function<void(FoundPage& figure)>& read);
 
 }  // namespace tactics

@@ -147,16 +147,11 @@ std::string line_without_markup(std::string_view text) {
 }  // namespace
 
 std::string raised(std::string_view digits) {
-    constexpr std::array<char32_t, 10> kRaised{0x2070, 0xB9, 0xB2, 0xB3, 0x2074, 0x2075, 0x2076, 0x2077, 0x2078, 0x2079};
     std::string out;
     while (!digits.empty()) {
-        const char32_t letter = take_letter(digits);
-        if (letter >= '0' && letter <= '9')
-            append_letter(out, kRaised[letter - '0']);
-        else if (letter == '-' || letter == 0x2212)
-            append_letter(out, 0x207B);
-        else
-            return {};
+        const char32_t sign = raised(take_letter(digits));
+        if (sign == 0) return {};
+        append_letter(out, sign);
     }
     return out;
 }

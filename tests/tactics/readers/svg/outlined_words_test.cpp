@@ -94,11 +94,39 @@ TEST(OutlinedWords, NumbersOfAnAxisAndItsNameAreRead) {
     EXPECT_TRUE(page.page.areas.empty());
 }
 
-TEST(OutlinedWords, WithSomethingElseBesideThemAreNotSet) {
+TEST(OutlinedWords, HaveExponentsAndIndices) {
     if (!has_font()) GTEST_SKIP() << "no font is installed";
-    const FoundPage page =
-        figure(outlined("Cells", 20, 30, false) + outlined("10", 20, 60, false) + outlined("3", 28, 57.5, false, 4), kFonts);
-    for (const FoundWords& words : page.words) EXPECT_TRUE(words.text.empty() || words.text == "Cells") << words.text;
+    const std::string power = outlined("10", 20, 60, false) + outlined("3", 28, 57.5, false, 4),
+                      index = outlined("a", 60, 60, false) + outlined("2", 63.6, 61.5, false, 4) + outlined("b", 66, 60, false);
+    EXPECT_EQ(texts_of(figure(outlined("Cells", 20, 30, false) + power + index, kFonts)),
+              (std::vector<std::string>{"10³", "Cells", "a₂b"}));
+}
+
+// No row of them has three letters; together they tell their font.
+TEST(OutlinedWords, OfOneOrTwoFiguresAreRead) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    std::string axis;
+    double x = 0;
+    for (const std::string number : {"25", "40", "37", "8"}) axis += outlined(number, x += 20, 60, false);
+    EXPECT_EQ(texts_of(figure(axis, kFonts)), (std::vector<std::string>{"25", "37", "40", "8"}));
+}
+
+TEST(OutlinedWords, DrawnAsTheirOutlinesAloneAreReadOrDrawn) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    std::string lines = outlined("Mon", 20, 30, true) + outlined("Tue", 60, 30, true);
+    for (std::size_t at = 0; (at = lines.find("<path", at)) != lines.npos; at += 5)
+        lines.insert(at + 5, " fill='none' stroke='black' stroke-width='0.2'");
+    const FoundPage page = figure(lines, kFonts), unread = figure(lines, kNobody);
+    EXPECT_EQ(texts_of(page), (std::vector<std::string>{"Mon", "Tue"}));
+    EXPECT_TRUE(page.page.strokes.empty());
+    EXPECT_TRUE(unread.words.empty());
+    EXPECT_EQ(unread.page.strokes.size(), figure(lines, {}).page.strokes.size());
+}
+
+TEST(OutlinedWords, OfSingleSignsStayApart) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    EXPECT_EQ(texts_of(figure(outlined("n > 0 ?", 20, 30, false) + outlined("Traits", 20, 60, false), kFonts)),
+              (std::vector<std::string>{"Traits", "n > 0 ?"}));
 }
 
 TEST(OutlinedWords, WithALineAroundEachLetterAreReadOnce) {
@@ -141,17 +169,14 @@ TEST(OutlinedWords, NobodyReadsAreDrawn) {
 }
 
 TEST(OutlinedWords, RowsOfPointsAndFewShapesAreNone) {
-    const LetterReader all = [](FoundPage& page) {
-        for (FoundWords& words : page.words) words.text = "x";
-    };
-    std::string points, few;
+    std::string points;
     for (int i = 0; i < 12; ++i) points += "<circle cx='" + std::to_string(20 + 4 * i) + "' cy='40' r='1'/>";
-    EXPECT_TRUE(figure(points, all).words.empty());
+    EXPECT_TRUE(figure(points, kFonts).words.empty());
     const std::size_t drawn = figure(points, {}).page.areas.size();
     if (!has_font()) GTEST_SKIP() << "no font is installed";
     EXPECT_EQ(figure(points + outlined("Traits", 20, 60, false), kFonts).page.areas.size(), drawn);
-    EXPECT_TRUE(figure(outlined("RQ", 20, 30, true), all).words.empty());
-    EXPECT_FALSE(figure(outlined("RQRQRQ", 20, 30, true), all).words.empty());
+    EXPECT_TRUE(figure(outlined("RQ", 20, 30, true), kFonts).words.empty());
+    EXPECT_FALSE(figure(outlined("RQRQRQ", 20, 30, true), kFonts).words.empty());
 }
 
 }  // namespace
