@@ -44,20 +44,44 @@ bool is_letter_size(const std::vector<Point>& points) {
     return points.size() > 2 && std::max(box.width(), box.height()) <= kLargestLetter && box.height() >= kLeastLetter / 4;
 }
 
-// Letters are dark all over, or drawn as their outlines alone.
-enum class LetterPaint { filled, outlined };
-
-bool has_paint(const FoundLook& look, LetterPaint paint) {
-    if (paint == LetterPaint::outlined) return look.fill < 0 && look.line >= 0 && look.line <= kDarkLetter;
+bool is_filled(const FoundLook& look) {
     return look.fill >= 0 && look.fill <= kDarkLetter && (look.line < 0 || std::abs(look.line - look.fill) <= kSameShade);
+}
+bool is_outlined(const FoundLook& look) { return look.fill < 0 && look.line >= 0 && look.line <= kDarkLetter; }
+
+// Letters of one word have one paint: all over, or as their outlines alone.
+struct LetterPaint {
+    bool outlined = false;
+    double from = 0, to = 0;  // lightness
+
+    bool is_of(const FoundLook& look) const {
+        if (outlined) return is_outlined(look);
+        return is_filled(look) && look.fill >= from && look.fill <= to;
+    }
+};
+
+// The fills that shapes have, each with what is as light, and outlines.
+std::vector<LetterPaint> paints_of(const FoundPage& figure) {
+    std::vector<double> fills;
+    for (const FoundLook& look : figure.looks)
+        if (is_filled(look)) fills.push_back(look.fill);
+    std::sort(fills.begin(), fills.end());
+    std::vector<LetterPaint> paints;
+    for (const double fill : fills)
+        if (paints.empty() || fill - paints.back().to > kSameShade)
+            paints.push_back({false, fill, fill});
+        else
+            paints.back().to = fill;
+    paints.push_back({true});
+    return paints;
 }
 
 // Shapes of a figure that are so painted and no larger than letters.
 class SmallShapes {
 public:
-    SmallShapes(const FoundPage& figure, LetterPaint paint) {
+    SmallShapes(const FoundPage& figure, const LetterPaint& paint) {
         for (const FoundLook& look : figure.looks) {
-            if (!has_paint(look, paint)) continue;
+            if (!paint.is_of(look)) continue;
             const std::size_t from = rings.size();
             for (std::size_t i = look.stroke; i < look.strokes_end; ++i)
                 if (const PageStroke& stroke = figure.page.strokes[i]; stroke.closed && stroke.role == Role::line)
@@ -111,7 +135,15 @@ private:
 class OutlinedWords {
 public:
     explicit OutlinedWords(FoundPage& figure) {
-        for (const LetterPaint paint : {LetterPaint::filled, LetterPaint::outlined}) take_rows(figure, paint);
+        std::vector<PaintedRows> all;
+        std::size_t letters = 0;
+        for (const LetterPaint& paint : paints_of(figure)) {
+            SmallShapes shapes(figure, paint);
+            PaintedRows painted{paint.outlined, letter_rows(std::move(shapes.glyphs)), std::move(shapes.rings)};
+            for (const LetterRow& row : painted.rows) letters += paint.outlined || row.lone || row.alike ? 0 : row.glyphs.size();
+            all.push_back(std::move(painted));
+        }
+        for (PaintedRows& painted : all) take_rows(figure, painted, letters >= kFewestLetters && !painted.outlined);
         for (Area& area : figure.page.areas) std::erase_if(area.rings, [](const auto& ring) { return ring.empty(); });
     }
 
@@ -149,22 +181,25 @@ private:
         bool doubt;
     };
 
-    void take_rows(FoundPage& figure, LetterPaint paint) {
-        SmallShapes shapes(figure, paint);
-        std::vector<LetterRow> found = letter_rows(std::move(shapes.glyphs));
-        std::size_t letters = 0;
-        for (const LetterRow& row : found) letters += row.lone || row.alike ? 0 : row.glyphs.size();
+    struct PaintedRows {
+        bool outlined;
+        std::vector<LetterRow> rows;
+        std::vector<Taken> rings;
+    };
+
+    // `sure`: they are print though nobody may read them.
+    void take_rows(FoundPage& figure, PaintedRows& painted, bool sure) {
+        std::vector<LetterRow>& found = painted.rows;
         if (found.size() > kMostRows) return;
-        const bool sure = letters >= kFewestLetters && paint == LetterPaint::filled;
         std::stable_sort(found.begin(), found.end(), [](const LetterRow& a, const LetterRow& b) {
             return a.lone != b.lone ? b.lone : a.glyphs.front().box.bottom < b.glyphs.front().box.bottom;
         });
         for (const LetterRow& row : found) {
             Row& taken = rows_.emplace_back(Row{figure.words.size(), {}, !sure || row.lone || row.alike, row.doubt});
-            add_words(figure, row, shapes.rings, !sure);
+            add_words(figure, row, painted.rings, !sure);
             for (const Glyph& glyph : row.glyphs)
                 for (const std::size_t i : glyph.rings) {
-                    const Taken& ring = taken.rings.emplace_back(std::move(shapes.rings[i]));
+                    const Taken& ring = taken.rings.emplace_back(std::move(painted.rings[i]));
                     (ring.stroke ? figure.page.strokes[ring.of].points : figure.page.areas[ring.of].rings[ring.ring]).clear();
                 }
         }

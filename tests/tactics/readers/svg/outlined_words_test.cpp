@@ -123,6 +123,15 @@ TEST(OutlinedWords, DrawnAsTheirOutlinesAloneAreReadOrDrawn) {
     EXPECT_EQ(unread.page.strokes.size(), figure(lines, {}).page.strokes.size());
 }
 
+// A pale arrow that stands in the row, as large as letters, is drawn, and the words are read.
+TEST(OutlinedWords, HaveOnePaint) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const std::string arrow = "<path fill='#cfe2f3' d='M40,27 l3,-3 3,3 h-1.5 v3 h-3 v-3 Z'/>";
+    const FoundPage page = figure(outlined("scatter", 20, 30, false) + arrow + outlined("list", 60, 30, false), kFonts);
+    EXPECT_EQ(texts_of(page), (std::vector<std::string>{"list", "scatter"}));
+    EXPECT_FALSE(page.page.strokes.empty() && page.page.areas.empty());
+}
+
 TEST(OutlinedWords, OfSingleSignsStayApart) {
     if (!has_font()) GTEST_SKIP() << "no font is installed";
     EXPECT_EQ(texts_of(figure(outlined("n > 0 ?", 20, 30, false) + outlined("Traits", 20, 60, false), kFonts)),
