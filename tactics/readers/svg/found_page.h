@@ -74,8 +74,10 @@ struct FoundPage {
     std::vector<Phrase> notes;
     std::vector<FoundWords> words = {};
     std::vector<LetterShape> letter_shapes = {};
-    std::vector<FoundLook> looks = {};        ///< of a figure
-    std::vector<FoundCover> covers = {};      ///< of a figure
+    std::vector<FoundLook> looks = {};    ///< of a figure
+    std::vector<FoundCover> covers = {};  ///< of a figure
+    /// Of a figure: rings of each shape no larger than letters that is as light as paper, and so not drawn.
+    std::vector<std::vector<std::vector<Point>>> light_shapes = {};
     std::vector<FoundPicture> pictures = {};  ///< of a figure; that of a page is in its `picture`
     bool tells_size = true;                   ///< in mm, cm, in or pt; pixels are for screens
     /// mm, as the file has it, with 96 pixels to the inch. The page of a figure is 200 mm wide or high.

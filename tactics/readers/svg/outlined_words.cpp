@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tactics/geometry/box.h"
+#include "tactics/readers/svg/chart_parts.h"
 #include "tactics/readers/svg/letter_rows.h"
 #include "tactics/text/utf8.h"
 
@@ -49,14 +50,14 @@ bool is_filled(const FoundLook& look) {
 }
 bool is_outlined(const FoundLook& look) { return look.fill < 0 && look.line >= 0 && look.line <= kDarkLetter; }
 
-// Letters of one word have one paint: all over, or as their outlines alone.
+// Letters of one word have one paint: all over, or as their outlines alone, or as light as paper, which is not drawn.
 struct LetterPaint {
-    bool outlined = false;
+    enum class Kind { filled, outlined, light } kind;
     double from = 0, to = 0;  // lightness
 
     bool is_of(const FoundLook& look) const {
-        if (outlined) return is_outlined(look);
-        return is_filled(look) && look.fill >= from && look.fill <= to;
+        if (kind == Kind::outlined) return is_outlined(look);
+        return kind == Kind::filled && is_filled(look) && look.fill >= from && look.fill <= to;
     }
 };
 
@@ -69,10 +70,11 @@ std::vector<LetterPaint> paints_of(const FoundPage& figure) {
     std::vector<LetterPaint> paints;
     for (const double fill : fills)
         if (paints.empty() || fill - paints.back().to > kSameShade)
-            paints.push_back({false, fill, fill});
+            paints.push_back({LetterPaint::Kind::filled, fill, fill});
         else
             paints.back().to = fill;
-    paints.push_back({true});
+    paints.push_back({LetterPaint::Kind::outlined});
+    paints.push_back({LetterPaint::Kind::light});
     return paints;
 }
 
@@ -95,12 +97,21 @@ public:
             }
             gather(from);
         }
+        if (paint.kind == LetterPaint::Kind::light) add_light(figure);
     }
 
     std::vector<Taken> rings;
     Glyphs glyphs;
 
 private:
+    void add_light(const FoundPage& figure) {
+        for (const auto& shape : figure.light_shapes) {
+            const std::size_t from = rings.size();
+            for (const auto& ring : shape) add({false, 0, 0, ring});
+            gather(from);
+        }
+    }
+
     void add(Taken ring) {
         if (is_letter_size(ring.points)) rings.push_back(std::move(ring));
     }
@@ -139,11 +150,13 @@ public:
         std::size_t letters = 0;
         for (const LetterPaint& paint : paints_of(figure)) {
             SmallShapes shapes(figure, paint);
-            PaintedRows painted{paint.outlined, letter_rows(std::move(shapes.glyphs)), std::move(shapes.rings)};
-            for (const LetterRow& row : painted.rows) letters += paint.outlined || row.lone || row.alike ? 0 : row.glyphs.size();
+            PaintedRows painted{paint.kind, letter_rows(std::move(shapes.glyphs)), std::move(shapes.rings)};
+            for (const LetterRow& row : painted.rows)
+                letters += paint.kind != LetterPaint::Kind::filled || row.lone || row.alike ? 0 : row.glyphs.size();
             all.push_back(std::move(painted));
         }
-        for (PaintedRows& painted : all) take_rows(figure, painted, letters >= kFewestLetters && !painted.outlined);
+        for (PaintedRows& painted : all)
+            take_rows(figure, painted, letters >= kFewestLetters && painted.kind == LetterPaint::Kind::filled);
         for (Area& area : figure.page.areas) std::erase_if(area.rings, [](const auto& ring) { return ring.empty(); });
     }
 
@@ -152,7 +165,8 @@ public:
         for (const Row& row : rows_) {
             FoundWords& words = figure.words[row.words];
             words.text = without_spacing(words.text);
-            if (row.doubt || !fits(words, figure.letter_shapes) || (row.only_read && !has_letter(words.text))) {
+            if (row.doubt || !fits(words, figure.letter_shapes) || (row.only_read && !has_letter(words.text)) ||
+                (row.light && !is_seen(figure, row.words))) {
                 words.seen = words.seen || !words.text.empty();
                 words.text.clear();
             }
@@ -179,10 +193,11 @@ private:
         std::vector<Taken> rings;
         bool only_read;  // it is print only if it is read
         bool doubt;
+        bool light = false;
     };
 
     struct PaintedRows {
-        bool outlined;
+        LetterPaint::Kind kind;
         std::vector<LetterRow> rows;
         std::vector<Taken> rings;
     };
@@ -197,7 +212,8 @@ private:
         for (const LetterRow& row : found) {
             Row& taken = rows_.emplace_back(Row{figure.words.size(), {}, !sure || row.lone || row.alike, row.doubt});
             add_words(figure, row, painted.rings, !sure);
-            for (const Glyph& glyph : row.glyphs)
+            taken.light = painted.kind == LetterPaint::Kind::light;
+            for (const Glyph& glyph : taken.light ? Glyphs() : row.glyphs)
                 for (const std::size_t i : glyph.rings) {
                     const Taken& ring = taken.rings.emplace_back(std::move(painted.rings[i]));
                     (ring.stroke ? figure.page.strokes[ring.of].points : figure.page.areas[ring.of].rings[ring.ring]).clear();
@@ -237,6 +253,20 @@ private:
             }
         }
         figure.words.push_back(std::move(words));
+    }
+
+    // Light letters are seen on something darker or a picture, and as a halo behind the same words they are none.
+    static bool is_seen(const FoundPage& figure, std::size_t row) {
+        const FoundWords& words = figure.words[row];
+        for (std::size_t i = 0; i < figure.words.size(); ++i)
+            if (i != row && distance(figure.words[i].middle, words.middle) < words.height / 2) return false;
+        const auto on = [&](const FoundPicture& picture) { return picture.shown.holds(words.middle); };
+        if (std::any_of(figure.pictures.begin(), figure.pictures.end(), on)) return true;
+        return std::any_of(figure.looks.begin(), figure.looks.end(), [&](const FoundLook& look) {
+            if (look.fill < 0 || look.fill > kDarkLetter) return false;
+            const Rect box = box_of(figure, look);
+            return box.width > words.width && box.holds(words.middle);
+        });
     }
 
     // A row of points may be one of full stops.
@@ -285,6 +315,17 @@ private:
 };
 
 }  // namespace
+
+void add_light_shape(FoundPage& figure, const std::vector<Subpath>& surface, const Paint& fill, double lightness) {
+    if (fill.none || fill.fades || fill.pattern > 0 || lightness <= kDarkLetter || figure.light_shapes.size() > kMostRings)
+        return;
+    std::vector<std::vector<Point>> rings;
+    for (const Subpath& subpath : surface) {
+        if (!is_letter_size(subpath.points)) return;
+        rings.push_back(subpath.points);
+    }
+    figure.light_shapes.push_back(std::move(rings));
+}
 
 void read_with_outlined_words(FoundPage& figure, const std::function<void(FoundPage& figure)>& read) {
     OutlinedWords outlined(figure);

@@ -257,6 +257,7 @@ private:
             return;
         }
         has_inside = has_inside && !rings_of(subpaths).empty();
+        if (figure_ && has_inside) add_light_shape(found_, subpaths, style.fill, ground_.on_white(style.fill.lightness));
         if (figure_ && ground_.takes(has_inside ? subpaths : std::vector<Subpath>{}, fill, stroke, found_.page)) return;
         if (figure_ && look_ == SvgLook::plain && has_inside && is_shadow(fill, stroke, style.blurred)) {
             ++missed_.shadows;

@@ -132,6 +132,21 @@ TEST(OutlinedWords, HaveOnePaint) {
     EXPECT_FALSE(page.page.strokes.empty() && page.page.areas.empty());
 }
 
+TEST(OutlinedWords, InWhiteAreReadOnWhatIsDarker) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const auto light = [](const std::string& text, double x, double y) {
+        return "<g fill='white'>" + outlined(text, x, y, true) + "</g>";
+    };
+    const std::string paper = "<rect width='200' height='150' fill='white'/>",
+                      box = "<rect x='10' y='20' width='60' height='16' fill='#3060a0' stroke='black'/>";
+    EXPECT_EQ(texts_of(figure(paper + box + light("Start", 20, 30), kFonts)), std::vector<std::string>{"Start"});
+    EXPECT_EQ(texts_of(figure(box + light("Start", 20, 30), kFonts)), std::vector<std::string>{"Start"});
+    // On paper nobody sees it, and as a halo it is no word of its own.
+    EXPECT_TRUE(figure(paper + box + light("Start", 20, 80), kFonts).words.empty());
+    EXPECT_EQ(texts_of(figure(paper + box + light("Start", 20, 30) + outlined("Start", 20, 30, true), kFonts)),
+              std::vector<std::string>{"Start"});
+}
+
 TEST(OutlinedWords, OfSingleSignsStayApart) {
     if (!has_font()) GTEST_SKIP() << "no font is installed";
     EXPECT_EQ(texts_of(figure(outlined("n > 0 ?", 20, 30, false) + outlined("Traits", 20, 60, false), kFonts)),
