@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace tactics {
 
 namespace {
 
-// Settings: how far numbers of one outline may lie apart, in em, and sizes of letters of one font, as a share.
-constexpr double kSameOutline = 0.006, kSameEm = 0.01;
+// Settings: by how much sizes of letters of one font may differ.
+constexpr double kSameEm = 0.01;
 constexpr std::size_t kFewestOfFont = 3, kFewestCodes = 2;  // that tell a font: shapes, and letters
 constexpr double kOtherShape = 0.03;                        // of the width of one that is as large
 constexpr std::size_t kPlainCorners = 4;                    // a stem is a bar as well
@@ -99,24 +98,6 @@ std::optional<double> LooseShapes::em_in(const std::vector<FontLetter>& font) co
     return best;
 }
 
-// What it may be: in each script, for Α may be Greek, those that are nearest.
-void LooseShapes::take(std::size_t shape, const std::vector<FontLetter>& font, double em, bool signs, double down) {
-    const auto apart = [&](const FontLetter& letter) {
-        return signs ? apart_at(moved(outlines_[shape], down), letter.outline, em) : apart_anywhere(outlines_[shape], letter, em);
-    };
-    std::map<char, double> nearest;
-    for (const FontLetter& letter : font) {
-        if (!signs && !is_of_words(letter.code)) continue;
-        double& least = nearest.try_emplace(script_of(letter.code), kSameOutline).first->second;
-        least = std::min(least, apart(letter));
-    }
-    for (const FontLetter& letter : font) {
-        if (!signs && !is_of_words(letter.code)) continue;
-        const double off = apart(letter);
-        if (off < kSameOutline && off <= nearest[script_of(letter.code)] + kSameOutline / 4) read_[shape].push_back(letter);
-    }
-}
-
 void LooseShapes::read_beside(const FoundWords& words, const std::vector<FontLetter>& font, double em) {
     std::vector<double> downs;
     for (const DrawnLetter& one : words.letters)
@@ -129,12 +110,18 @@ void LooseShapes::read_beside(const FoundWords& words, const std::vector<FontLet
     const auto middle = downs.begin() + static_cast<std::ptrdiff_t>(downs.size() / 2);
     std::nth_element(downs.begin(), middle, downs.end());
     for (const DrawnLetter& one : words.letters)
-        if (is_open(one.shape)) take(one.shape, font, em, true, *middle);
+        if (is_open(one.shape))
+            read_[one.shape] = letters_like(font, [&](const FontLetter& letter) {
+                return apart_at(moved(outlines_[one.shape], *middle), letter.outline, em);
+            });
 }
 
 void LooseShapes::read_as(const std::vector<FontLetter>& font, double em) {
     for (const std::size_t shape : own_)
-        if (tells(shape)) take(shape, font, em, false, 0);
+        if (tells(shape))
+            read_[shape] = letters_like(font, [&](const FontLetter& letter) {
+                return is_of_words(letter.code) ? apart_anywhere(outlines_[shape], letter, em) : 1;
+            });
     for (const FoundWords& words : figure_.words)
         if (!words.letters.empty() && figure_.letter_shapes[words.letters.front().shape].inked) read_beside(words, font, em);
     for (const std::size_t shape : own_) {

@@ -29,7 +29,6 @@ public:
 
 private:
     void read_beside(const FoundWords& words, const std::vector<FontLetter>& font, double em);
-    void take(std::size_t shape, const std::vector<FontLetter>& font, double em, bool signs, double down);
     bool is_open(std::size_t shape) const;
     bool tells(std::size_t shape) const;
 

@@ -9,9 +9,8 @@ namespace tactics {
 
 namespace {
 
-// Settings. Of em: how far numbers of the same outline may lie apart (files write hundredths of a pixel, fonts have 1000 or 2048
-// units), and by how much sizes of letters of one font may differ.
-constexpr double kSame = 0.006, kSameSize = 0.01;
+// Settings. By how much sizes of letters of one font may differ.
+constexpr double kSameSize = 0.01;
 constexpr double kMostOfFont = 0.6;  // of its shapes, for a font to be it
 constexpr double kBent = 0.045;      // bent to pixels, a letter of 12 pixels is half a pixel off at most
 // Bounds: of shapes by which a font is known, and of fonts that came near.
@@ -93,6 +92,19 @@ bool is_alphabetic(char32_t code) { return ((code | 32) >= 'a' && (code | 32) <=
 
 char script_of(char32_t code) { return code >= 0x370 && code < 0x400 ? 'g' : code >= 0x400 && code < 0x500 ? 'c' : 'l'; }
 
+std::vector<FontLetter> letters_like(const std::vector<FontLetter>& font, const std::function<double(const FontLetter&)>& apart) {
+    std::map<char, double> nearest;
+    for (const FontLetter& letter : font) {
+        double& least = nearest.try_emplace(script_of(letter.code), kSameOutline).first->second;
+        least = std::min(least, apart(letter));
+    }
+    std::vector<FontLetter> alike;
+    for (const FontLetter& letter : font)
+        if (const double off = apart(letter); off < kSameOutline && off <= nearest[script_of(letter.code)] + kSameOutline / 4)
+            alike.push_back(letter);
+    return alike;
+}
+
 ShapeSet::ShapeSet(const std::vector<OutlineMeasure>& outlines, std::vector<std::size_t> own) : own_(std::move(own)) {
     for (const std::size_t shape : own_) outlines_.push_back(outlines[shape]);
 }
@@ -107,7 +119,7 @@ bool ShapeSet::matches(const std::vector<FontLetter>& font, std::size_t number) 
         for (std::size_t k = 0; k < font.size(); ++k) {
             const double em = std::sqrt(outlines_[i].area / font[k].outline.area);
             const double apart = apart_at(outlines_[i], font[k].outline, em);
-            if (apart < kSame) all.push_back({i, k, em, apart});
+            if (apart < kSameOutline) all.push_back({i, k, em, apart});
             if (apart < kBent) rough.push_back({i, k, em, apart});
         }
         const auto other = [&](const Match& match) { return std::abs(match.em / all.back().em - 1) > kSameSize; };
@@ -137,7 +149,7 @@ bool ShapeSet::matches_at(const std::vector<FontLetter>& font, double em) {
         if (!(one.area > 0) || inked == kMostAsked) continue;
         ++inked;
         found += std::any_of(font.begin(), font.end(),
-                             [&](const FontLetter& letter) { return apart_at(one, letter.outline, em) < kSame; });
+                             [&](const FontLetter& letter) { return apart_at(one, letter.outline, em) < kSameOutline; });
     }
     em_ = em;
     return is_most(found, inked);
@@ -153,19 +165,10 @@ std::vector<char32_t> ShapeSet::near(const std::vector<FontLetter>& font, double
 }
 
 void ShapeSet::take(const std::vector<FontLetter>& font, LettersOfShapes& read) const {
-    for (std::size_t i = 0; i < own_.size(); ++i) {
-        if (!(outlines_[i].area > 0) || !read[own_[i]].empty()) continue;
-        // In each script, for Α may be Greek; within one of those that look the same the first.
-        std::map<char, double> nearest;
-        for (const FontLetter& letter : font) {
-            double& least = nearest.try_emplace(script_of(letter.code), kSame).first->second;
-            least = std::min(least, apart_at(outlines_[i], letter.outline, em_));
-        }
-        for (const FontLetter& letter : font)
-            if (const double apart = apart_at(outlines_[i], letter.outline, em_);
-                apart < kSame && apart <= nearest[script_of(letter.code)] + kSame / 4)
-                read[own_[i]].push_back(letter);
-    }
+    for (std::size_t i = 0; i < own_.size(); ++i)
+        if (outlines_[i].area > 0 && read[own_[i]].empty())
+            read[own_[i]] =
+                letters_like(font, [&](const FontLetter& letter) { return apart_at(outlines_[i], letter.outline, em_); });
 }
 
 bool ShapeSet::is_read(const LettersOfShapes& read) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -29,6 +30,12 @@ bool is_alphabetic(char32_t code);
 
 /// 'g' Greek, 'c' Cyrillic, 'l' everything else.
 char script_of(char32_t code);
+
+/// Of em: how far numbers of the same outline may lie apart (files write hundredths of a pixel, fonts have 1000 or 2048 units).
+inline constexpr double kSameOutline = 0.006;
+
+/// Those of the font that are apart by no more than that, by the distance given: in each script, for Α may be Greek, the nearest.
+std::vector<FontLetter> letters_like(const std::vector<FontLetter>& font, const std::function<double(const FontLetter&)>& apart);
 
 /// Tolerated deviation of an em from that of the candidates, as a share.
 inline constexpr double kBentSize = 0.04;

@@ -161,6 +161,14 @@ bool are_blocks(const LetteringLine& line) {
     return 2 * blocks > static_cast<std::ptrdiff_t>(line.letters.size());
 }
 
+// Pieces of ink as one reader sees them.
+struct SeenPieces {
+    const std::vector<InkPiece>& pieces;
+    const std::vector<PixelBox>& boxes;
+    Underscores bars{boxes};
+    std::vector<bool> underscores = std::vector<bool>(boxes.size());  // of any line
+};
+
 class Finder {
 public:
     explicit Finder(const Image& grey) : grey_(grey) {}
@@ -216,6 +224,8 @@ private:
             upright.push_back(signs[i] ? as_high_as_letters(pieces[i].box) : pieces[i].box);
             turned_boxes.push_back(turned(pieces[i].box, grey_.height));
         }
+        SeenPieces level_pieces{pieces, upright};
+        const SeenPieces climbing_pieces{pieces, turned_boxes};
         std::vector<bool> climbs(pieces.size(), false);
         std::vector<std::size_t> in_row(pieces.size(), 0);  // letters of the line to the right that it is in
         for (const Group& one : group(upright, climbs))
@@ -232,15 +242,14 @@ private:
             if (is_short && alone < one.letters.size()) continue;
             if (!is_short)
                 for (const std::size_t letter : one.letters) climbs[letter] = true;
-            add(pieces, turned_boxes, one, level, light, true, is_short ? short_ : found_);
+            add(climbing_pieces, one, level, light, true, is_short ? short_ : found_);
         }
         const std::vector<Group> groups = group(upright, climbs);
         // An underscore lies as near to the line below.
-        std::vector<bool> underscores(pieces.size(), false);
         for (const Group& one : groups)
-            for (const std::size_t bar : underscores_of(upright, one.letters, foot_of(upright, one), tallest(upright, one)))
-                underscores[bar] = true;
-        for (const Group& one : groups) add(pieces, upright, one, level, light, false, found_, underscores);
+            for (const std::size_t bar : level_pieces.bars.of(one.letters, foot_of(upright, one), tallest(upright, one)))
+                level_pieces.underscores[bar] = true;
+        for (const Group& one : groups) add(level_pieces, one, level, light, false, found_);
     }
 
     static int tallest(const std::vector<PixelBox>& boxes, const Group& group) {
@@ -263,8 +272,9 @@ private:
         return 2 * in_pairs >= group.letters.size() ? 3 * apart >= group.letters.size() : apart + 1 == group.letters.size();
     }
 
-    void add(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, Group group, int level, bool light,
-             bool upwards, std::vector<FoundLine>& to, const std::vector<bool>& underscores = {}) {
+    void add(const SeenPieces& of, Group group, int level, bool light, bool upwards, std::vector<FoundLine>& to) {
+        const auto& pieces = of.pieces;
+        const auto& boxes = of.boxes;
         FoundLine found;
         LetteringLine& line = found.line;
         line.upwards = upwards;
@@ -293,7 +303,7 @@ private:
             line.box = around(line.box, pieces[letter].box);
         }
         if (low && are_blocks(line)) return;
-        attach_marks(pieces, boxes, group, seen, underscores, line);
+        attach_marks(of, group, seen, line);
         found.rank = off_middle(grey_, line);
         if (found.rank > 255) return;
         (low ? low_ : to).push_back(std::move(found));
@@ -316,32 +326,30 @@ private:
     }
 
     // Dots may follow each other. What lies below everything else is a tick of an axis.
-    static void attach_marks(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes, const Group& group,
-                             PixelBox seen, std::vector<bool> known, LetteringLine& line) {
+    static void attach_marks(const SeenPieces& of, const Group& group, PixelBox seen, LetteringLine& line) {
+        const std::vector<PixelBox>& boxes = of.boxes;
         const double reach = kMarkGap * line.letter_height;
         const int foot = foot_of(boxes, group);
-        known.resize(pieces.size());
+        std::vector<bool> known = of.underscores;
         for (const std::size_t letter : group.letters) known[letter] = true;
-        for (const std::size_t bar : underscores_of(boxes, group.letters, foot, line.letter_height)) {
-            known[bar] = true;
-            line.marks.push_back(pieces[bar]);
-            line.box = around(line.box, pieces[bar].box);
-            seen.left = std::min(seen.left, boxes[bar].left);
-            seen.right = std::max(seen.right, boxes[bar].right);
-        }
+        const auto attach = [&](std::size_t i) {
+            known[i] = true;
+            line.marks.push_back(of.pieces[i]);
+            line.box = around(line.box, of.pieces[i].box);
+            seen.left = std::min(seen.left, boxes[i].left);
+            seen.right = std::max(seen.right, boxes[i].right);
+        };
+        for (const std::size_t bar : of.bars.of(group.letters, foot, line.letter_height)) attach(bar);
         for (bool more = true; more;) {
             more = false;
-            for (std::size_t i = 0; i < pieces.size(); ++i) {
+            for (std::size_t i = 0; i < boxes.size(); ++i) {
                 const PixelBox& box = boxes[i];
                 if (known[i] || !is_mark(box, line.letter_height) || box.left > seen.right + reach ||
                     box.right < seen.left - reach)
                     continue;
                 if (box.top < seen.top - reach || box.top >= foot || box.bottom > seen.bottom + reach / 2) continue;
-                known[i] = more = true;
-                line.marks.push_back(pieces[i]);
-                line.box = around(line.box, pieces[i].box);
-                seen.left = std::min(seen.left, box.left);
-                seen.right = std::max(seen.right, box.right);
+                attach(i);
+                more = true;
             }
         }
     }

@@ -16,9 +16,20 @@ inline constexpr int kSoftInk = 1;
 /// reader sees them.
 bool is_underscore_between(const PixelBox& bar, const PixelBox& a, const PixelBox& b);
 
-/// Which of the boxes are underscores of a line: beside its letters, below their foot, and no dash of a line that goes on.
-/// `letters` are numbers of boxes. In the order of the boxes.
-std::vector<std::size_t> underscores_of(const std::vector<PixelBox>& boxes, const std::vector<std::size_t>& letters, int foot,
-                                        int letter_height);
+/// The underscores among boxes.
+class Underscores {
+public:
+    explicit Underscores(const std::vector<PixelBox>& boxes);
+
+    /// Those of a line, by their numbers: beside its letters, below their foot, and no dash of a line that goes on. `letters` are
+    /// numbers of boxes.
+    std::vector<std::size_t> of(const std::vector<std::size_t>& letters, int foot, int letter_height) const;
+
+private:
+    bool goes_on(const PixelBox& bar, bool to_left) const;
+
+    const std::vector<PixelBox>& boxes_;
+    std::vector<std::size_t> bars_;  // what is flat
+};
 
 }  // namespace tactics
