@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "tactics/readers/svg/found_page.h"
+#include "tactics/readers/svg/svg_path.h"
 #include "tactics/readers/svg/svg_style.h"
 
 namespace tactics {
