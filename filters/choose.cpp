@@ -32,8 +32,7 @@ constexpr double kDarkSoft = 0.17;
 // A grey photograph has fewer colours than the same in colour (0.79 in the eight commonest, and 0.63).
 constexpr double kGreyGround = 0.52, kGreyFew = 0.88;
 // A panel on paper has half of the ground, or more; together they are as much as a ground of charts. Without this line four of
-// 130 charts and scans and four of 152 drawings in ink or shaded are taken for photographs, and no photograph fewer for a
-// drawing.
+// 130 charts and scans and four of 152 drawings in ink or shaded are taken for photographs; it takes no photograph for a drawing.
 constexpr double kPaper = 0.7, kPaperFew = 0.87, kPaperSoft = 0.33;
 // Very few colours on white: small icons, soft all over as their borders are, and shaded ones. 45 of 100 of the latter are told
 // by it, 33 without, and hardly any photograph.

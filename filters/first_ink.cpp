@@ -2,7 +2,6 @@
 #include "filters/first_ink.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <vector>

@@ -127,16 +127,17 @@ private:
         known_.push_back({letters, set.em()});
     }
 
-    // First in the fonts of other words.
+    // First in the fonts of other words. Marks of a plot that lie on each other may look like letters: few fonts are tried.
     void look_for_loose(const Fonts& fonts) {
         LooseShapes loose(figure_, outlines_, read_);
         for (const KnownFont& one : known_) loose.read_as(one.letters, one.em);
-        if (!loose.may_tell_font()) return;
-        fonts([&](const FontLetters& font) {
-            const std::vector<FontLetter> letters = measured(font(common_codes(), Hinting::none, 0), common_codes());
-            if (const auto em = has_letters(letters) ? loose.em_in(letters) : std::nullopt) loose.read_as(all_of(font), *em);
-            return loose.may_tell_font();
-        });
+        std::size_t number = 0;
+        if (loose.may_tell_font())
+            fonts([&](const FontLetters& font) {
+                const std::vector<FontLetter> letters = measured(font(common_codes(), Hinting::none, 0), common_codes());
+                if (const auto em = has_letters(letters) ? loose.em_in(letters) : std::nullopt) loose.read_as(all_of(font), *em);
+                return ++number < kLikelyFonts && loose.may_tell_font();
+            });
     }
 
     static std::vector<FontLetter> all_of(const FontLetters& font) {
@@ -208,7 +209,7 @@ private:
             if (shape.code == 0 && letter == nullptr) return "";
             double left = 0, right = 0, space = kGap * tall;
             if (letter != nullptr) {
-                const double em = em_of(one.shape, *letter);
+                const double em = em_of(outlines_[one.shape], *letter);
                 left = shape.inked ? -letter->left * em : 0;
                 right = left + letter->advance * em;
                 space = kSpace * em;
@@ -229,10 +230,6 @@ private:
         return to_line(text);
     }
 
-    double em_of(std::size_t shape, const FontLetter& letter) const {
-        return std::sqrt(outlines_[shape].area / letter.outline.area);
-    }
-
     // The em of the largest letters, and where their line is, up from where the shapes have it.
     struct Line {
         double em = 0, foot = 0;
@@ -242,7 +239,7 @@ private:
         for (const DrawnLetter& one : words.letters) {
             const FontLetter* letter = letter_in(read_[one.shape], script);
             if (letter == nullptr) continue;
-            const double em = em_of(one.shape, *letter);
+            const double em = em_of(outlines_[one.shape], *letter);
             if (em <= line.em) continue;
             line = {em, outlines_[one.shape].lengths[1] - letter->outline.lengths[1] * em};
         }
@@ -252,7 +249,7 @@ private:
     // Smaller and off the line it is an exponent or an index.
     char32_t placed(std::size_t shape, const FontLetter& letter, const Line& line) const {
         constexpr double kSmaller = 0.85, kRaised = 0.15, kLowered = 0.05;  // of the em
-        const double em = em_of(shape, letter);
+        const double em = em_of(outlines_[shape], letter);
         if (!figure_.letter_shapes[shape].inked || em > kSmaller * line.em) return letter.code;
         const double foot = outlines_[shape].lengths[1] - letter.outline.lengths[1] * em - line.foot;
         const char32_t code = foot > kRaised * line.em     ? raised(letter.code)

@@ -2,21 +2,31 @@
 #include "tactics/job/loose_shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
+
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
 namespace {
 
-// Settings: by how much sizes of letters of one font may differ.
-constexpr double kSameEm = 0.01;
-constexpr std::size_t kFewestOfFont = 3, kFewestCodes = 2;  // that tell a font: shapes, and letters
-constexpr double kOtherShape = 0.03;                        // of the width of one that is as large
-constexpr std::size_t kPlainCorners = 4;                    // a stem is a bar as well
+// Settings: by how much sizes of letters of one font may differ, and of outlines that are one in another size, of their width.
+constexpr double kSameEm = 0.01, kOneOutline = 0.03;
+constexpr std::size_t kFewestLetters = 3;  // that tell a font
+constexpr std::size_t kPlainCorners = 4;   // a stem is a bar as well
+constexpr std::size_t kMostOutlines = 60;  // by which a font is known
 
-bool is_figure(char32_t code) { return code >= '0' && code <= '9'; }
-bool is_of_words(char32_t code) { return is_figure(code) || is_alphabetic(code); }
+bool is_of_words(char32_t code) { return is_digit(code) || is_alphabetic(code); }
+
+// Whether one may be the other in another size: marks of a plot are many shapes, but few outlines.
+bool is_one_outline(const OutlineMeasure& a, const OutlineMeasure& b) {
+    const double scale = std::sqrt(a.area / b.area);
+    const auto same = [&](std::size_t i) { return std::abs(a.lengths[i] / scale - b.lengths[i]) <= kOneOutline * b.lengths[0]; };
+    constexpr std::array<std::size_t, 4> kAcross{0, 3, 5, 6};  // those that are the same wherever its line is
+    return a.rings == b.rings && std::all_of(kAcross.begin(), kAcross.end(), same);
+}
 
 // Moved down by that many units.
 OutlineMeasure moved(OutlineMeasure shape, double down) {
@@ -33,8 +43,6 @@ double apart_anywhere(const OutlineMeasure& shape, const FontLetter& letter, dou
     return apart_at(moved(shape, down_to(shape, letter, em)), letter.outline, em);
 }
 
-double em_of(const OutlineMeasure& shape, const FontLetter& letter) { return std::sqrt(shape.area / letter.outline.area); }
-
 }  // namespace
 
 LooseShapes::LooseShapes(const FoundPage& figure, const std::vector<OutlineMeasure>& outlines, LettersOfShapes& read)
@@ -48,51 +56,43 @@ bool LooseShapes::is_open(std::size_t shape) const { return read_[shape].empty()
 // It is not read, and no stem.
 bool LooseShapes::tells(std::size_t shape) const { return is_open(shape) && outlines_[shape].corners > kPlainCorners; }
 
-bool LooseShapes::may_tell_font() const {
-    std::size_t count = 0;
-    const OutlineMeasure* first = nullptr;
-    bool differ = false;
+std::vector<std::size_t> LooseShapes::outlines_that_tell() const {
+    std::vector<std::size_t> found;
     for (const std::size_t shape : own_) {
-        if (!tells(shape)) continue;
-        const OutlineMeasure& one = outlines_[shape];
-        if (first == nullptr) first = &one;
-        const double scale = std::sqrt(one.area / first->area);
-        differ = differ || one.rings != first->rings ||
-                 std::abs(one.lengths[0] / scale - first->lengths[0]) > kOtherShape * first->lengths[0];
-        ++count;
+        if (found.size() == kMostOutlines) break;
+        const auto known = [&](std::size_t one) { return is_one_outline(outlines_[shape], outlines_[one]); };
+        if (tells(shape) && std::none_of(found.begin(), found.end(), known)) found.push_back(shape);
     }
-    return differ && count >= kFewestOfFont;
+    return found;
 }
+
+bool LooseShapes::may_tell_font() const { return outlines_that_tell().size() >= kFewestLetters; }
 
 std::optional<double> LooseShapes::em_in(const std::vector<FontLetter>& font) const {
     struct Possible {
         double em;
-        std::size_t shape;
         char32_t code;
     };
     std::vector<Possible> all;
-    for (const std::size_t shape : own_)
-        if (tells(shape))
-            for (const FontLetter& letter : font)
-                if (is_of_words(letter.code))
-                    if (const double em = em_of(outlines_[shape], letter);
-                        apart_anywhere(outlines_[shape], letter, em) < kSameOutline)
-                        all.push_back({em, shape, letter.code});
+    for (const std::size_t shape : outlines_that_tell())
+        for (const FontLetter& letter : font)
+            if (is_of_words(letter.code))
+                if (const double em = em_of(outlines_[shape], letter);
+                    apart_anywhere(outlines_[shape], letter, em) < kSameOutline)
+                    all.push_back({em, letter.code});
     std::sort(all.begin(), all.end(), [](const Possible& a, const Possible& b) { return a.em < b.em; });
-    std::size_t most = 0;
+    std::size_t most = kFewestLetters - 1;
     std::optional<double> best;
     for (std::size_t from = 0; from < all.size(); ++from) {
-        std::set<std::size_t> shapes;
         std::set<char32_t> codes;
         double sum = 0;
         std::size_t count = 0;
         for (std::size_t i = from; i < all.size() && all[i].em < all[from].em * (1 + kSameEm); ++i, ++count) {
-            shapes.insert(all[i].shape);
             codes.insert(all[i].code);
             sum += all[i].em;
         }
-        if (shapes.size() < std::max(kFewestOfFont, most + 1) || codes.size() < kFewestCodes) continue;
-        most = shapes.size();
+        if (codes.size() <= most) continue;
+        most = codes.size();
         best = sum / static_cast<double>(count);
     }
     return best;
@@ -128,8 +128,7 @@ void LooseShapes::read_as(const std::vector<FontLetter>& font, double em) {
         if (!is_open(shape)) continue;
         std::vector<FontLetter> alike;
         for (const FontLetter& letter : font)
-            if (is_figure(letter.code) &&
-                apart_anywhere(outlines_[shape], letter, em_of(outlines_[shape], letter)) < kSameOutline)
+            if (is_digit(letter.code) && apart_anywhere(outlines_[shape], letter, em_of(outlines_[shape], letter)) < kSameOutline)
                 alike.push_back(letter);
         if (alike.size() == 1) read_[shape] = std::move(alike);
     }

@@ -17,10 +17,10 @@ public:
     /// `read`.
     LooseShapes(const FoundPage& figure, const std::vector<OutlineMeasure>& outlines, LettersOfShapes& read);
 
-    /// Whether what is not read may tell a font: some shapes, not all alike.
+    /// Whether what is not read may tell a font: it has some outlines, not only those of marks.
     bool may_tell_font() const;
 
-    /// Units of an em in which that font has three or more of those that are not read, if any.
+    /// Units of an em in which three or more of the letters that are not read are of that font, if any.
     std::optional<double> em_in(const std::vector<FontLetter>& font) const;
 
     /// Reads what is a letter or figure of that font and size, wherever its line is; signs beside these, whose line is theirs;
@@ -31,6 +31,7 @@ private:
     void read_beside(const FoundWords& words, const std::vector<FontLetter>& font, double em);
     bool is_open(std::size_t shape) const;
     bool tells(std::size_t shape) const;
+    std::vector<std::size_t> outlines_that_tell() const;  // one shape for each
 
     const FoundPage& figure_;
     const std::vector<OutlineMeasure>& outlines_;

@@ -74,6 +74,8 @@ std::vector<FontLetter> measured(const std::map<char32_t, Letter>& letters, cons
     return out;
 }
 
+double em_of(const OutlineMeasure& shape, const FontLetter& letter) { return std::sqrt(shape.area / letter.outline.area); }
+
 // An o without a hole is none.
 bool has_letters(const std::vector<FontLetter>& font) {
     struct Holes {
@@ -117,7 +119,7 @@ bool ShapeSet::matches(const std::vector<FontLetter>& font, std::size_t number) 
         ++inked;
         const std::size_t before = all.size();
         for (std::size_t k = 0; k < font.size(); ++k) {
-            const double em = std::sqrt(outlines_[i].area / font[k].outline.area);
+            const double em = em_of(outlines_[i], font[k]);
             const double apart = apart_at(outlines_[i], font[k].outline, em);
             if (apart < kSameOutline) all.push_back({i, k, em, apart});
             if (apart < kBent) rough.push_back({i, k, em, apart});

@@ -19,6 +19,9 @@ struct FontLetter {
     OutlineMeasure outline;
 };
 
+/// Units of an em, if the shape is that letter.
+double em_of(const OutlineMeasure& shape, const FontLetter& letter);
+
 /// The `letters` that have ink, in that order.
 std::vector<FontLetter> measured(const std::map<char32_t, Letter>& letters, const std::vector<char32_t>& order);
 

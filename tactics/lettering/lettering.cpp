@@ -48,15 +48,11 @@ std::string with_minus(std::string_view text) {
 
 // "2" as an exponent. Nothing if it is no whole number.
 std::optional<std::string> as_raised(std::string_view text) {
-    constexpr std::array<char32_t, 10> kRaised{0x2070, 0xB9, 0xB2, 0xB3, 0x2074, 0x2075, 0x2076, 0x2077, 0x2078, 0x2079};
     std::string out;
     for (const char32_t letter : letters_of(text)) {
-        if (is_digit(letter))
-            append_letter(out, kRaised[letter - '0']);
-        else if (out.empty() && is_dash(letter))
-            append_letter(out, 0x207B);
-        else
-            return std::nullopt;
+        const bool minus = out.empty() && is_dash(letter);
+        if (!minus && !is_digit(letter)) return std::nullopt;
+        append_letter(out, raised(minus ? U'-' : letter));
     }
     return out.empty() ? std::nullopt : std::optional(out);
 }

@@ -7,8 +7,8 @@ namespace tactics {
 
 namespace {
 
-// Settings, of the height of the tallest letter. An underscore has 0.5 to 0.6 em,
-// capitals 0.7; it lies 0.08 to 0.24 em below the line.
+// Settings, of the height of the tallest letter. An underscore has 0.5 to 0.6 em, capitals 0.7; it lies 0.08 to 0.24 em below
+// the line.
 constexpr double kShortestBar = 0.4, kLongestBar = 2.2, kFarthestBelow = 0.5, kBesideBar = 0.4, kOverFoot = 0.3;
 constexpr double kThickBar = 0.25;
 constexpr double kNextDash = 2;  // lengths of the bar to the next dash of a line

@@ -162,11 +162,12 @@ public:
 
     void settle(FoundPage& figure) {
         std::size_t read = 0, all = 0;
+        const std::vector<Rect> surfaces = surfaces_below(figure);
         for (const Row& row : rows_) {
             FoundWords& words = figure.words[row.words];
             words.text = without_spacing(words.text);
             if (row.doubt || !fits(words, figure.letter_shapes) || (row.only_read && !has_letter(words.text)) ||
-                (row.light && !is_seen(figure, row.words))) {
+                (row.light && !is_seen(figure, row.words, surfaces))) {
                 words.seen = words.seen || !words.text.empty();
                 words.text.clear();
             }
@@ -213,7 +214,8 @@ private:
             Row& taken = rows_.emplace_back(Row{figure.words.size(), {}, !sure || row.lone || row.alike, row.doubt});
             add_words(figure, row, painted.rings, !sure);
             taken.light = painted.kind == LetterPaint::Kind::light;
-            for (const Glyph& glyph : taken.light ? Glyphs() : row.glyphs)
+            if (taken.light) continue;  // it was not drawn
+            for (const Glyph& glyph : row.glyphs)
                 for (const std::size_t i : glyph.rings) {
                     const Taken& ring = taken.rings.emplace_back(std::move(painted.rings[i]));
                     (ring.stroke ? figure.page.strokes[ring.of].points : figure.page.areas[ring.of].rings[ring.ring]).clear();
@@ -255,18 +257,23 @@ private:
         figure.words.push_back(std::move(words));
     }
 
-    // Light letters are seen on something darker or a picture, and as a halo behind the same words they are none.
-    static bool is_seen(const FoundPage& figure, std::size_t row) {
+    // What light letters are seen on, if there are any: something darker, or a picture.
+    std::vector<Rect> surfaces_below(const FoundPage& figure) const {
+        std::vector<Rect> surfaces;
+        if (std::none_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.light; })) return surfaces;
+        for (const FoundPicture& picture : figure.pictures) surfaces.push_back(picture.shown);
+        for (const FoundLook& look : figure.looks)
+            if (look.fill >= 0 && look.fill <= kDarkLetter) surfaces.push_back(box_of(figure, look));
+        return surfaces;
+    }
+
+    // As a halo behind the same words they are none.
+    static bool is_seen(const FoundPage& figure, std::size_t row, const std::vector<Rect>& surfaces) {
         const FoundWords& words = figure.words[row];
         for (std::size_t i = 0; i < figure.words.size(); ++i)
             if (i != row && distance(figure.words[i].middle, words.middle) < words.height / 2) return false;
-        const auto on = [&](const FoundPicture& picture) { return picture.shown.holds(words.middle); };
-        if (std::any_of(figure.pictures.begin(), figure.pictures.end(), on)) return true;
-        return std::any_of(figure.looks.begin(), figure.looks.end(), [&](const FoundLook& look) {
-            if (look.fill < 0 || look.fill > kDarkLetter) return false;
-            const Rect box = box_of(figure, look);
-            return box.width > words.width && box.holds(words.middle);
-        });
+        return std::any_of(surfaces.begin(), surfaces.end(),
+                           [&](const Rect& box) { return box.width > words.width && box.holds(words.middle); });
     }
 
     // A row of points may be one of full stops.

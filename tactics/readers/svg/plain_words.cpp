@@ -2,7 +2,6 @@
 #include "tactics/readers/svg/plain_words.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
