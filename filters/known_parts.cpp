@@ -13,6 +13,7 @@
 #include "filters/darken.h"
 #include "filters/dash_rows.h"
 #include "filters/dashed_whiskers.h"
+#include "filters/error_bars.h"
 #include "filters/inked_fills.h"
 #include "filters/inked_points.h"
 #include "filters/noisy_curves.h"
@@ -239,6 +240,14 @@ void take_heads(Image& picture, KnownOfPicture& known, KnownParts& parts) {
     }
 }
 
+// Without a strength neither they nor the end of the bar that they cross are broken, and the bar stays where they are close to
+// it.
+void add_error_bars(Image& picture, KnownParts& parts) {
+    const double mm = picture.mm_per_pixel;
+    for (const auto& [from, to] : take_error_bars(picture))
+        parts.strokes.push_back({{{from.x * mm, from.y * mm}, {to.x * mm, to.y * mm}}, false});
+}
+
 void take_points(Image& picture, KnownOfPicture& known, KnownParts& parts) {
     const double mm = picture.mm_per_pixel;
     const auto points = points_in(known.ink(), kLeastPoint / mm, kMostPoint / mm);
@@ -276,6 +285,7 @@ std::vector<Phrase> KnownParts::told() const {
 KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 3>>& ground) {
     KnownParts parts;
     quieten(picture);
+    if (ground) add_error_bars(picture, parts);
     if (ground) parts.areas = take_fills(picture, *ground);
     if (ground && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
     KnownOfPicture known(picture);
