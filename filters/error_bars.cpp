@@ -15,7 +15,8 @@ namespace tactics {
 namespace {
 
 // On the page, mm; settings, all.
-constexpr double kWidestStem = 1.2, kShortestStem = 1.5, kLongestStem = 80, kLongestBare = 30, kLongestCap = 14;
+constexpr double kWidestStem = 1.2, kShortestStem = 2.5, kLongestStem = 80, kShortestBare = 4, kLongestBare = 30,
+                 kShortestCap = 1.5, kLongestCap = 14;
 
 // Grey levels: of ink and what is beside it; of a bar and the ground.
 constexpr int kDarker = 50, kStep = 20;
@@ -25,6 +26,7 @@ constexpr std::size_t kMostStrokes = 2000;  // more are a hatch, or a text
 // Thin and straight: [begin, end) along it, [low, high) across.
 struct Thin {
     int begin = 0, end = 0, low = 0, high = 0;
+    bool operator==(const Thin&) const = default;
     int length() const { return end - begin; }
     double middle() const { return (low + high) / 2.0; }
 };
@@ -70,7 +72,7 @@ public:
 
 private:
     std::optional<Stem> stem_of(const Thin& line) const {
-        if (line.length() * mm_ > kLongestStem) return std::nullopt;
+        if (line.length() * mm_ > kLongestStem || line.length() * mm_ < kShortestStem) return std::nullopt;
         const std::optional<Thin> first = cap_at(line, line.begin), last = cap_at(line, line.end);
         if (first && last) {
             const bool alike = std::abs(first->length() - last->length()) <= 2;
@@ -78,8 +80,8 @@ private:
         } else if (first || last) {
             const int foot = first ? line.end : line.begin;
             if (is_crossed(line, foot - near_, foot + near_)) return Stem{line, {first ? *first : *last}};
-        } else if (line.length() * mm_ <= kLongestBare && is_free(line, line.begin - 3) && is_free(line, line.end + 2) &&
-                   is_crossed(line, line.begin + 2, line.end - 2)) {
+        } else if (line.length() * mm_ >= kShortestBare && line.length() * mm_ <= kLongestBare && is_free(line, line.begin - 3) &&
+                   is_free(line, line.end + 2) && is_crossed(line, line.begin + 2, line.end - 2, beyond_a_letter(line))) {
             return Stem{line, {}};
         }
         return std::nullopt;
@@ -97,20 +99,39 @@ private:
                        (std::abs(other.middle() - level.begin) <= near_ || std::abs(other.middle() - level.end) <= near_) &&
                        (other.low >= line.high || other.high <= line.low);
             });
-            if (!goes_on) return level;
+            if (!goes_on && is_outermost(level, end == line.begin)) return level;
         }
         return std::nullopt;
+    }
+
+    // Nothing is right beyond a cap: the base of an arrow's head is none.
+    bool is_outermost(const Thin& cap, bool above) const {
+        constexpr int kHalo = 3;
+        const int depth = std::max(4, cap.length() / 4), from = above ? cap.low - kHalo - depth : cap.high + kHalo - 1;
+        int least = 255, most = 0;
+        for (int y = from; y <= from + depth; ++y)
+            for (int x = cap.begin; x < cap.end; ++x) {
+                least = std::min(least, grey_at(x, y));
+                most = std::max(most, grey_at(x, y));
+            }
+        return most - least < 2 * kStep;
     }
 
     int grey_at(int x, int y) const {
         return grey_.at<std::uint8_t>(std::clamp(y, 0, grey_.rows - 1), std::clamp(x, 0, grey_.cols - 1));
     }
 
-    // What is beside it changes in one row on both sides.
-    bool is_crossed(const Thin& line, int from, int to) const {
+    // So far from it the bar of a t ends, which goes through its stem, too.
+    int beyond_a_letter(const Thin& line) const {
+        constexpr double kFarthest = 3;  // mm
+        return static_cast<int>(std::min(line.length() / 3.0, kFarthest / mm_));
+    }
+
+    // What is beside it, that far away, changes in one row on both sides.
+    bool is_crossed(const Thin& line, int from, int to, int away = 3) const {
         const auto step = [&](int x, int y) { return std::abs(grey_at(x, y - 2) - grey_at(x, y + 2)); };
         for (int y = from; y < to; ++y)
-            if (step(line.low - 4, y) >= kStep && step(line.high + 3, y) >= kStep) return true;
+            if (step(line.low - 1 - away, y) >= kStep && step(line.high + away, y) >= kStep) return true;
         return false;
     }
 
@@ -173,18 +194,29 @@ void take_out(cv::Mat pixels, const std::vector<Stem>& stems, bool level, std::v
     }
 }
 
+// A cap on the border of two bars crosses it, but is no stem.
+void leave_caps_of(const std::vector<Stem>& others, std::vector<Stem>& stems) {
+    std::erase_if(stems, [&](const Stem& stem) {
+        return std::any_of(others.begin(), others.end(), [&](const Stem& other) {
+            return std::find(other.caps.begin(), other.caps.end(), stem.line) != other.caps.end();
+        });
+    });
+}
+
 }  // namespace
 
 std::vector<std::array<Point, 2>> take_error_bars(Image& picture) {
     const double mm = picture.mm_per_pixel;
     const int widest = std::max(2, static_cast<int>(std::lround(kWidestStem / mm))),
-              shortest = std::max(4, static_cast<int>(std::lround(kShortestStem / mm)));
+              shortest = std::max(4, static_cast<int>(std::lround(kShortestCap / mm)));
     const Image in_grey = to_grey(picture);
     const cv::Mat grey = view_of(in_grey), turned = grey.t();
     const std::vector<Thin> uprights = thin_uprights(grey, widest, shortest), levels = thin_uprights(turned, widest, shortest);
     if (std::max(uprights.size(), levels.size()) > kMostStrokes) return {};
-    const std::vector<Stem> upright = StemSearch(grey, uprights, levels, mm).all(),
-                            level = StemSearch(turned, levels, uprights, mm).all();
+    std::vector<Stem> upright = StemSearch(grey, uprights, levels, mm).all(),
+                      level = StemSearch(turned, levels, uprights, mm).all();
+    leave_caps_of(upright, level);
+    leave_caps_of(level, upright);
     std::vector<std::array<Point, 2>> taken;
     take_out(view_of(picture), upright, false, taken);
     take_out(view_of(picture), level, true, taken);

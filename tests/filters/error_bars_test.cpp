@@ -118,15 +118,61 @@ TEST(ErrorBars, AreNoOtherLines) {
         fill(picture, x - 8, 39, 18, 2);
     }
     fill(picture, 292, 59, 18, 2);
+    fill(picture, 200, 30, 2, 30);  // a t
+    fill(picture, 193, 40, 16, 2);
     const Image before = picture;
     EXPECT_TRUE(take_error_bars(picture).empty());
     EXPECT_EQ(picture.pixels, before.pixels);
 }
 
+TEST(ErrorBars, HaveCapsAlikeOrFreeEnds) {
+    Image picture = bar_chart();
+    error_bar(picture);
+    fill(picture, 122, 149, 36, 2);  // the lower cap is twice the other
+    fill(picture, 169, 90, 2, 60);   // as a 1 or a 7
+    fill(picture, 160, 89, 11, 2);
+    EXPECT_TRUE(take_error_bars(picture).empty());
+}
+
+// The head of an arrow, hollow, which has a base.
+TEST(ErrorBars, AreNoArrows) {
+    Image picture = make_image(300, 240, 1, kMm, 255);
+    outline(picture, 100, 160, 80, 40);
+    fill(picture, 139, 90, 2, 70);
+    fill(picture, 124, 89, 32, 2);
+    for (int i = 0; i < 16; ++i) {
+        fill(picture, 124 + i, 89 - 2 * i, 2, 2);
+        fill(picture, 154 - i, 89 - 2 * i, 2, 2);
+    }
+    EXPECT_TRUE(take_error_bars(picture).empty());
+}
+
+TEST(ErrorBars, OnTheBorderOfTwoBarsLeaveEachItsColour) {
+    Image picture = bar_chart();
+    fill(picture, 140, 120, 40, 100, {255, 127, 14});
+    const Image bare = picture;
+    error_bar(picture);
+    EXPECT_EQ(take_error_bars(picture).size(), 3u);
+    EXPECT_EQ(picture.pixels, bare.pixels);
+}
+
+// As fine as gnuplot draws them, in any size of a picture on its page.
+TEST(ErrorBars, MayBeFine) {
+    for (const double mm : {0.18, 0.2, 0.22, 0.25, 0.28, 0.32}) {
+        Image picture = make_image(300, 240, 1, mm, 255);
+        outline(picture, 100, 119, 80, 100);
+        fill(picture, 140, 90, 1, 60);
+        for (const int y : {90, 149}) fill(picture, 136, y, 9, 1);
+        EXPECT_EQ(take_error_bars(picture).size(), 3u) << mm;
+    }
+}
+
 TEST(ErrorBars, AreNoneOfAHatch) {
-    Image picture = make_image(900, 900, 1, 0.1, 255);
-    for (int y = 20; y < 880; y += 16)
-        for (int x = 10; x < 890; x += 16) fill(picture, x, y, 1, 10);
+    Image picture = make_image(1200, 1200, 1, 0.1, 255);
+    for (int y = 20; y < 1160; y += 60) {
+        fill(picture, 10, y + 10, 1180, 1);
+        for (int x = 12; x < 1188; x += 9) fill(picture, x, y, 1, 20);
+    }
     const Image before = picture;
     EXPECT_TRUE(take_error_bars(picture).empty());
     EXPECT_EQ(picture.pixels, before.pixels);
