@@ -21,6 +21,7 @@
 #include "filters/pale_fills.h"
 #include "filters/plot_symbols.h"
 #include "filters/quieted.h"
+#include "filters/tick_marks.h"
 #include "tactics/text/phrase.h"
 
 namespace tactics {
@@ -242,10 +243,8 @@ void take_heads(Image& picture, KnownOfPicture& known, KnownParts& parts) {
 
 // Without a strength neither they nor the end of the bar that they cross are broken, and the bar stays where they are close to
 // it.
-void add_error_bars(Image& picture, KnownParts& parts) {
-    const double mm = picture.mm_per_pixel;
-    for (const auto& [from, to] : take_error_bars(picture))
-        parts.strokes.push_back({{{from.x * mm, from.y * mm}, {to.x * mm, to.y * mm}}, false});
+void add_thin_strokes(const std::vector<std::array<Point, 2>>& strokes, double mm, KnownParts& parts) {
+    for (const auto& [from, to] : strokes) parts.strokes.push_back({{{from.x * mm, from.y * mm}, {to.x * mm, to.y * mm}}, false});
 }
 
 void take_points(Image& picture, KnownOfPicture& known, KnownParts& parts) {
@@ -285,7 +284,10 @@ std::vector<Phrase> KnownParts::told() const {
 KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 3>>& ground) {
     KnownParts parts;
     quieten(picture);
-    if (ground) add_error_bars(picture, parts);
+    if (ground) {
+        add_thin_strokes(take_error_bars(picture), picture.mm_per_pixel, parts);
+        add_thin_strokes(take_tick_marks(picture), picture.mm_per_pixel, parts);
+    }
     if (ground) parts.areas = take_fills(picture, *ground);
     if (ground && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
     KnownOfPicture known(picture);

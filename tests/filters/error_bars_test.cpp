@@ -38,7 +38,7 @@ void outline(Image& picture, int left, int top, int width, int height) {
 // Upright, through (140, 120).
 void error_bar(Image& picture) {
     fill(picture, 139, 90, 2, 60);
-    for (const int y : {89, 149}) fill(picture, 130, y, 20, 2);
+    for (const int y : {89, 149}) fill(picture, 128, y, 24, 2);
 }
 
 bool has(const Strokes& strokes, Point from, Point to) {
@@ -63,8 +63,8 @@ TEST(ErrorBars, WithCapsGoAndTheBarGoesOnBehindThem) {
     const Strokes strokes = take_error_bars(picture);
     EXPECT_EQ(strokes.size(), 3u);
     EXPECT_TRUE(has(strokes, {140, 90}, {140, 150}));
-    EXPECT_TRUE(has(strokes, {130, 90}, {150, 90}));
-    EXPECT_TRUE(has(strokes, {130, 150}, {150, 150}));
+    EXPECT_TRUE(has(strokes, {128, 90}, {152, 90}));
+    EXPECT_TRUE(has(strokes, {128, 150}, {152, 150}));
     EXPECT_EQ(picture.pixels, bare.pixels);
 }
 
@@ -129,8 +129,8 @@ TEST(ErrorBars, HaveCapsAlikeOrFreeEnds) {
     Image picture = bar_chart();
     error_bar(picture);
     fill(picture, 122, 149, 36, 2);  // the lower cap is twice the other
-    fill(picture, 169, 90, 2, 60);   // as a 1 or a 7
-    fill(picture, 160, 89, 11, 2);
+    fill(picture, 166, 80, 2, 70);   // as a 1 or a 7
+    fill(picture, 157, 79, 11, 2);
     EXPECT_TRUE(take_error_bars(picture).empty());
 }
 
