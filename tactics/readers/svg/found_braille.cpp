@@ -2,6 +2,7 @@
 #include "tactics/readers/svg/found_braille.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -277,12 +278,18 @@ std::vector<std::vector<std::pair<Point, int>>> texts_in(const std::vector<const
     return texts;
 }
 
-// A text of that many cells stands in step by no chance; shorter ones beside it are braille, too.
+// Words have cells beside each other, and of two or three dots; points of a plot whose values are whole numbers stand in step,
+// but mostly alone.
 bool has_words(const std::vector<BrailleLine>& lines) {
     constexpr std::ptrdiff_t kFewestCells = 4;
-    return std::any_of(lines.begin(), lines.end(), [](const BrailleLine& line) {
-        return std::count_if(line.cells.begin(), line.cells.end(), [](std::uint8_t cell) { return cell != 0; }) >= kFewestCells;
-    });
+    std::ptrdiff_t cells = 0, most = 0, dots = 0;
+    for (const BrailleLine& line : lines) {
+        const auto count = std::count_if(line.cells.begin(), line.cells.end(), [](std::uint8_t cell) { return cell != 0; });
+        most = std::max(most, count);
+        cells += count;
+        for (const std::uint8_t cell : line.cells) dots += std::popcount(cell);
+    }
+    return most >= kFewestCells && dots >= 2 * cells;
 }
 
 // Takes out areas, and counts what is behind them anew.

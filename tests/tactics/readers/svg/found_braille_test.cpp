@@ -142,12 +142,16 @@ TEST(FoundBraille, OfAFigureIsTakenOutAndItsPointsStay) {
 TEST(FoundBraille, PointsOfAPlotAreNone) {
     Dice chance(4);
     for (int round = 0; round < 40; ++round) {
-        std::vector<Disc> points, rows;
+        std::vector<Disc> points, rows, columns;
         for (int i = 0; i < 150; ++i) {
             points.push_back({{chance.between(20, 190), chance.between(20, 270)}, 1.5});
             rows.push_back({{20 + 2.5 * (i % 15), 30 + 2.5 * static_cast<double>(chance.below(60))}, 1.5});  // whole numbers
         }
-        for (const auto& discs : {points, rows}) {
+        for (int i = 0; i < 50; ++i) {
+            const double speed = static_cast<double>(chance.below(22)), spread = static_cast<double>(chance.below(30));
+            columns.push_back({{20 + 5.33 * speed, 240 - 0.53 * 2 * (2 * speed + spread)}, 1.9});
+        }
+        for (const auto& discs : {points, rows, columns}) {
             FoundPage figure = figure_with(discs);
             take_braille_of_figure(figure);
             EXPECT_EQ(figure.page.areas.size(), discs.size()) << "round " << round;
