@@ -84,6 +84,7 @@ struct PageStroke {
     double width = 0;  ///< mm; round ends and joins
     Role role = Role::line;
     bool inner = false;  ///< a thin line of the drawing: a detail inside a thing, also where all lines are as wide
+    bool heavy = false;  ///< of a figure: its style is felt as a thick line, however wide it is drawn
 };
 LineKind kind_of(const PageStroke& stroke);
 /// What becomes of a line of the drawing.

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "tactics/readers/svg/clip.h"
+#include "tactics/readers/svg/dash_marks.h"
 #include "tactics/readers/svg/hidden_lines.h"
 
 namespace tactics {
@@ -79,8 +80,14 @@ void add_look(FoundPage& figure, std::size_t strokes, std::size_t areas, const S
     const bool whole = style.dashes.empty() || style.dashes == "none";
     const std::size_t dashes =
         whole ? 0 : figure.dash_kinds.try_emplace(style.dashes, figure.dash_kinds.size() + 1).first->second;
-    FoundLook look{strokes, page.strokes.size(), areas, page.areas.size(), lightness(style.stroke), lightness(style.fill),
-                   dashes};
+    FoundLook look{strokes,
+                   page.strokes.size(),
+                   areas,
+                   page.areas.size(),
+                   lightness(style.stroke),
+                   lightness(style.fill),
+                   dashes,
+                   marks_of(style.dashes, style.stroke_width)};
     // A straight line has no inside to be filled.
     const auto straight = [](const PageStroke& stroke) { return stroke.points.size() < 3; };
     if (page.areas.size() == areas &&
@@ -109,6 +116,7 @@ Rect box_of(const FoundPage& figure, const FoundLook& look) {
 void tidy_chart(FoundPage& figure, bool with_words) {
     leave_out_grid(figure);
     if (with_words) name_by_legend(figure);
+    tell_dashes_apart(figure);
     hide_behind_covers(figure);
     std::erase_if(figure.page.strokes, [](const PageStroke& stroke) { return stroke.points.empty(); });
     std::erase_if(figure.page.areas, [](const Area& area) { return area.rings.empty(); });

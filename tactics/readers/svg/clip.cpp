@@ -48,7 +48,7 @@ void add_clipped(Page& page, PageStroke stroke, const std::optional<Rect>& clip)
         return;
     }
     for (auto& part : clipped(stroke.points, stroke.closed, *clip))
-        page.strokes.push_back({std::move(part), false, stroke.width, stroke.role, stroke.inner});
+        page.strokes.push_back({std::move(part), false, stroke.width, stroke.role, stroke.inner, stroke.heavy});
 }
 
 }  // namespace tactics

@@ -117,7 +117,8 @@ Drawing drawing_of_figure(const FoundPage& figure, double width) {
         if (line.closed && line.points.size() > 1) line.points.pop_back();
         if (line.points.size() < 3) line.closed = false;
         if (line.points.size() < 2) continue;
-        line.line = stroke.width < kThin * common    ? LineClass::thin
+        line.line = stroke.heavy                     ? LineClass::thick
+                    : stroke.width < kThin * common  ? LineClass::thin
                     : stroke.width > kThick * common ? LineClass::thick
                                                      : LineClass::normal;
         line.role = stroke.role;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -54,11 +55,15 @@ struct FoundPicture {
     bool mirrored = false, upside_down = false;  ///< it stands so in the figure
 };
 
+/// Of a dashed line.
+enum class DashMarks : std::uint8_t { none, dashes, dots, both };
+
 /// How one element of a figure is painted, and which strokes and areas of the page are its.
 struct FoundLook {
     std::size_t stroke = 0, strokes_end = 0, area = 0, areas_end = 0;
     double line = -1, fill = -1;  ///< lightness, which tells colours of one figure apart; -1: none; over 1: a pattern
     std::size_t dashes = 0;       ///< in the page's dash_kinds; 0: a whole line
+    DashMarks marks = DashMarks::none;
 };
 
 /// An opaque surface of a figure: what was drawn before it and lies behind it is not seen.
