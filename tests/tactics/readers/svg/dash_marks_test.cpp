@@ -42,9 +42,11 @@ TEST(DashMarks, OfPlottingToolsAreKnown) {
 Drawing drawn(const std::vector<std::string>& dashes) {
     std::string body;
     int y = 10;
-    for (const std::string& one : dashes)
-        body += "<path fill='none' stroke='black' stroke-dasharray='" + one + "' d='M10 " + std::to_string(y += 15) + " L90 " +
+    for (const std::string& one : dashes) {
+        y += 15;
+        body += "<path fill='none' stroke='black' stroke-dasharray='" + one + "' d='M10 " + std::to_string(y) + " L90 " +
                 std::to_string(y + 5) + " L150 " + std::to_string(y) + "'/>";
+    }
     const std::string file =
         "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='100mm' viewBox='0 0 200 100'>" + body + "</svg>";
     return drawing_of_figure(read_svg(file, "figure.svg", 0, std::nullopt, SvgPurpose::figure), 200);
