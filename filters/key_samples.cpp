@@ -100,6 +100,35 @@ std::optional<PixelBox> sample_among(const std::vector<KeyInk>& pieces, bool lef
     return box;
 }
 
+// An upright line, as the side of a box that the words stand in, is between them and the sample.
+bool is_walled_off(const cv::Mat& ink, const PixelBox& window, const PixelBox& sample, bool left) {
+    const int from = (left ? sample.right : window.left) - window.left, to = (left ? window.right : sample.left) - window.left;
+    for (int x = std::max(0, from); x < std::min(ink.cols, to); ++x)
+        if (cv::countNonZero(ink.col(x) >= kInkOfKeys) == 0) return true;
+    return false;
+}
+
+// The marks of a dashed line go on beyond the window, away from the words: no sample is so long.
+bool goes_on(const Image& ink, const PixelBox& sample, bool left, double height) {
+    const int reach = static_cast<int>(kMostWide * height / 2), above = std::max(0, sample.top - static_cast<int>(height / 2)),
+              below = std::min(ink.height, sample.bottom + static_cast<int>(height / 2));
+    const auto is_mark = [&](int x) {
+        bool any = false;
+        for (int y = above; y < below; ++y) {
+            if (ink.row(y)[x] >= kInkOfKeys) continue;
+            if (y < sample.top - 1 || y > sample.bottom) return false;
+            any = true;
+        }
+        return any;
+    };
+    for (int step = 1; step <= reach; ++step) {
+        const int x = left ? sample.left - step : sample.right - 1 + step;
+        if (x < 0 || x >= ink.width) break;
+        if (is_mark(x)) return true;
+    }
+    return false;
+}
+
 // The colour of most of it, and whether it is one.
 void find_look(const Image& picture, const Image& ink, KeySample& sample) {
     std::vector<PixelColour> colours;
@@ -162,10 +191,12 @@ std::optional<KeySample> sample_beside(const Image& picture, const Image& ink, c
     if (!box || box->width() < kLeastWide * h || box->height() > kMostHigh * h || box->width() < box->height())
         return std::nullopt;
     if (box->left <= window.left || box->right >= window.right) return std::nullopt;
-    if (std::abs((box->top + box->bottom) / 2.0 - y) > kSameColumn * h) return std::nullopt;
+    if (std::abs((box->top + box->bottom) / 2.0 - y) > kSameColumn * h || is_walled_off(own_ink, window, *box, left))
+        return std::nullopt;
     KeySample sample{number, *box, box->height() <= kLineHigh * h, false, {}, h};
     find_look(picture, ink, sample);
     if (sample.line) sample.dashes = dashes_along(ink, *box);
+    if (sample.dashes && goes_on(ink, *box, left, h)) return std::nullopt;
     return sample;
 }
 

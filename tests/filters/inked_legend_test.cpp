@@ -106,6 +106,28 @@ TEST(InkedLegend, ACurveMayRunByBesideASample) {
     expect_both_curves(legend_in(picture, kTwoWords));
 }
 
+// Words in boxes, and arrows that end at these.
+TEST(InkedLegend, ABorderPartsASampleFromItsWords) {
+    Image picture = two_curves(kRed, kBlue);
+    paint(picture, {97, 4, 99, 120}, {0, 0, 0});
+    EXPECT_TRUE(legend_in(picture, kTwoWords).empty());
+}
+
+// Of arrows, with words beside their middles.
+TEST(InkedLegend, NoSampleGoesOnInDashes) {
+    for (const bool goes_on : {false, true}) {
+        Image picture = make_image(400, 340, 3, 0, 255);
+        const auto dashed = [&](int left, int y, int length, int step, const TestColour& colour) {
+            for (int x = left; x + length <= (y < 100 ? 90 : 380); x += step) paint(picture, {x, y, x + length, y + 3}, colour);
+        };
+        for (const int y : {38, 180}) dashed(y > 100 ? 20 : goes_on ? 11 : 40, y, 10, 20, kRed);
+        for (const int y : {68, 260}) dashed(y > 100 ? 20 : goes_on ? 5 : 41, y, 3, 9, kBlue);
+        std::vector<LegendWords> words = kTwoWords;
+        for (LegendWords& one : words) one.height = 11;
+        EXPECT_EQ(legend_in(picture, words).size(), goes_on ? 0u : 2u);
+    }
+}
+
 TEST(InkedLegend, ItMayStandOnAPanel) {
     Image picture = two_curves(kRed, kBlue);
     for (int y = 20; y < 90; ++y)
