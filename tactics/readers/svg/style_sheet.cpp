@@ -6,6 +6,7 @@
 
 #include "tactics/readers/svg/svg_gradient.h"
 #include "tactics/readers/svg/svg_numbers.h"
+#include "tactics/readers/svg/svg_pattern.h"
 
 namespace tactics {
 
@@ -166,6 +167,7 @@ void StyleSheet::know(const Element& root, Missed& missed) {
             gradients_[id] = *mean;
         }
     }
+    for (const auto& [id, number] : pattern_numbers(root)) gradients_[id] = {.pattern = number};
 }
 
 void StyleSheet::know_styles(const Element& element, Missed& missed) {

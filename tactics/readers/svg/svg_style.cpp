@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tactics/readers/svg/svg_numbers.h"
+#include "tactics/readers/svg/svg_pattern.h"
 
 namespace tactics {
 
@@ -26,13 +27,6 @@ std::string_view size_in(std::string_view font) {
     return {};
 }
 
-// From 1 to 2, the same for the same name.
-double number_of(std::string_view name) {
-    std::uint32_t hash = 2166136261u;  // FNV-1a
-    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-    return 1 + hash / 4294967296.0;
-}
-
 // `own` becomes the opacity of a gradient.
 void set_paint(Paint& paint, double& own, std::string_view value, double current, const MeanPaints& gradients, Missed& missed) {
     paint.none = value == "none";
@@ -43,12 +37,14 @@ void set_paint(Paint& paint, double& own, std::string_view value, double current
     if (value == "currentColor" || value == "currentcolor" || value == "context-fill" || value == "context-stroke") {
         paint.lightness = current;
     } else if (value.starts_with("url(")) {
-        const auto mean = gradients.find(name_in_url(value));
-        missed.textures += mean == gradients.end() ? 1 : 0;
-        paint.pattern = mean == gradients.end() ? number_of(name_in_url(value)) : 0;
-        paint.lightness = mean == gradients.end() ? 0 : mean->second.lightness;
-        paint.fades = mean != gradients.end() && mean->second.fades;
-        own = mean == gradients.end() ? 1 : mean->second.opacity;
+        const auto known = gradients.find(name_in_url(value));
+        const MeanPaint mean =
+            known == gradients.end() ? MeanPaint{.pattern = pattern_number(name_in_url(value))} : known->second;
+        missed.textures += mean.pattern > 0 ? 1 : 0;
+        paint.pattern = mean.pattern;
+        paint.lightness = mean.lightness;
+        paint.fades = mean.fades;
+        own = mean.opacity;
     } else if (const auto light = lightness_of(value)) {
         paint.lightness = *light;
     } else {

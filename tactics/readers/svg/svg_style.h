@@ -83,11 +83,12 @@ std::string_view name_in_url(std::string_view url);
 using Declarations = std::vector<std::pair<std::string, std::string>>;
 Declarations parse_declarations(std::string_view text);
 
-/// What gradients look like as a whole, by their ids.
+/// What gradients look like as a whole, and which patterns are the same, by their ids.
 struct MeanPaint {
     double lightness = 0;
     double opacity = 1;
     bool fades = false;  ///< as shadows do: it is clear at its rim, or at one end and nowhere full
+    double pattern = 0;  ///< its number, as in Paint (svg_pattern.h)
 };
 using MeanPaints = std::map<std::string, MeanPaint, std::less<>>;
 
