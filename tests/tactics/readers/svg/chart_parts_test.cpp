@@ -185,6 +185,20 @@ TEST(Legend, FillsPatternsByTheirNames) {
     EXPECT_NE(textures[0], textures[2]);
 }
 
+// As in a page of a PDF, where each surface has a pattern of its own.
+TEST(Legend, FillsPatternsByTheirContent) {
+    std::string body = bars("url(#a)", "url(#b)", ""), defs;
+    for (int i = 0; i < 3; ++i) {
+        const std::string id = "a" + std::to_string(i);
+        body.replace(body.find("#a)"), 2, "#" + id);
+        defs += "<pattern id='" + id + "' width='8' height='8'><path d='M0 8 L8 0' stroke='black'/></pattern>";
+    }
+    const std::vector<int> textures = textures_in(figure("<defs>" + defs + "</defs>" + body));
+    ASSERT_EQ(textures.size(), 3u);
+    EXPECT_EQ(textures[0], textures[1]);
+    EXPECT_NE(textures[0], textures[2]);
+}
+
 TEST(Legend, FillsNothingWhereSurfacesLieOnEachOther) {
     EXPECT_TRUE(
         textures_in(figure(bars("#1f77b4", "#ff7f0e", "<rect x='30' y='55' width='20' height='20' fill='#ff7f0e'/>"))).empty());
