@@ -16,10 +16,12 @@ namespace tactics {
 
 /// In mm, from the picture's left and top.
 struct KnownParts {
-    std::vector<Stroke> strokes;  ///< Role::arrow: a head, from barb to tip to barb; Role::dash, Role::dots: such a line, whole
-    std::size_t noisy = 0;        ///< of the strokes: curves through the middle of their noise (noisy_curves.h)
-    std::size_t left_out = 0;     ///< colours of pale surfaces behind curves (pale_fills.h)
-    std::vector<Area> areas;      ///< Role::symbol: a point; with a texture: a surface
+    /// Role::arrow: a head, from barb to tip to barb; Role::dash, Role::dots: such a line, whole; Role::line: a noisy curve, a
+    /// stem or cap of an error bar, a tick.
+    std::vector<Stroke> strokes;
+    std::size_t noisy = 0;     ///< of the strokes: curves through the middle of their noise (noisy_curves.h)
+    std::size_t left_out = 0;  ///< colours of pale surfaces behind curves (pale_fills.h)
+    std::vector<Area> areas;   ///< Role::symbol: a point; with a texture: a surface
 
     void add_to(Drawing& drawing) &&;
     std::vector<Phrase> told() const;  ///< what a reader of the picture would not expect
