@@ -13,8 +13,8 @@ namespace tactics {
 namespace {
 
 // On the page, mm; settings, all.
-constexpr double kWidestStem = 1.2, kShortestStem = 2.5, kLongestStem = 80, kShortestBare = 4, kLongestBare = 30,
-                 kShortestCap = 1.5, kLongestCap = 14;
+constexpr double kShortestStem = 2.5, kLongestStem = 80, kShortestBare = 4, kLongestBare = 30, kShortestCap = 1.5,
+                 kLongestCap = 14;
 
 constexpr int kStep = 20;  // grey levels, of a bar and the ground
 
@@ -28,7 +28,7 @@ struct Stem {
 class StemSearch {
 public:
     StemSearch(const Image& grey, const std::vector<ThinStroke>& uprights, const std::vector<ThinStroke>& levels, double mm)
-        : grey_(grey), uprights_(uprights), levels_(levels), mm_(mm), near_(static_cast<int>(kWidestStem / mm) + 1) {}
+        : grey_(grey), uprights_(uprights), levels_(levels), mm_(mm), near_(static_cast<int>(kWidestStroke / mm) + 1) {}
 
     std::vector<Stem> all() const {
         std::vector<Stem> stems;
@@ -141,7 +141,7 @@ void take_out(Image& picture, const std::vector<Stem>& stems, bool level, std::v
 
 std::vector<std::array<Point, 2>> take_error_bars(Image& picture) {
     const double mm = picture.mm_per_pixel;
-    const ThinStrokes strokes = thin_strokes_in(picture, kShortestCap, kWidestStem);
+    const ThinStrokes strokes = thin_strokes_in(picture, kShortestCap);
     const std::vector<Stem> upright = StemSearch(strokes.grey, strokes.upright, strokes.level, mm).all(),
                             level = StemSearch(strokes.turned, strokes.level, strokes.upright, mm).all();
     std::vector<std::array<Point, 2>> taken;

@@ -108,7 +108,7 @@ bool is_walled_off(const cv::Mat& ink, const PixelBox& window, const PixelBox& s
     return false;
 }
 
-// The marks of a dashed line go on beyond the window, away from the words: no sample is so long.
+// The marks of a dashed line go on beyond it, away from the words, as those of an arrow do.
 bool goes_on(const Image& ink, const PixelBox& sample, bool left, double height) {
     const int reach = static_cast<int>(kMostWide * height / 2), above = std::max(0, sample.top - static_cast<int>(height / 2)),
               below = std::min(ink.height, sample.bottom + static_cast<int>(height / 2));

@@ -38,10 +38,10 @@ std::vector<ThinStroke> thin_uprights(const cv::Mat& grey, int widest, int short
 
 }  // namespace
 
-ThinStrokes thin_strokes_in(const Image& picture, double shortest_mm, double widest_mm) {
+ThinStrokes thin_strokes_in(const Image& picture, double shortest_mm) {
     const double mm = picture.mm_per_pixel;
     const int shortest = std::max(3, static_cast<int>(std::lround(shortest_mm / mm))),
-              widest = std::max(2, static_cast<int>(std::lround(widest_mm / mm)));
+              widest = std::max(2, static_cast<int>(std::lround(kWidestStroke / mm)));
     ThinStrokes strokes{to_grey(picture), make_image(picture.height, picture.width, 1, mm, 0), {}, {}};
     cv::transpose(view_of(std::as_const(strokes.grey)), view_of(strokes.turned));
     auto upright = thin_uprights(view_of(strokes.grey), widest, shortest),

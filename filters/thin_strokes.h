@@ -23,9 +23,11 @@ struct ThinStrokes {
     std::vector<ThinStroke> upright, level;
 };
 
-/// All strokes of a picture, which has its size in mm, that are at least so long, at most so wide and clearly darker than what is
+inline constexpr double kWidestStroke = 1.2;  ///< mm on the page; a setting
+
+/// All strokes of a picture, which has its size in mm, that are at least so long, thin and clearly darker than what is
 /// on both sides of them. Lines that they cross do not part them. None if there are thousands, as in a hatch or a text.
-ThinStrokes thin_strokes_in(const Image& picture, double shortest_mm, double widest_mm);
+ThinStrokes thin_strokes_in(const Image& picture, double shortest_mm);
 
 /// So many pixels around a stroke are paler than it, and not the ground.
 inline constexpr int kStrokeHalo = 2;

@@ -14,7 +14,7 @@ namespace tactics {
 namespace {
 
 // On the page, mm; settings, all. Shorter ticks are hardly felt, and in the way of the braille below them.
-constexpr double kWidestMark = 1.2, kShortestMark = 2, kLongestMark = 6, kShortestAxis = 25, kApartMarks = 5;
+constexpr double kShortestMark = 2, kLongestMark = 6, kShortestAxis = 25, kApartMarks = 5;
 constexpr std::size_t kFewestTicks = 3;
 
 // An upright stroke at a level axis: so far it reaches above and below.
@@ -64,7 +64,6 @@ bool have_room(const std::vector<Tick>& ticks, double mm) {
 
 // Those of one length, the longest first: between them shorter ones may divide the steps.
 std::vector<Tick> alike(std::vector<Tick> ticks, double mm) {
-    std::vector<Tick> kept;
     while (!ticks.empty()) {
         const Tick longest = *std::max_element(
             ticks.begin(), ticks.end(), [](const Tick& a, const Tick& b) { return a.above + a.below < b.above + b.below; });
@@ -104,7 +103,7 @@ void take_ticks_of(const std::vector<ThinStroke>& levels, const std::vector<Thin
 
 std::vector<std::array<Point, 2>> take_tick_marks(Image& picture) {
     const double mm = picture.mm_per_pixel;
-    const ThinStrokes strokes = thin_strokes_in(picture, kShortestMark, kWidestMark);
+    const ThinStrokes strokes = thin_strokes_in(picture, kShortestMark);
     std::vector<std::array<Point, 2>> taken;
     take_ticks_of(strokes.level, strokes.upright, strokes.grey, false, mm, picture, taken);
     take_ticks_of(strokes.upright, strokes.level, strokes.turned, true, mm, picture, taken);

@@ -24,8 +24,8 @@ void each_dashed(FoundPage& figure, Visit visit) {
 
 DashMarks marks_of(std::string_view dashes, std::string_view width) {
     constexpr double kWhole = 100;  // what percentages are of, in both
-    // Settings, in line widths: dots of Matplotlib, R, graphviz and office programs are 1 long; of gnuplot 2, but the gaps
-    // are 3.5.
+    // Settings, in line widths. Dots of Matplotlib, R, graphviz and gnuplot are 1 long; a longer mark is one before a gap nearly
+    // twice as long. Gnuplot's dashes of 2.5 have gaps of 4, and are none.
     constexpr double kShortDot = 1.7, kLongDot = 2.5, kOfGap = 0.6;
     const Dashes pattern = parse_dashes(dashes, "", kWhole, 1);
     if (pattern.lengths.empty()) return DashMarks::none;

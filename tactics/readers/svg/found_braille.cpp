@@ -278,8 +278,8 @@ std::vector<std::vector<std::pair<Point, int>>> texts_in(const std::vector<const
     return texts;
 }
 
-// Words have cells beside each other, and of two or three dots; points of a plot whose values are whole numbers stand in step,
-// but mostly alone.
+// A few cells stand in step by no chance, and those of words have two dots or more on average; shorter texts beside these are
+// braille, too. Points of a plot whose values are whole numbers stand in step as well, but mostly one in a cell.
 bool has_words(const std::vector<BrailleLine>& lines) {
     constexpr std::ptrdiff_t kFewestCells = 4;
     std::ptrdiff_t cells = 0, most = 0, dots = 0;

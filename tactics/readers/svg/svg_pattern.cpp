@@ -13,9 +13,8 @@ namespace {
 constexpr std::size_t kMostWritten = 4000;  // bytes of a pattern; what comes later tells none apart
 
 std::string_view href_of(const Element& element) {
-    for (const auto& [name, value] : element.attributes)
-        if ((name == "href" || name.ends_with(":href")) && value.starts_with('#')) return std::string_view(value).substr(1);
-    return {};
+    const std::string_view name = element.attribute("href");
+    return name.starts_with('#') ? name.substr(1) : std::string_view();
 }
 
 template <typename Visit>
@@ -30,7 +29,7 @@ using Kept = std::map<std::string_view, const Element*>;
 void write(const Element& element, const Kept& kept, bool follow, std::string& text) {
     text += '<' + element.name;
     for (const auto& [name, value] : element.attributes)
-        if (name != "id" && name != "clip-path" && name != "href" && !name.ends_with(":href")) text += ' ' + name + '=' + value;
+        if (name != "id" && name != "clip-path" && name != "href") text += ' ' + name + '=' + value;
     const auto found = follow ? kept.find(href_of(element)) : kept.end();
     if (found != kept.end()) write(*found->second, kept, false, text);
     for (const Element& child : element.children)

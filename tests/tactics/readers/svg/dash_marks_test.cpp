@@ -15,26 +15,30 @@
 namespace tactics::dash_marks_test {
 namespace {
 
-// Written by R, Matplotlib, gnuplot, graphviz, LibreOffice and in Mermaid's style sheets.
+// The first ones of each kind are in files that R, Matplotlib, graphviz and gnuplot wrote; the others are made.
 TEST(DashMarks, OfPlottingToolsAreKnown) {
     for (const auto& [dashes, width] : {std::pair{"1.5,4.5", "1.5"},
-                                        {"0.75 2.25", "0.75"},
                                         {"1.5,2.475", "1.5"},
-                                        {"2.0,3.5", "1.00"},
                                         {"1,5", "1"},
+                                        {"1.0,2.0", "1.00"},
+                                        {"0.75 2.25", "0.75"},
+                                        {"2.0,3.5", "1.00"},
                                         {"0,4", "2"},
                                         {"2", "2"},
                                         {"3px 3px", "2px"}})
         EXPECT_EQ(marks_of(dashes, width), DashMarks::dots) << dashes;
     for (const auto& [dashes, width] : {std::pair{"6,6", "1.5"},
                                         {"5.55,2.4", "1.5"},
-                                        {"8.0,5.0", "1.00"},
                                         {"5,2", "1"},
+                                        {"2.5,4.0", "1.00"},
+                                        {" 5,8", "2.00"},
+                                        {"8.0,5.0", "1.00"},
                                         {"5", "1"},
                                         {"10.5,4.5", "1.5"},
                                         {"4,4", ""}})
         EXPECT_EQ(marks_of(dashes, width), DashMarks::dashes) << dashes;
-    for (const auto& [dashes, width] : {std::pair{"1.5,4.5,6,4.5", "1.5"}, {"9.6,2.4,1.5,2.4", "1.5"}})
+    for (const auto& [dashes, width] :
+         {std::pair{"9.6,2.4,1.5,2.4", "1.5"}, {"4.0,2.0,1.0,2.0", "1.00"}, {"1.5,4.5,6,4.5", "1.5"}})
         EXPECT_EQ(marks_of(dashes, width), DashMarks::both) << dashes;
     for (const char* none : {"", "none", "0,0", "4,x"}) EXPECT_EQ(marks_of(none, "1"), DashMarks::none) << none;
 }
