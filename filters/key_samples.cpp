@@ -20,6 +20,7 @@ namespace {
 // In heights of the letters beside them. Settings; those of legends in SVG (readers/svg/legend.cpp) are alike.
 constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kNearest = 0.25, kAroundRow = 1.2, kLineHigh = 0.6;
 constexpr double kSameColumn = 0.8, kNextRow = 5, kNextColumn = 30;
+constexpr double kMostSwatch = 3.2, kSwatchWide = 0.7, kSwatchRow = 0.5;
 constexpr int kAlikeSamples = 25;  // levels in each channel
 
 bool alike(const KeySample& a, const KeySample& b) {
@@ -177,6 +178,83 @@ std::optional<DashKind> dashes_along(const Image& ink, const PixelBox& box) {
     return dash_kind(std::move(lengths));
 }
 
+// Pixels that touch along their sides, of one colour.
+struct ColourPatch {
+    PixelBox box;
+    std::vector<cv::Point> pixels;
+};
+
+// What has about that colour and touches the pixel at `from`; nothing if it leaves the window.
+std::optional<ColourPatch> patch_at(const Image& picture, cv::Point from, const PixelBox& window) {
+    const PixelColour colour = pixel_colour(picture, from.x, from.y);
+    cv::Mat known = cv::Mat::zeros(window.height(), window.width(), CV_8U);
+    ColourPatch patch{{from.x, from.y, from.x + 1, from.y + 1}, {}};
+    const auto add = [&](int x, int y) {
+        if (x < window.left || y < window.top || x >= window.right || y >= window.bottom) return false;
+        std::uint8_t& pixel = known.at<std::uint8_t>(y - window.top, x - window.left);
+        if (pixel != 0 || channels_apart(pixel_colour(picture, x, y), colour) > kAlikeSamples) return true;
+        pixel = 1;
+        patch.pixels.emplace_back(x, y);
+        patch.box = around(patch.box, {x, y, x + 1, y + 1});
+        return true;
+    };
+    add(from.x, from.y);
+    for (std::size_t i = 0; i < patch.pixels.size(); ++i) {
+        const cv::Point at = patch.pixels[i];
+        if (!add(at.x - 1, at.y) || !add(at.x + 1, at.y) || !add(at.x, at.y - 1) || !add(at.x, at.y + 1)) return std::nullopt;
+    }
+    return patch;
+}
+
+// A rectangle, full or only its sides.
+bool is_rectangle(const ColourPatch& patch) {
+    constexpr int kSide = 2;  // pixels
+    constexpr double kWhole = 0.95;
+    const PixelBox& box = patch.box;
+    if (std::min(box.width(), box.height()) <= 2 * kSide) return false;
+    std::vector<bool> sides[4] = {std::vector<bool>(static_cast<std::size_t>(box.height())), {}, {}, {}};
+    sides[1] = sides[0];
+    sides[2] = sides[3] = std::vector<bool>(static_cast<std::size_t>(box.width()));
+    for (const cv::Point& at : patch.pixels) {
+        const auto row = static_cast<std::size_t>(at.y - box.top), column = static_cast<std::size_t>(at.x - box.left);
+        if (at.x < box.left + kSide) sides[0][row] = true;
+        if (at.x >= box.right - kSide) sides[1][row] = true;
+        if (at.y < box.top + kSide) sides[2][column] = true;
+        if (at.y >= box.bottom - kSide) sides[3][column] = true;
+    }
+    return std::all_of(std::begin(sides), std::end(sides), [](const std::vector<bool>& side) {
+        return static_cast<double>(std::count(side.begin(), side.end(), true)) >= kWhole * static_cast<double>(side.size());
+    });
+}
+
+// A box of one colour, or the border of one, that others may touch above and below it. A border is a sample of a line.
+std::optional<KeySample> swatch_beside(const Image& picture, const Image& ink, const LegendWords& words, std::size_t number,
+                                       bool left) {
+    const double h = words.height;
+    const int y = (words.box.top + words.box.bottom) / 2, step = left ? -1 : 1;
+    const int nearest = left ? words.box.left - static_cast<int>(kNearest * h) : words.box.right + static_cast<int>(kNearest * h);
+    const int reach = static_cast<int>(kMostWide * h);
+    const PixelBox window{std::max(0, left ? nearest - reach : nearest), std::max(0, y - reach),
+                          std::min(picture.width, left ? nearest + 1 : nearest + reach), std::min(picture.height, y + reach)};
+    if (y < 0 || y >= picture.height) return std::nullopt;
+    int x = nearest;
+    const auto in_window = [&] { return x >= window.left && x < window.right; };
+    while (in_window() && ink.row(y)[x] >= kInkOfKeys) x += step;
+    // Where it begins it is blurred.
+    while (in_window() && x + step >= window.left && x + step < window.right && ink.row(y)[x + step] < ink.row(y)[x]) x += step;
+    if (!in_window()) return std::nullopt;
+    const auto patch = patch_at(picture, {x, y}, window);
+    if (!patch || !is_rectangle(*patch)) return std::nullopt;
+    const PixelBox& box = patch->box;
+    if (box.width() < kLeastWide * h || box.height() < kLeastWide * h || box.height() > kMostSwatch * h ||
+        box.width() < kSwatchWide * box.height() || std::abs((box.top + box.bottom) / 2.0 - y) > kSwatchRow * h)
+        return std::nullopt;
+    const bool border = ink.row((box.top + box.bottom) / 2)[(box.left + box.right) / 2] >= kInkOfKeys;
+    KeySample sample{number, box, border, false, {}, h};
+    find_look(picture, ink, sample);
+    return sample;
+}
+
 std::optional<KeySample> sample_beside(const Image& picture, const Image& ink, const LegendWords& words, std::size_t number,
                                        bool left) {
     const double h = words.height, y = (words.box.top + words.box.bottom) / 2.0;
@@ -227,7 +305,10 @@ std::vector<KeySample> key_samples_in(const Image& picture, const Image& ink, co
     std::vector<KeySample> all;
     for (std::size_t i = 0; i < words.size(); ++i)
         for (const bool left : {true, false})
-            if (const auto sample = words[i].height > 0 ? sample_beside(picture, ink, words[i], i, left) : std::nullopt) {
+            if (words[i].height > 0) {
+                auto sample = sample_beside(picture, ink, words[i], i, left);
+                if (!sample) sample = swatch_beside(picture, ink, words[i], i, left);
+                if (!sample) continue;
                 all.push_back(*sample);
                 break;
             }

@@ -108,9 +108,10 @@ public:
     }
 
     // Single letters of unknown size, such as the numbers of an axis in a font that no words have: they belong to a font that
-    // three of them match, in one size.
+    // three of them match, in one size, or more of them less well, as letters that were bent to the pixels do.
     bool choose_by_letters(const std::vector<std::size_t>& lines) {
-        constexpr std::size_t kLeast = 3;
+        constexpr std::size_t kLeast = 3, kMany = 4;
+        constexpr double kFitsWithMany = 0.85;  // a setting
         const std::vector<std::size_t> samples = samples_of(lines);
         double most = 0, size = 0;
         std::size_t found = bent_.size();
@@ -118,14 +119,17 @@ public:
             std::vector<FormReading> readings;
             for (const std::size_t i : samples) {
                 FormReading reading = read_by_forms(strips_[i], fonts_[f], {}, kPlainLetters, true);
-                if (!reading.text.empty() && reading.mean >= kFitsAlone && tells(reading)) readings.push_back(std::move(reading));
+                if (!reading.text.empty() && reading.mean >= kFitsWithMany && tells(reading)) readings.push_back(std::move(reading));
             }
             for (const FormReading& one : readings) {
-                std::set<std::string> texts;
+                std::set<std::string> texts, fitting;
                 double sum = 0;
-                for (const FormReading& other : readings)
-                    if (std::abs(other.em - one.em) <= kSameSize * one.em && texts.insert(other.text).second) sum += other.value;
-                if (texts.size() < kLeast || sum <= most) continue;
+                for (const FormReading& other : readings) {
+                    if (std::abs(other.em - one.em) > kSameSize * one.em) continue;
+                    if (other.mean >= kFitsAlone) fitting.insert(other.text);
+                    if (texts.insert(other.text).second) sum += other.value;
+                }
+                if ((fitting.size() < kLeast && texts.size() < kMany) || sum <= most) continue;
                 most = sum;
                 size = one.em;
                 found = f;
@@ -333,10 +337,12 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
     };
     picture.bend();
     for (std::size_t i = 0; i < strips.size(); ++i) read_again(i);
-    std::vector<std::size_t> left;
-    for (std::size_t i = 0; i < strips.size(); ++i)
-        if (is_lone(i) && !words[i].sized) left.push_back(i);
-    if (picture.choose_by_letters(left)) {
+    constexpr int kMostSizes = 3;  // of print that has no words
+    for (int size = 0; size < kMostSizes; ++size) {
+        std::vector<std::size_t> left;
+        for (std::size_t i = 0; i < strips.size(); ++i)
+            if (is_lone(i) && !words[i].sized) left.push_back(i);
+        if (!picture.choose_by_letters(left)) break;
         picture.bend();
         for (std::size_t i = 0; i < strips.size(); ++i)
             if (!words[i].sized) read_again(i);

@@ -53,12 +53,48 @@ bool is_part_of(const LetteringLine& line, const LetteringLine& letter) {
 // One pixel, which all that hold the line have.
 PixelBox corner_of(const LetteringLine& line) { return {line.box.left, line.box.top, line.box.left + 1, line.box.top + 1}; }
 
+// A rectangle that is mostly of its shade: no letter reaches all four sides of its box.
+bool is_ground(const InkPiece& piece) {
+    constexpr int kLeastSide = 14, kRounded = 1;  // pixels. Smaller ones are B and D of small print
+    constexpr double kFlat = 3, kSquare = 0.95, kFilled = 0.6;
+    const PixelBox& box = piece.box;
+    const int least = std::min(box.width(), box.height()), most = std::max(box.width(), box.height());
+    if (least < kLeastSide || most > kFlat * least) return false;
+    if (share_of_ink(piece) < kFilled) return false;
+    std::vector<int> left(static_cast<std::size_t>(box.height()), box.right), right(left.size(), box.left), ink(left.size(), 0);
+    for (const InkRun& run : piece.runs) {
+        const auto row = static_cast<std::size_t>(run.y - box.top);
+        left[row] = std::min(left[row], run.left);
+        right[row] = std::max(right[row], run.right);
+        ink[row] += run.right - run.left;
+    }
+    std::size_t straight = 0;
+    for (std::size_t row = 0; row < left.size(); ++row)
+        straight += left[row] <= box.left + kRounded && right[row] >= box.right - kRounded ? 1 : 0;
+    const double level = kSquare * box.width();
+    return static_cast<double>(straight) >= kSquare * static_cast<double>(left.size()) && ink.front() >= level &&
+           ink.back() >= level;
+}
+
 void erase_marked(std::vector<FoundLine>& found, const std::vector<bool>& marked) {
     std::size_t at = 0;
     std::erase_if(found, [&](const FoundLine&) { return marked[at++]; });
 }
 
 }  // namespace
+
+// Of them some may be empty; dark ones that all are may be marks of a plot.
+void drop_frames(std::vector<FoundLine>& found) {
+    std::erase_if(found, [](const FoundLine& one) {
+        std::size_t grounds = 0, written = 0;
+        for (const InkPiece& piece : one.line.letters)
+            if (is_ground(piece)) {
+                ++grounds;
+                written += share_of_ink(piece) < 1 ? 1 : 0;
+            }
+        return 2 * grounds > one.line.letters.size() && (one.line.light || written > 0);
+    });
+}
 
 // The holes of "80" are half as high as their letters and more; lettering in a frame is less. Those
 // of a word, and of a letter by itself, may be smaller, as in an A, but what is around them is thin, unlike boxes with light

@@ -17,6 +17,9 @@ struct FoundLine {
 /// Grey levels, by which one place is clearer than another. A setting.
 inline constexpr int kClearer = 24;
 
+/// Boxes with words in them stand in line, too: their grounds look like letters of the other shade. The words themselves stay.
+void drop_frames(std::vector<FoundLine>& found);
+
 /// The holes of letters stand in line, too.
 void drop_holes(const Image& grey, std::vector<FoundLine>& found);
 

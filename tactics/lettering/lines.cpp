@@ -13,6 +13,7 @@
 #include "tactics/lettering/letter_parts.h"
 #include "tactics/lettering/pale_ink.h"
 #include "tactics/lettering/signs_between.h"
+#include "tactics/lettering/tick_ends.h"
 #include "tactics/lettering/underscores.h"
 
 namespace tactics {
@@ -178,6 +179,7 @@ public:
         keeps_low_ = low != nullptr;
         for (const bool light : {false, true})
             for (const int level : kLevels) look(level, light);
+        drop_frames(found_);
         drop_holes(grey_, found_);
         drop_splinters(grey_, found_);
         // Best first; what has ink where a better one stands is the same lettering at a worse level, or the frame around it.
@@ -366,6 +368,7 @@ private:
 std::vector<LetteringLine> find_lettering(const Image& grey, std::vector<LetteringLine>* climbing,
                                           std::vector<LetteringLine>* low) {
     std::vector<LetteringLine> lines = Finder(grey).run(climbing, low);
+    drop_tick_ends(lines);
     for (LetteringLine& line : lines) add_pale_ink(grey, line);
     if (climbing != nullptr)
         for (LetteringLine& line : *climbing) add_pale_ink(grey, line);

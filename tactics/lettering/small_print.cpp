@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 
 #include "tactics/lettering/pale_ink.h"
 #include "tactics/lettering/print_company.h"
@@ -46,13 +47,17 @@ bool is_small_form(const InkPiece& piece) {
     return shape.band < kStraight && shape.share < kFilled && shape.across > 2;
 }
 
-// Above and below it is the same ground. A tick stands on an axis, which may be as pale as what it blends with.
+// Above and below it is the same ground. A tick stands on an axis, which may be as pale as what it blends with, or on the pale
+// ground of a plot.
 bool is_on_one_ground(const Image& grey, const PixelBox& box) {
-    constexpr int kBeyond = 2;      // pixels, behind what fades from it
-    constexpr int kOneGround = 60;  // grey levels
-    const int x = std::clamp((box.left + box.right) / 2, 0, grey.width - 1);
-    const auto at = [&](int y) { return static_cast<int>(grey.row(std::clamp(y, 0, grey.height - 1))[x]); };
-    return std::abs(at(box.top - 1 - kBeyond) - at(box.bottom + kBeyond)) <= kOneGround;
+    constexpr int kBeyond = 2, kAside = 3;  // pixels, behind what fades from it; of a row that noise is averaged in
+    constexpr double kOneGround = 12;       // grey levels
+    const int left = std::max(0, box.left - kAside), right = std::min(grey.width, box.right + kAside);
+    const auto mean = [&](int y) {
+        const std::uint8_t* row = grey.row(std::clamp(y, 0, grey.height - 1));
+        return static_cast<double>(std::accumulate(row + left, row + right, 0)) / (right - left);
+    };
+    return std::abs(mean(box.top - 1 - kBeyond) - mean(box.bottom + kBeyond)) <= kOneGround;
 }
 
 // A piece as rows of pixels.

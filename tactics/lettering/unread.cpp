@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Print that no reader made out.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -255,6 +256,22 @@ bool is_letter_of_font(const ReadLine& one) {
     return text.empty() && (is_digit(code) || (code | 32) - U'a' < 26 || code >= 0xC0) && !may_be_drawn(code);
 }
 
+// Two readings of several letters agree in half of them or more: "no" and "ho".
+bool is_half_read(const ReadLine& one) {
+    const auto is_word = [](const std::string& text) {
+        return text.size() > 1 && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) != 0; });
+    };
+    for (std::size_t i = 0; i < one.readings.size(); ++i)
+        for (std::size_t k = i + 1; k < one.readings.size(); ++k) {
+            const std::string &a = one.readings[i], &b = one.readings[k];
+            if (a.size() != b.size() || !is_word(a) || !is_word(b)) continue;
+            std::size_t same = 0;
+            for (std::size_t c = 0; c < a.size(); ++c) same += a[c] == b[c] ? 1 : 0;
+            if (2 * same >= a.size()) return true;
+        }
+    return false;
+}
+
 // More than any words have.
 bool is_mostly_marks(const LetteringLine& line) { return line.marks.size() > 2 * line.letters.size() + 1; }
 
@@ -294,8 +311,10 @@ std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& l
         }
         if (drawn.has(i) || (is_mostly_marks(one.line) && !one.likely)) continue;
         if (!one.likely) {
-            if (!has_letters(one, known, any_known) || (!any_known && one.line.light) || !has_room_around(grey, one.line))
-                continue;
+            if (!has_letters(one, known, any_known) || (!any_known && one.line.light)) continue;
+            // What touches a line may be a part of what is drawn.
+            const bool read = any_known && in_line_with_print(one.line, known) && is_half_read(one);
+            if (!read && !has_room_around(grey, one.line)) continue;
             ++count;
         }
         unread[i] = true;

@@ -128,6 +128,47 @@ TEST(InkedLegend, NoSampleGoesOnInDashes) {
     }
 }
 
+// Boxes that touch each other, higher than the rows of their words; full ones show surfaces, borders curves.
+TEST(InkedLegend, BoxesMayTouchEachOther) {
+    for (const bool full : {true, false}) {
+        Image picture = make_image(400, 340, 3, 0, 255);
+        const auto box = [&](int left, int top, int right, int bottom, const TestColour& colour) {
+            paint(picture, {left, top, right, bottom}, colour);
+            if (!full) paint(picture, {left + 3, top + 3, right - 3, bottom - 3}, {255, 255, 255});
+        };
+        box(40, 20, 72, 52, kRed);
+        box(40, 52, 72, 84, kBlue);
+        if (full) {
+            paint(picture, {100, 150, 180, 300}, kRed);
+            paint(picture, {200, 200, 280, 300}, kBlue);
+        } else {
+            paint(picture, {20, 180, 380, 184}, kRed);
+            paint(picture, {20, 260, 380, 264}, kBlue);
+        }
+        const std::vector<LegendWords> words = {{{80, 30, 130, 42}, 12}, {{80, 62, 130, 74}, 12}};
+        const auto entries = legend_in(picture, words);
+        if (!full) {
+            expect_both_curves(entries);
+            continue;
+        }
+        ASSERT_EQ(entries.size(), 2u);
+        EXPECT_NEAR(entries[0].at.x, 140, 2);
+        EXPECT_NEAR(entries[1].at.x, 240, 2);
+        EXPECT_EQ(entries[0].sample, (PixelBox{40, 20, 72, 52}));
+    }
+}
+
+// Pieces of the picture beside words are none.
+TEST(InkedLegend, BoxesOfOtherShapesAreNoSamples) {
+    Image picture = make_image(400, 340, 3, 0, 255);
+    for (const int top : {20, 52}) {
+        const TestColour& colour = top == 20 ? kRed : kBlue;
+        for (int y = 0; y < 32; ++y) paint(picture, {40 + y / 2, top + y, 72, top + y + 1}, colour);
+        paint(picture, {100 + 4 * top, 150, 180 + 4 * top, 300}, colour);
+    }
+    EXPECT_TRUE(legend_in(picture, {{{80, 30, 130, 42}, 12}, {{80, 62, 130, 74}, 12}}).empty());
+}
+
 TEST(InkedLegend, ItMayStandOnAPanel) {
     Image picture = two_curves(kRed, kBlue);
     for (int y = 20; y < 90; ++y)

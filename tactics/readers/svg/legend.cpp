@@ -16,8 +16,9 @@ namespace tactics {
 
 namespace {
 
-// Of a sample, in heights of the capitals beside it. Settings: Matplotlib's line is 2.8 wide and 1.1 from the words, gnuplot's 5.
-constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kMostAway = 4, kInLine = 0.8;
+// Of a sample, in heights of the capitals beside it. Settings: Matplotlib's line is 2.8 wide and 1.1 from the words, gnuplot's 5;
+// the boxes of ggplot2 are 2.7 high.
+constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 3.2, kMostAway = 4, kInLine = 0.8;
 constexpr double kNextRow = 5, kNextColumn = 30;  // from a sample to the next one
 constexpr std::size_t kMostLooks = 3000;          // a chart has some hundreds; with more a search would take long
 constexpr std::size_t kMostPlaces = 60;           // of a curve at which its name is tried

@@ -89,6 +89,26 @@ TEST_F(PrintFonts, LettersAndDigitsThatStandAloneAreSetWhereTheyAreOfTheSizeOfWo
     EXPECT_EQ(std::find(words.begin(), words.end(), "R"), words.end());  // of a size that no word has
 }
 
+// As an array is drawn: each letter in its box, each number below.
+TEST_F(PrintFonts, LettersInARowOfBoxesAndNumbersOfAnotherSizeNeedNoWords) {
+    std::vector<Label> labels;
+    std::vector<PageStroke> boxes;
+    const std::string letters = "AEBKR", numbers = "23468";
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        const double left = 10 + 8.0 * static_cast<double>(i);
+        labels.push_back({left + 2.5, 20, 4.2, letters.substr(i, 1)});
+        labels.push_back({left + 3, 30, 3.1, numbers.substr(i, 1)});
+        boxes.push_back({{{left, 14.5}, {left + 8, 14.5}, {left + 8, 22.5}, {left, 22.5}}, true, 0.3});
+    }
+    EXPECT_EQ(words_in(picture_of(labels, boxes)), (Expected{"2", "3", "4", "6", "8", "A", "B", "E", "K", "R"}));
+}
+
+// Painted thick, they match no font well, but one in one size.
+TEST_F(PrintFonts, FourLettersNeedNoWords) {
+    const std::vector<Label> letters{{20, 30, 4.2, "A"}, {60, 30, 4.2, "B"}, {40, 20, 4.2, "R"}, {50, 50, 4.2, "E"}};
+    EXPECT_EQ(words_in(picture_of(letters)), (Expected{"A", "B", "E", "R"}));
+}
+
 TEST_F(PrintFonts, CirclesAndStrokesAreNoLetters) {
     std::vector<PageStroke> marks;
     for (const double x : {30.0, 50.0, 70.0}) {

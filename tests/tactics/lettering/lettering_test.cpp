@@ -199,6 +199,35 @@ TEST(Lettering, InAFrameAndNumbersBelowEachOtherAreTheirOwnLines) {
     for (const LetteringLine& line : lines) EXPECT_FALSE(line.upwards);
 }
 
+// Two cells of a table side by side, one of them empty, stand in line as letters do, and are as clear.
+TEST(Lettering, CellsInARowAreNoLetters) {
+    for (const bool light : {false, true}) {
+        Image image = make_image(200, 80, 1, 0, light ? 0 : 255);
+        const std::uint8_t ink = light ? 255 : 0;
+        for (const int y : {14, 39}) fill(image, {18, y, 142, y + 2}, ink);
+        for (const int x : {18, 79, 140}) fill(image, {x, 14, x + 2, 41}, ink);
+        write_blocks(image, 30, 21, "xxx", ink);
+        const auto lines = find_lettering(image);
+        ASSERT_EQ(lines.size(), 1u) << light;
+        EXPECT_EQ(lines[0].box, (PixelBox{30, 21, 60, 33}));
+    }
+}
+
+// Numbers of an axis, right before its ticks.
+TEST(Lettering, TicksInAColumnBehindNumbersAreNoDashes) {
+    const auto dashes = [](int second) {
+        Image image = make_image(160, 100, 1, 0, 255);
+        for (const int y : {20, 60}) write_blocks(image, 20, y, "xx", 0);
+        fill(image, {42, 25, 48, 27}, 0);
+        fill(image, {second, 65, second + 6, 67}, 0);
+        std::size_t count = 0;
+        for (const LetteringLine& line : find_lettering(image)) count += line.marks.size();
+        return count;
+    };
+    EXPECT_EQ(dashes(42), 0u);
+    EXPECT_EQ(dashes(45), 2u) << "two hyphens";
+}
+
 TEST(Lettering, OfOneOrTwoLettersMayClimb) {
     Image level = make_image(120, 40, 1, 0, 255);
     write_blocks(level, 20, 12, "xx", 0);

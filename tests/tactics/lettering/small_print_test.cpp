@@ -118,6 +118,17 @@ TEST_F(SmallLines, TicksOnAPaleAxisAreNone) {
     EXPECT_EQ(at(120, 152), SmallPrint::out) << "a row of ones";
 }
 
+// As ggplot2 draws them: the axis has no line, and its plot a pale ground.
+TEST_F(SmallLines, TicksBelowAPalePanelAreNone) {
+    for (const std::uint8_t ground : {std::uint8_t{235}, std::uint8_t{255}}) {
+        know();
+        for (int y = 90; y < 150; ++y) std::fill_n(picture.row(y) + 40, 220, ground);
+        for (const int x : {60, 120, 180, 240})
+            for (int y = 150; y < 157; ++y) picture.row(y)[x] = 0;
+        EXPECT_EQ(at(120, 152), ground < 255 ? SmallPrint::none : SmallPrint::out) << int{ground};
+    }
+}
+
 TEST_F(SmallLines, MarksOfAPlotAreNone) {
     know();
     for (const int x : {90, 131, 168, 215, 240, 262}) draw(x, 30 + x / 3, kRing);

@@ -24,12 +24,15 @@ protected:
             for (int u = 0; u < picture.width; ++u)
                 if (const double r = std::hypot(u + 0.5 - x, v + 0.5 - y); r >= inner && r <= outer) picture.row(v)[u] = 0;
     }
-    // Lines of several letters are read, or none.
-    std::vector<PixelBox> told(bool some_are_read) {
+    // Lines of several letters are read, or none; the last one only as `half` says.
+    std::vector<PixelBox> told(bool some_are_read, const std::vector<std::string>& half = {}) {
         std::vector<ReadLine> lines;
-        for (LetteringLine& line : find_lettering(picture)) {
+        std::vector<LetteringLine> found = find_lettering(picture);
+        for (LetteringLine& line : found) {
             ReadLine one{std::move(line), {}};
-            one.words.sure = some_are_read && is_words(one.line);
+            const bool last = &line == &found.back() && !half.empty();
+            one.words.sure = some_are_read && is_words(one.line) && !last;
+            if (last) one.readings = half;
             lines.push_back(std::move(one));
         }
         const std::vector<bool> unread = unread_print(picture, lines);
@@ -162,6 +165,17 @@ TEST_F(UnreadPrint, WhatIsNotAsLargeAsPrintOrTouchesIsNone) {
     draw(200, 150, four);
     for (int y = 20; y < 190; ++y) picture.row(y)[211] = 0;  // an axis right beside it
     EXPECT_TRUE(told(true).empty());
+}
+
+// A word that an arrow runs by, in line with print.
+TEST_F(UnreadPrint, WhatIsReadByHalfMayTouchALine) {
+    draw(20, 150, two), draw(34, 150, four);
+    draw(200, 150, two), draw(214, 150, four);
+    for (int y = 20; y < 190; ++y) picture.row(y)[225] = 0;
+    EXPECT_TRUE(has(told(true, {"24", "2A"}), 201, 151));
+    EXPECT_FALSE(has(told(true, {"24", "AB"}), 201, 151));
+    EXPECT_FALSE(has(told(true, {"24", "242"}), 201, 151));
+    EXPECT_FALSE(has(told(true, {"|4", "|4"}), 201, 151)) << "lines are read so";
 }
 
 }  // namespace

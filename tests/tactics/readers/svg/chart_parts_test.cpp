@@ -151,6 +151,19 @@ TEST(Legend, NamesTheLargestOfSurfaces) {
     EXPECT_NEAR(words_named(found, "Women").thing->y, 80, 1e-6);
 }
 
+// As ggplot2 has them, of "1999" and "2008" in 8.8 points.
+TEST(Legend, HasBoxesThatAreHigherThanItsRows) {
+    const FoundPage found = figure(
+        "<rect x='20' y='50' width='20' height='40' fill='#f8766d'/><rect x='60' y='30' width='20' height='60' fill='#00bfc4'/>"
+        "<rect x='120' y='10' width='17.3' height='17.3' fill='#f2f2f2'/><rect x='120.7' y='10.7' width='15.9' height='15.9' "
+        "fill='#f8766d'/><rect x='120' y='27.3' width='17.3' height='17.3' fill='#f2f2f2'/><rect x='120.7' y='28' width='15.9' "
+        "height='15.9' fill='#00bfc4'/><text x='142.8' y='21.6' font-size='8.8'>1999</text>"
+        "<text x='142.8' y='38.9' font-size='8.8'>2008</text>");
+    ASSERT_TRUE(words_named(found, "1999").thing);
+    EXPECT_NEAR(words_named(found, "1999").thing->x, 30, 1e-6);
+    EXPECT_NEAR(words_named(found, "2008").thing->x, 70, 1e-6);
+}
+
 // Three bars of two kinds with samples; what is drawn last lies on the others.
 std::string bars(std::string_view one, std::string_view other, std::string_view last) {
     const auto fill = [](std::string_view paint) { return " fill='" + std::string(paint) + "'/>"; };

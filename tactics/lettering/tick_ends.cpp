@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/lettering/tick_ends.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <optional>
+
+namespace tactics {
+
+namespace {
+
+// The number of the mark that may be a tick. Longer lines are text, which may be broken at a hyphen.
+std::optional<std::size_t> last_stroke(const LetteringLine& line) {
+    constexpr std::size_t kMostLetters = 6;                                      // "100000"
+    constexpr double kLong = 1.5, kThin = 0.3, kHighest = 0.25, kLowest = 0.75;  // of its thickness; of the height of letters
+    if (line.upwards || line.marks.empty() || line.letters.size() > kMostLetters) return std::nullopt;
+    const auto last = std::max_element(line.marks.begin(), line.marks.end(),
+                                       [](const InkPiece& a, const InkPiece& b) { return a.box.right < b.box.right; });
+    PixelBox letters = line.letters.front().box;
+    for (const auto* pieces : {&line.letters, &line.raised})
+        for (const InkPiece& piece : *pieces) letters = around(letters, piece.box);
+    const PixelBox& box = last->box;
+    const double middle = (box.top + box.bottom) / 2.0 - letters.top;
+    if (box.left < letters.right || box.width() < kLong * box.height() || box.height() > kThin * letters.height() ||
+        middle < kHighest * letters.height() || middle > kLowest * letters.height())
+        return std::nullopt;
+    return static_cast<std::size_t>(last - line.marks.begin());
+}
+
+PixelBox box_of(const LetteringLine& line) {
+    PixelBox box = line.letters.front().box;
+    for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
+        for (const InkPiece& piece : *pieces) box = around(box, piece.box);
+    return box;
+}
+
+}  // namespace
+
+void drop_tick_ends(std::vector<LetteringLine>& lines) {
+    struct Tick {
+        std::size_t line, mark;
+        PixelBox box;
+    };
+    std::vector<Tick> ticks;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (const auto mark = last_stroke(lines[i])) ticks.push_back({i, *mark, lines[i].marks[*mark].box});
+    for (const Tick& one : ticks) {
+        const bool several = std::any_of(ticks.begin(), ticks.end(), [&](const Tick& other) {
+            return other.line != one.line && std::abs(other.box.left - one.box.left) <= 1 &&
+                   std::abs(other.box.right - one.box.right) <= 1;
+        });
+        if (!several) continue;
+        LetteringLine& line = lines[one.line];
+        line.marks.erase(line.marks.begin() + static_cast<std::ptrdiff_t>(one.mark));
+        line.box = box_of(line);
+    }
+}
+
+}  // namespace tactics
