@@ -122,7 +122,11 @@ void drop_holes(const Image& grey, std::vector<FoundLine>& found) {
             if (around(box, line.box) != box || line.letter_height >= other.letter_height) return false;
             const bool flat = other.letters.size() < 2 && box.width() > box.height();
             if (!flat && line.letter_height >= kHole * other.letter_height) return true;
-            const bool few = other.letters.size() > 1 || line.letters.size() < 3;
+            // No letter has three holes side by side, but a box may hold words.
+            const bool few = line.letters.size() < 3 ||
+                             (other.letters.size() > 1 &&
+                              std::none_of(other.letters.begin(), other.letters.end(),
+                                           [&](const InkPiece& letter) { return around(letter.box, line.box) == letter.box; }));
             return few && others.thin[i] && line.letter_height >= kSmallHole * other.letter_height &&
                    is_walled(grey, line, other.level);
         }));

@@ -27,12 +27,13 @@ public:
     BeyondEnd(const Image& grey, const LetteringLine& line, bool before) : grey_(grey), line_(line), before_(before) {}
 
     // Something that is none of the line stands right there and is no straight line across, or sticks out of such a line, or
-    // the picture ends: a letter that touches what is drawn, and is part of that now, or one that is cut off.
-    bool is_cut(double near) const {
+    // the picture ends: a letter that touches what is drawn, and is part of that now, or one that is cut off. `part` of the
+    // line is looked at, from above.
+    bool is_cut(double near, double part = 1) const {
         const int reach = std::max(4, static_cast<int>(near * line_.letter_height));
         if (is_out(std::max(1, line_.letter_height / 8))) return true;
         int nearest = reach + 2, farthest = 0, thinnest = kThick, thickest = 0;
-        for (int row = 0; row < across(); ++row) {
+        for (int row = 0; row < part * across(); ++row) {
             int step = 1;
             while (step < reach + 2 && !has_ink(row, step)) ++step;
             nearest = std::min(nearest, step);
@@ -70,11 +71,17 @@ private:
     bool before_;
 };
 
-// Of the height of letters, what must be free beyond the ends of a line.
-constexpr double kRoomOfWords = 0.25, kRoomOfLetters = 0.5;
+// Of the height of letters, what must be free beyond the ends of a line, and behind a figure, where a degree sign may be.
+constexpr double kRoomOfWords = 0.25, kRoomOfLetters = 0.5, kRoomOfSigns = 0.45;
 
 bool is_cut(const Image& grey, const LetteringLine& line, double near = kRoomOfWords) {
     return BeyondEnd(grey, line, true).is_cut(near) || BeyondEnd(grey, line, false).is_cut(near);
+}
+
+bool hides_sign(const Image& grey, const LetteringLine& line, const FormReading& reading) {
+    constexpr double kUpperPart = 0.5;
+    return !reading.letters.empty() && is_digit(reading.letters.back().code) &&
+           BeyondEnd(grey, line, false).is_cut(kRoomOfSigns, kUpperPart);
 }
 
 // A letter by itself is one of a word if something is nearer to it than words are to each other; a figure may stand beside a
@@ -125,7 +132,8 @@ struct Held {
 Held held(const Image& grey, ReadLine read, FormWords form) {
     Belief belief = believe(form, {read.words.text, read.words.sureness, read.alike, read.words.sure});
     const bool cut = (belief.sure || belief.nearly || belief.open) &&
-                     (is_cut(grey, read.line, room_of(form.reading)) || has_strange_ink(grey, read.line));
+                     (is_cut(grey, read.line, room_of(form.reading)) || hides_sign(grey, read.line, form.reading) ||
+                      has_strange_ink(grey, read.line));
     // If the readers divide words differently, or the gaps disagree, one may have missed a point.
     const auto parts = static_cast<std::size_t>(std::count(belief.text.begin(), belief.text.end(), ' ')) + 1;
     const WordCount count = words_in(read.line);

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "tactics/geometry/lots.h"
+#include "tactics/lettering/mark_shape.h"
 
 namespace tactics {
 
@@ -99,24 +100,33 @@ bool stand_on_line(const std::vector<Leaning>& seen, const SlopedGroup& word) {
     return static_cast<double>(standing) >= kMostOf * static_cast<double>(word.letters.size());
 }
 
+// Their ink, as figures are as large as each other.
+bool lies_alike(const InkPiece& one, const InkPiece& other) {
+    constexpr double kShare = 0.08, kMiddle = 0.05;  // settings: marks lie otherwise between pixels
+    const MarkShape a = mark_shape(one), b = mark_shape(other);
+    return std::abs(a.share - b.share) <= kShare && std::abs(a.band - b.band) <= kShare &&
+           distance(a.middle, b.middle) <= kMiddle;
+}
+
 // Letters of several shapes, most of them no dashes, on a line that is narrower along the slope than it is level or upright.
-bool are_letters(const std::vector<Leaning>& seen, const SlopedGroup& word) {
+bool are_letters(const std::vector<InkPiece>& pieces, const std::vector<Leaning>& seen, const SlopedGroup& word) {
     constexpr std::size_t kLetters = 3, kShapes = 2;
     constexpr double kFlat = 1.5, kLong = 1.7, kOff = 0.12, kNarrower = 0.75, kHigher = 1.6;
     if (word.letters.size() < kLetters || word.all.width() < kLong * word.height || word.all.height() > kHigher * word.height)
         return false;
     if (word.all.height() > kNarrower * std::min(word.box.width(), word.box.height()) || !stand_on_line(seen, word)) return false;
-    std::vector<const Leaning*> shapes;
+    std::vector<std::size_t> shapes;
     std::size_t flat = 0;
     for (const std::size_t one : word.letters) {
         const Leaning& letter = seen[one];
         flat += letter.width() > kFlat * letter.height() ? 1 : 0;
-        const auto is_same = [&](const Leaning* other) {
+        const auto is_same = [&](std::size_t other) {
             const double size = std::max(1.0, kOff * word.height);
-            return std::abs(letter.width() - other->width()) <= size && std::abs(letter.height() - other->height()) <= size &&
-                   std::abs(letter.ink - other->ink) <= 2 * kOff * other->ink;
+            return std::abs(letter.width() - seen[other].width()) <= size &&
+                   std::abs(letter.height() - seen[other].height()) <= size &&
+                   std::abs(letter.ink - seen[other].ink) <= 2 * kOff * seen[other].ink && lies_alike(pieces[one], pieces[other]);
         };
-        if (std::none_of(shapes.begin(), shapes.end(), is_same)) shapes.push_back(&letter);
+        if (std::none_of(shapes.begin(), shapes.end(), is_same)) shapes.push_back(one);
     }
     return 2 * flat <= word.letters.size() && shapes.size() >= kShapes;
 }
@@ -268,7 +278,7 @@ std::vector<SlopedGroup> groups_along(const std::vector<InkPiece>& pieces, const
             word.box = around(word.box, pieces[i].box);
         }
     join_across_marks(words, kWordSpace);
-    for (SlopedGroup& word : words) word.certain = are_letters(seen, word) && stands_free(seen, word);
+    for (SlopedGroup& word : words) word.certain = are_letters(pieces, seen, word) && stands_free(seen, word);
     return words;
 }
 

@@ -227,6 +227,19 @@ TEST_F(PrintFonts, ALabelIsNotSetInPart) {
     EXPECT_FALSE(is_set(34.2));
 }
 
+// Its degree sign touches a line, and is a part of that.
+TEST_F(PrintFonts, AFigureWhoseSignIsHiddenIsTold) {
+    const auto is_set = [](double x) {
+        const std::vector<PageStroke> slanted{{{{x - 6, 18}, {x + 6, 34}}, false, 0.3}};
+        const Expected words = words_in(picture_of({{20, 12, 4.2, "a = 5 cm"}, {50, 30, 4.2, "37\u00b0"}}, slanted));
+        return std::find(words.begin(), words.end(), "37\u00b0") != words.end() ? 1
+               : std::find(words.begin(), words.end(), "37") != words.end()     ? -1
+                                                                                : 0;
+    };
+    EXPECT_EQ(is_set(70), 1);
+    for (double x = 55; x < 60; x += 0.25) EXPECT_NE(is_set(x), -1) << x;
+}
+
 // The last letter of a word whose others are hidden.
 TEST_F(PrintFonts, ALetterRightBesideStrangeInkIsNone) {
     const auto is_set = [](double away) {

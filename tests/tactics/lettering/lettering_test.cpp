@@ -213,6 +213,20 @@ TEST(Lettering, CellsInARowAreNoLetters) {
     }
 }
 
+// The ground of a legend stands in line with the white of a hatch, and has words in it as a letter has holes.
+TEST(Lettering, WordsOnAGroundAreNoHolesOfALetter) {
+    Image image = make_image(320, 120, 1, 0, 255);
+    fill(image, {10, 14, 260, 94}, 0);
+    for (int left = 14; left < 150; left += 34)  // triangles
+        for (int y = 0; y < 40; ++y) fill(image, {left, 30 + y, left + (y + 1) * 3 / 4, 31 + y}, 255);
+    fill(image, {156, 16, 258, 92}, 255);
+    write_blocks(image, 180, 40, "xxxx", 0);
+    const auto lines = find_lettering(image);
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const LetteringLine& one) {
+        return one.box == PixelBox{180, 40, 221, 52} && !one.light;
+    }));
+}
+
 // Numbers of an axis, right before its ticks.
 TEST(Lettering, TicksInAColumnBehindNumbersAreNoDashes) {
     const auto dashes = [](int second) {

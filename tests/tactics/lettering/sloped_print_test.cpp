@@ -95,6 +95,17 @@ TEST(SlopedPrint, IsFoundWithItsSlope) {
     }
 }
 
+// Their figures are as large as each other and have as much ink, as those of many fonts do.
+TEST(SlopedPrint, MayHaveFiguresThatAreAlikeInSize) {
+    for (const double degrees : {30.0, -45.0}) {
+        Image image = make_image(460, 220, 1, 0, 255);
+        const std::vector<std::string> numbers{"699669", "966969", "669999", "996966"};
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            write(image, {(degrees > 0 ? 110 : 30) + 80.0 * static_cast<double>(i), 60, degrees, numbers[i]});
+        EXPECT_EQ(find_sloped_print(image).size(), numbers.size()) << degrees;
+    }
+}
+
 TEST(SlopedPrint, LevelAndUprightPrintIsNone) {
     for (const double degrees : {0.0, 90.0, 3.0, -5.0}) {
         Image image = make_image(460, 420, 1, 0, 255);
