@@ -269,8 +269,13 @@ void look_at_end(const PixelChain& chain, bool last, const PixelGraph& graph, co
 std::vector<InkedHead> arrow_heads_in(const Image& ink, double longest) {
     if (ink.width < 2 * kShortestBarb || ink.height < 2 * kShortestBarb || longest <= kShortestBarb) return {};
     Image black = make_image(ink.width, ink.height, 1, ink.mm_per_pixel, 255);
+    std::size_t inked = 0;
     for (std::size_t i = 0; i < black.pixels.size(); ++i)
-        if (ink.pixels[i] < kInkOfHeads) black.pixels[i] = 0;
+        if (ink.pixels[i] < kInkOfHeads) {
+            black.pixels[i] = 0;
+            ++inked;
+        }
+    if (2 * inked > black.pixels.size()) return {};  // a dark ground
     const InkField field(ink);
     Skeleton skeleton = thin(ink_of(black));
     const PixelGraph graph = graph_of(skeleton, 3);

@@ -154,7 +154,7 @@ Artwork apply_contours(Artwork artwork, const Settings& settings) {
     add_thin_lines(thin, picture, lines, 1.5 * sigma);
     if (lines > 0) {
         // What is narrower is a thin line. Of three pixels that are as coarse as the blur both edges are one.
-        const double narrowest = 2 * std::ceil(lines / 2) + (lines < 3 ? 1.5 : 0.5);
+        const double narrowest = 2 * std::ceil(lines / 2) + (lines <= 2 ? 1.5 : 0.5);
         add_thick_lines(thin, picture, {narrowest, kNoRoom / mm, false}, 1.5 * sigma);
         add_thick_lines(thin, picture, {std::max(narrowest, kNoRoom / mm), kWidestPen / mm, true}, 1.5 * sigma);
     }

@@ -158,16 +158,14 @@ std::optional<Point> place_on_dashes(const Image& picture, const Image& ink, con
     cv::Mat own = cv::Mat::zeros(picture.height, picture.width, CV_8U);
     for (const DashRow& row : rows) {
         if (row.leads || row.kind != *sample.dashes) continue;
-        // Its darkest ink has its colour; borders are paler.
-        int darkest = 255 * 3;
+        // Its deepest ink has its colour; borders are paler.
+        int deepest = 256;
         PixelColour own_colour{};
         for (const Run& run : row.ink)
             for (int x = run.begin; x < run.end; ++x) {
-                const PixelColour colour = pixel_colour(picture, x, run.row);
-                const int sum = colour[0] + colour[1] + colour[2];
-                if (sum >= darkest) continue;
-                darkest = sum;
-                own_colour = colour;
+                if (ink.row(run.row)[x] >= deepest) continue;
+                deepest = ink.row(run.row)[x];
+                own_colour = pixel_colour(picture, x, run.row);
             }
         if (channels_apart(own_colour, sample.colour) > kSameOfDashes) continue;
         for (std::size_t i = 0; i + 1 < row.points.size(); ++i)

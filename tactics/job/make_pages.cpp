@@ -239,14 +239,10 @@ private:
         const Rect whole = arrangement.place.drawing;
         const double aspect = whole.width / whole.height;
         drawn_medium_ = nullptr;
-        const auto of_size = [&](double width) {
-            Drawing drawing;
-            drawing.width = width;
-            drawing.height = width / aspect;
-            return drawing;
-        };
         // Drawn anew only for the first width, which is probably the best.
-        const SizedDrawing sized{[&](double width) { return named(of_size(width)).names; },
+        const SizedDrawing sized{[&](double width) {
+                                     return named({width, width / aspect, {}, {}, {}}).names;
+                                 },
                                  [&](double width) {
                                      if (drawn_medium_ == nullptr) {
                                          Arrangement first = arrangement;
@@ -255,9 +251,12 @@ private:
                                      }
                                      return named(scaled_to(mended_.drawing, width));
                                  }};
-        std::optional<RoomFound> found;
-        const std::size_t thinned = thin_out_until(
-            from_.words.told, [&] { return !(found = place_with_room(layout.sheet, aspect, sized)) || found->left_out == 0; });
+        std::optional<RoomFound> found, tried;
+        const auto left_out = [&] {
+            tried = place_with_room(layout.sheet, aspect, sized);
+            return tried ? tried->left_out : from_.words.told.size();
+        };
+        const std::size_t thinned = thin_out_for_room(from_.words.told, left_out, [&] { found = std::move(tried); });
         if (thinned > 0) outcome_.notes.push_back(to_act_on(thinned_words(thinned, more_room_)));
         beside_names_ = found.has_value();
         if (!found) give_up_words();

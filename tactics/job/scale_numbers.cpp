@@ -2,7 +2,9 @@
 #include "tactics/job/scale_numbers.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "tactics/units.h"
 
@@ -77,22 +79,39 @@ std::size_t thin_out(std::vector<ToldWords>& told) {
 }
 
 // One axis may have too many numbers and the other not: rows alone are tried first, then columns alone, then both.
-std::size_t thin_out_until(std::vector<ToldWords>& told, const std::function<bool()>& has_room) {
+std::size_t thin_out_for_room(std::vector<ToldWords>& told, const std::function<std::size_t()>& left_out,
+                              const std::function<void()>& keep) {
+    constexpr double kName = 4;  // numbers of a scale. A setting
     constexpr int kThinnings = 2;
+    struct Best {
+        std::vector<ToldWords> told;
+        std::size_t thinned = 0;
+        double lost = std::numeric_limits<double>::infinity();
+    } best;
+    const auto try_this = [&](std::size_t thinned) {
+        const std::size_t names = left_out();
+        if (const double lost = kName * static_cast<double>(names) + static_cast<double>(thinned); lost < best.lost) {
+            best = {told, thinned, lost};
+            keep();
+        }
+        return names == 0;
+    };
+    bool done = try_this(0);
     std::size_t thinned = 0;
-    int round = 0;
-    while (!has_room() && round++ < kThinnings) {
+    for (int round = 0; round < kThinnings && !done; ++round) {
         const std::vector<ToldWords> before = told;
-        if (const std::size_t rows = thin_out(told, &ToldWords::x, &ToldWords::y); rows > 0 && has_room()) return thinned + rows;
+        const std::size_t rows = thin_out(told, &ToldWords::x, &ToldWords::y);
+        if (rows > 0 && try_this(thinned + rows)) break;
         told = before;
-        if (const std::size_t columns = thin_out(told, &ToldWords::y, &ToldWords::x); columns > 0 && has_room())
-            return thinned + columns;
+        const std::size_t columns = thin_out(told, &ToldWords::y, &ToldWords::x);
+        if (columns > 0 && try_this(thinned + columns)) break;
         told = before;
-        const std::size_t more = thin_out(told);
-        if (more == 0) break;
-        thinned += more;
+        thinned += thin_out(told);
+        done = rows > 0 && columns > 0 && try_this(thinned);
+        if (best.thinned == 0) break;  // it does not help
     }
-    return thinned;
+    told = std::move(best.told);
+    return best.thinned;
 }
 
 }  // namespace tactics

@@ -119,7 +119,8 @@ public:
             std::vector<FormReading> readings;
             for (const std::size_t i : samples) {
                 FormReading reading = read_by_forms(strips_[i], fonts_[f], {}, kPlainLetters, true);
-                if (!reading.text.empty() && reading.mean >= kFitsWithMany && tells(reading)) readings.push_back(std::move(reading));
+                if (!reading.text.empty() && reading.mean >= kFitsWithMany && tells(reading))
+                    readings.push_back(std::move(reading));
             }
             for (const FormReading& one : readings) {
                 std::set<std::string> texts, fitting;

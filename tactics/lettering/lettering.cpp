@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "tactics/lettering/read_line.h"
@@ -187,6 +188,47 @@ void doubt_parts(std::vector<ReadLine>& all, const std::vector<bool>& told) {
     }
 }
 
+// A line that is drawn runs through it from above to below, where there is none of its ink: a letter or a point may be hidden.
+bool is_parted(const Image& grey, const LetteringLine& line) {
+    const int beyond = std::max(2, line.letter_height / 4);
+    const PixelBox& box = line.box;
+    const int begin = line.upwards ? box.top : box.left, end = line.upwards ? box.bottom : box.right;
+    const int top = std::max(0, (line.upwards ? box.left : box.top) - beyond);
+    const int bottom = std::min(line.upwards ? grey.width : grey.height, (line.upwards ? box.right : box.bottom) + beyond);
+    std::vector<bool> own(static_cast<std::size_t>(end - begin), false);
+    for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
+        for (const InkPiece& piece : *pieces) {
+            const int from = line.upwards ? piece.box.top : piece.box.left,
+                      to = line.upwards ? piece.box.bottom : piece.box.right;
+            std::fill(own.begin() + std::max(0, from - begin), own.begin() + std::min(end, to) - begin, true);
+        }
+    const auto is_ink = [&](int along, int across) {
+        const std::uint8_t value = line.upwards ? grey.row(along)[across] : grey.row(across)[along];
+        return (value < line.level) != line.light;
+    };
+    for (int from = begin; from < end;) {
+        int to = from;
+        while (to < end && !own[static_cast<std::size_t>(to - begin)]) ++to;
+        bool through = to > from;
+        for (int across = top; across < bottom && through; ++across) {
+            through = false;
+            for (int along = from; along < to && !through; ++along) through = is_ink(along, across);
+        }
+        if (through) return true;
+        from = to + 1;
+    }
+    return false;
+}
+
+// A frame that runs through "10.5" leaves "10 5".
+void doubt_parted(const Image& grey, std::vector<ReadLine>& all) {
+    for (ReadLine& one : all)
+        if (one.words.sure && is_parted(grey, one.line)) {
+            one.words.sure = false;
+            one.tell = true;
+        }
+}
+
 }  // namespace
 
 Lettering read_upright(const Image& grey, std::string_view language, double least_sure, const PrintFonts& fonts,
@@ -207,6 +249,7 @@ Lettering read_upright(const Image& grey, std::string_view language, double leas
     std::vector<ReadLine>& all = asked.all;
     if (!fonts || !hold_against_fonts(grey, all, std::move(climbing), fonts)) believe_lone_letters(all);
     hold_against_axes(all);
+    doubt_parted(grey, all);
     for (ReadLine& one : all) one.likely = may_be_words(one, all);
     std::vector<bool> unread = unread_print(grey, all), certain = certain_print(all);
     const std::vector<SmallPrint> small = small_print(grey, all);

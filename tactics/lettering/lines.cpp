@@ -44,9 +44,11 @@ bool is_letter(const PixelBox& box) {
     return box.height() >= kLeastInkHeight && box.height() <= kMostInkHeight && box.width() <= 3 * box.height();
 }
 
-// In small print an equals sign is three rows of pixels.
+// In small print an equals sign is three rows of pixels, and in larger print less than half as high as letters.
 PixelBox as_high_as_letters(PixelBox box) {
-    const int lacking = std::max(0, kLeastInkHeight - box.height());
+    constexpr double kOfWidth = 0.8;  // figures are 1.1 times as high as the sign is wide
+    const int high = std::max(kLeastInkHeight, static_cast<int>(std::lround(kOfWidth * box.width())));
+    const int lacking = std::max(0, high - box.height());
     box.top -= lacking - lacking / 2;
     box.bottom += lacking / 2;
     return box;

@@ -30,7 +30,7 @@ public:
     // the picture ends: a letter that touches what is drawn, and is part of that now, or one that is cut off. `part` of the
     // line is looked at, from above.
     bool is_cut(double near, double part = 1) const {
-        const int reach = std::max(4, static_cast<int>(near * line_.letter_height));
+        const int reach = std::max(4, static_cast<int>(std::ceil(near * line_.letter_height)));
         if (is_out(std::max(1, line_.letter_height / 8))) return true;
         int nearest = reach + 2, farthest = 0, thinnest = kThick, thickest = 0;
         for (int row = 0; row < part * across(); ++row) {
@@ -44,11 +44,11 @@ public:
             thickest = std::max(thickest, end - step);
         }
         if (nearest > reach) return false;
-        return farthest > nearest + 1 || (nearest <= kTouching + line_.letter_height / 8 && thickest > thinnest + 1);
+        return farthest > nearest + 1 || thickest > thinnest + 1;
     }
 
 private:
-    static constexpr int kThick = 6, kTouching = 1;  // pixels
+    static constexpr int kThick = 6;  // pixels
 
     int along() const { return line_.upwards ? line_.box.height() : line_.box.width(); }
     int across() const { return line_.upwards ? line_.box.width() : line_.box.height(); }
@@ -72,7 +72,7 @@ private:
 };
 
 // Of the height of letters, what must be free beyond the ends of a line, and behind a figure, where a degree sign may be.
-constexpr double kRoomOfWords = 0.25, kRoomOfLetters = 0.5, kRoomOfSigns = 0.45;
+constexpr double kRoomOfWords = 0.3, kRoomOfLetters = 0.5, kRoomOfSigns = 0.45;
 
 bool is_cut(const Image& grey, const LetteringLine& line, double near = kRoomOfWords) {
     return BeyondEnd(grey, line, true).is_cut(near) || BeyondEnd(grey, line, false).is_cut(near);

@@ -136,6 +136,36 @@ TEST_F(PictureWords, FromRightToLeftAreInBrailleOnly) {
     EXPECT_TRUE(holds(page, "<title id=\"title\">" + title + "</title>"));
 }
 
+TEST(PrintWordsTest, NumbersGoOnlyWhereThatMakesRoom) {
+    std::vector<ToldWords> told;
+    for (int i = 0; i < 8; ++i) told.push_back({std::to_string(10 * i), 99, 10.0 + 10 * i, 90, true});  // a row
+    for (int i = 0; i < 6; ++i) told.push_back({std::to_string(i), 99, 5, 10.0 + 12 * i, true});        // a column
+    const auto set_of = [&](std::size_t from, std::size_t to) {
+        return static_cast<std::size_t>(std::count_if(told.begin() + static_cast<std::ptrdiff_t>(from),
+                                                      told.begin() + static_cast<std::ptrdiff_t>(to),
+                                                      [](const ToldWords& one) { return one.set; }));
+    };
+    const std::vector<ToldWords> all = told;
+    std::size_t kept = 0;  // numbers, where the best was found
+    const auto thin = [&](const std::function<std::size_t()>& left_out) {
+        told = all;
+        kept = 0;
+        return thin_out_for_room(told, left_out, [&] { kept = set_of(0, 14); });
+    };
+    EXPECT_EQ(thin([] { return std::size_t{0}; }), 0u);
+    EXPECT_EQ(thin([] { return std::size_t{1}; }), 0u) << "a name that has room nowhere";
+    EXPECT_EQ(kept, 14u);
+    EXPECT_EQ(set_of(0, 14), 14u);
+    EXPECT_EQ(thin([&] { return std::size_t{set_of(8, 14) > 3 ? 2u : 0u}; }), 3u) << "the column alone";
+    EXPECT_EQ(set_of(0, 8), 8u);
+    EXPECT_EQ(kept, 11u);
+    EXPECT_EQ(thin([&] { return std::size_t{set_of(0, 8) > 2 ? 3u : 0u}; }), 0u) << "three names, or nine numbers and more";
+    EXPECT_EQ(thin([&] { return std::size_t{set_of(0, 8) > 4 ? 1u : 0u}; }), 0u) << "one name, or four numbers";
+    EXPECT_EQ(thin([&] { return std::size_t{set_of(0, 8) > 4 ? 2u : 0u}; }), 4u) << "two names";
+    EXPECT_EQ(thin([&] { return set_of(0, 8) > 2 ? set_of(0, 8) : 0; }), 4u + 3u + 2u) << "twice";
+    EXPECT_EQ(kept, 5u);
+}
+
 TEST(PrintWordsTest, EverySecondNumberOfARowOrColumnGoes) {
     std::vector<ToldWords> told;
     for (int i = 0; i < 6; ++i) told.push_back({std::to_string(10 * i), 99, 10.0 + 15 * i, 90.0 + 0.1 * i, true});

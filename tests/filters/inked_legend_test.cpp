@@ -128,6 +128,27 @@ TEST(InkedLegend, NoSampleGoesOnInDashes) {
     }
 }
 
+// Pale dashes with blurred ends on black.
+TEST(InkedLegend, DashesMayBeLight) {
+    Image picture = make_image(400, 340, 3, 0, 0);
+    const auto dashed = [&](int left, int right, int y, int length, int step, const TestColour& colour) {
+        for (int x = left; x + length <= right; x += step) {
+            paint(picture, {x - 1, y - 1, x + length + 1, y + 4},
+                  {static_cast<std::uint8_t>(colour[0] / 3), static_cast<std::uint8_t>(colour[1] / 3),
+                   static_cast<std::uint8_t>(colour[2] / 3)});
+            paint(picture, {x, y, x + length, y + 3}, colour);
+        }
+    };
+    constexpr TestColour kYellow = {255, 255, 180}, kPurple = {190, 185, 215};
+    dashed(40, 90, 38, 10, 20, kYellow), dashed(20, 380, 180, 10, 20, kYellow);
+    dashed(41, 90, 68, 3, 9, kPurple), dashed(20, 380, 260, 3, 9, kPurple);
+    std::vector<LegendWords> words = kTwoWords;
+    for (LegendWords& one : words) one.height = 11;
+    const auto entries = legend_in(picture, words);
+    ASSERT_EQ(entries.size(), 2u);
+    for (const LegendEntry& entry : entries) EXPECT_NEAR(entry.at.y, entry.words == 0 ? 181.5 : 261.5, 4) << entry.words;
+}
+
 // Boxes that touch each other, higher than the rows of their words; full ones show surfaces, borders curves.
 TEST(InkedLegend, BoxesMayTouchEachOther) {
     for (const bool full : {true, false}) {

@@ -2,6 +2,7 @@
 // Contours of drawn pictures: lines of a broad pen by their middle.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -52,6 +53,28 @@ TEST(ThickLines, ABroadPenLeavesOneLineInItsMiddle) {
                 EXPECT_NEAR(rows[0] + 0.5, wave(x), 5) << pen << " at " << x;
             }
         }
+}
+
+// Yellow is as deep an ink as the border around it in one channel only, and the pen is a little broader than a thin line.
+TEST(ThickLines, ABorderOfAColouredSurfaceIsOneLine) {
+    constexpr double kCoarse = 0.376, kRadius = 90, kPen = 4.5;  // mm, pixels
+    Image image = make_image(260, 260, 3, kCoarse, 255);
+    for (int y = 0; y < 260; ++y)
+        for (int x = 0; x < 260; ++x) {
+            const double off = std::hypot(x + 0.5 - 130, y + 0.5 - 130) - kRadius,
+                         ink = std::clamp(kPen / 2 + 0.5 - std::abs(off), 0.0, 1.0);
+            const double yellow[] = {255, 233, 80};
+            for (int c = 0; c < 3; ++c)
+                image.row(y)[3 * x + c] = static_cast<std::uint8_t>((1 - ink) * (off < 0 ? yellow[c] : 255));
+        }
+    const EdgeMap map = contours(std::move(image));
+    for (int x = 60; x < 200; ++x) {
+        const std::vector<int> rows = edges_in_column(map, x);
+        ASSERT_EQ(rows.size(), 2u) << x;
+        const double away = std::sqrt(kRadius * kRadius - (x + 0.5 - 130) * (x + 0.5 - 130));
+        EXPECT_NEAR(rows[0] + 0.5, 130 - away, 2) << x;
+        EXPECT_NEAR(rows[1] + 0.5, 130 + away, 2) << x;
+    }
 }
 
 TEST(ThickLines, AThinLineGoesOnThroughABroadOne) {

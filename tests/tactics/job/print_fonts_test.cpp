@@ -240,6 +240,23 @@ TEST_F(PrintFonts, AFigureWhoseSignIsHiddenIsTold) {
     for (double x = 55; x < 60; x += 0.25) EXPECT_NE(is_set(x), -1) << x;
 }
 
+// "10.5" with the frame of a plot through its point, and a word through which an axis runs.
+TEST_F(PrintFonts, WhatALineRunsThroughIsTold) {
+    const auto set_with = [](const std::string& text, const PageStroke& line) {
+        Expected words = words_in(picture_of({{20, 12, 4.2, "Flow chart"}, {50, 30, 4.2, text}}, {line}));
+        std::erase_if(words, [](const std::string& one) { return one.front() == '(' || one == "Flow chart"; });
+        return words;
+    };
+    const auto upright_at = [](double x) { return PageStroke{{{x, 20}, {x, 40}}, false, 0.3}; };
+    EXPECT_EQ(set_with("10.5", upright_at(80)), Expected{"10.5"});
+    for (double x = 54.6; x < 57; x += 0.2) EXPECT_EQ(set_with("10.5", upright_at(x)), Expected{}) << x;
+    EXPECT_EQ(set_with("Rain fall", {{{2, 34}, {100, 34}}, false, 0.3}), Expected{"Rain fall"}) << "below it";
+    for (double x = 50.5; x < 66; x += 1) {
+        const Expected words = set_with("Rain fall", upright_at(x));
+        EXPECT_TRUE(words.empty() || words == Expected{"fall"}) << x << " " << words.front();
+    }
+}
+
 // The last letter of a word whose others are hidden.
 TEST_F(PrintFonts, ALetterRightBesideStrangeInkIsNone) {
     const auto is_set = [](double away) {

@@ -162,6 +162,18 @@ TEST(Lettering, AnEqualsSignOfThreeRowsIsALetterToo) {
     EXPECT_EQ(lines[0].box, (PixelBox{20, 20, 62, 32}));
 }
 
+// Of strokes of one pixel, it is less than half as high as the figures of its size.
+TEST(Lettering, AFlatEqualsSignIsALetterToo) {
+    Image image = make_image(160, 60, 1, 0, 255);
+    write_blocks(image, 20, 20, "x", 0);
+    for (const int y : {24, 28}) fill(image, {33, y, 44, y + 1}, 0);
+    write_blocks(image, 49, 20, "xx", 0);
+    for (int y = 18; y < 20; ++y) fill(image, {20, y, 24, y + 1}, 0), fill(image, {49, y, 53, y + 1}, 0);  // 14 pixels high
+    const auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].letters.size(), 4u);
+}
+
 TEST(Lettering, SamplesOfALegendAreNoEqualsSign) {
     // As far apart as the rows, and beside each a word of that row alone.
     Image image = make_image(160, 80, 1, 0, 255);
