@@ -200,7 +200,8 @@ bool is_parted(const Image& grey, const LetteringLine& line) {
         for (const InkPiece& piece : *pieces) {
             const int from = line.upwards ? piece.box.top : piece.box.left,
                       to = line.upwards ? piece.box.bottom : piece.box.right;
-            std::fill(own.begin() + std::max(0, from - begin), own.begin() + std::min(end, to) - begin, true);
+            std::fill(own.begin() + (std::clamp(from, begin, end) - begin), own.begin() + (std::clamp(to, begin, end) - begin),
+                      true);
         }
     const auto is_ink = [&](int along, int across) {
         const std::uint8_t value = line.upwards ? grey.row(along)[across] : grey.row(across)[along];
