@@ -20,8 +20,9 @@ namespace {
 // In heights of the letters beside them. Settings; those of legends in SVG (readers/svg/legend.cpp) are alike.
 constexpr double kLeastWide = 0.8, kMostWide = 7, kMostHigh = 2.2, kNearest = 0.25, kAroundRow = 1.2, kLineHigh = 0.6;
 constexpr double kSameColumn = 0.8, kNextRow = 5, kNextColumn = 30;
-constexpr double kMostSwatch = 3.2, kSwatchWide = 0.7, kSwatchRow = 0.5;
-constexpr int kAlikeSamples = 25;  // levels in each channel
+constexpr double kMostSwatch = 3.2, kSwatchRow = 0.5;  // the boxes of ggplot2 are 2.7 high
+constexpr double kSwatchWide = 0.7;                    // of its height
+constexpr int kAlikeSamples = 25;                      // levels in each channel
 
 bool alike(const KeySample& a, const KeySample& b) {
     return a.line == b.line && a.hatch == b.hatch && a.dashes == b.dashes &&
@@ -278,6 +279,12 @@ std::optional<KeySample> sample_beside(const Image& picture, const Image& ink, c
     return sample;
 }
 
+std::optional<KeySample> key_beside(const Image& picture, const Image& ink, const LegendWords& words, std::size_t number,
+                                    bool left) {
+    const auto sample = sample_beside(picture, ink, words, number, left);
+    return sample ? sample : swatch_beside(picture, ink, words, number, left);
+}
+
 // How far its words are from it.
 int off_words(const KeySample& sample, const std::vector<LegendWords>& words) {
     const PixelBox& box = words[sample.words].box;
@@ -305,10 +312,7 @@ std::vector<KeySample> key_samples_in(const Image& picture, const Image& ink, co
     std::vector<KeySample> all;
     for (std::size_t i = 0; i < words.size(); ++i)
         for (const bool left : {true, false})
-            if (words[i].height > 0) {
-                auto sample = sample_beside(picture, ink, words[i], i, left);
-                if (!sample) sample = swatch_beside(picture, ink, words[i], i, left);
-                if (!sample) continue;
+            if (const auto sample = words[i].height > 0 ? key_beside(picture, ink, words[i], i, left) : std::nullopt) {
                 all.push_back(*sample);
                 break;
             }

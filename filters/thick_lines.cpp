@@ -135,10 +135,10 @@ void add_thick_lines(EdgeMap& edges, const Image& picture, PenWidths pens, doubl
     if (pens.widest < 2 || std::max(edges.width, edges.height) < 2 * kStrokeLonger * pens.widest) return;
     const Image ink = ink_on_white(picture);
     // In any channel: against white, yellow is nearly as deep an ink as the black border around it.
-    cv::Mat hat = narrow_ink(view_of(ink), kTurnsBack * pens.widest / 2);
+    const double radius = kTurnsBack * pens.widest / 2;
+    cv::Mat hat = narrow_ink(view_of(ink), radius);
     if (picture.channels == 3)
-        for (const Image& one : inks_on_white(picture))
-            hat = cv::max(hat, narrow_ink(view_of(one), kTurnsBack * pens.widest / 2));
+        for (const Image& one : inks_on_white(picture)) hat = cv::max(hat, narrow_ink(view_of(one), radius));
     EdgeMap narrow{edges.width, edges.height, edges.mm_per_pixel, false, {}, {}, {}};
     narrow.strength.resize(edges.strength.size());
     cv::Mat strengths = view_of(narrow);

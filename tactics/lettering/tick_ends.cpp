@@ -4,11 +4,18 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <initializer_list>
 #include <optional>
 
 namespace tactics {
 
 namespace {
+
+PixelBox around_all(std::initializer_list<const std::vector<InkPiece>*> kinds, PixelBox box) {
+    for (const auto* pieces : kinds)
+        for (const InkPiece& piece : *pieces) box = around(box, piece.box);
+    return box;
+}
 
 // The number of the mark that may be a tick. Longer lines are text, which may be broken at a hyphen.
 std::optional<std::size_t> last_stroke(const LetteringLine& line) {
@@ -17,22 +24,13 @@ std::optional<std::size_t> last_stroke(const LetteringLine& line) {
     if (line.upwards || line.marks.empty() || line.letters.size() > kMostLetters) return std::nullopt;
     const auto last = std::max_element(line.marks.begin(), line.marks.end(),
                                        [](const InkPiece& a, const InkPiece& b) { return a.box.right < b.box.right; });
-    PixelBox letters = line.letters.front().box;
-    for (const auto* pieces : {&line.letters, &line.raised})
-        for (const InkPiece& piece : *pieces) letters = around(letters, piece.box);
+    const PixelBox letters = around_all({&line.letters, &line.raised}, line.letters.front().box);
     const PixelBox& box = last->box;
     const double middle = (box.top + box.bottom) / 2.0 - letters.top;
     if (box.left < letters.right || box.width() < kLong * box.height() || box.height() > kThin * letters.height() ||
         middle < kHighest * letters.height() || middle > kLowest * letters.height())
         return std::nullopt;
     return static_cast<std::size_t>(last - line.marks.begin());
-}
-
-PixelBox box_of(const LetteringLine& line) {
-    PixelBox box = line.letters.front().box;
-    for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
-        for (const InkPiece& piece : *pieces) box = around(box, piece.box);
-    return box;
 }
 
 }  // namespace
@@ -53,7 +51,7 @@ void drop_tick_ends(std::vector<LetteringLine>& lines) {
         if (!several) continue;
         LetteringLine& line = lines[one.line];
         line.marks.erase(line.marks.begin() + static_cast<std::ptrdiff_t>(one.mark));
-        line.box = box_of(line);
+        line.box = around_all({&line.letters, &line.marks, &line.raised}, line.letters.front().box);
     }
 }
 
