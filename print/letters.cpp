@@ -207,19 +207,33 @@ FontFile file_of(FcPattern* pattern) {
     return file;
 }
 
-// Those that are found for the names that drawing programs write, plain, bold and slanted; then all others, by their paths.
-std::vector<FontFile> likely_fonts() {
+// A font, and the one that formulas in it take their letters from; that is empty where it is not known.
+struct FontPair {
+    FontFile font, formulas;
+};
+
+FontFile file_for(const std::string& name) {
+    const Pattern wanted(FcNameParse(reinterpret_cast<const FcChar8*>(name.c_str())));
+    if (!wanted) return {};
+    FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
+    FcDefaultSubstitute(wanted.get());
+    FcResult result = FcResultNoMatch;
+    const Pattern found(FcFontMatch(nullptr, wanted.get(), &result));
+    return found ? file_of(found.get()) : FontFile();
+}
+
+// Those that are found for the names that drawing programs and TeX write, plain, bold and slanted; then all others, by their
+// paths.
+std::vector<FontPair> likely_fonts() {
     const std::lock_guard lock(fontconfig_lock);
-    std::vector<FontFile> files;
-    for (const char* style : {"", ":bold", ":italic", ":bold:italic"})
-        for (const char* family : {"DejaVu Sans", "Helvetica", "Times", "sans-serif", "serif", "monospace", "Arial", "Courier"}) {
-            const Pattern wanted(FcNameParse(reinterpret_cast<const FcChar8*>((std::string(family) + style).c_str())));
-            if (!wanted) continue;
-            FcConfigSubstitute(nullptr, wanted.get(), FcMatchPattern);
-            FcDefaultSubstitute(wanted.get());
-            FcResult result = FcResultNoMatch;
-            if (const Pattern found(FcFontMatch(nullptr, wanted.get(), &result)); found) files.push_back(file_of(found.get()));
-        }
+    std::vector<FontPair> fonts;
+    for (const std::string style : {"", ":bold", ":italic", ":bold:italic"}) {
+        for (const std::string family :
+             {"DejaVu Sans", "Helvetica", "Times", "sans-serif", "serif", "monospace", "Arial", "Courier", "Latin Modern Sans"})
+            fonts.push_back({file_for(family + style), style.empty() ? file_for(family + ":italic") : FontFile()});
+        fonts.push_back({file_for("Latin Modern Roman" + style), style.empty() ? file_for("Latin Modern Math") : FontFile()});
+    }
+    fonts.push_back({file_for("Latin Modern Math"), file_for("Latin Modern Math")});
     const Pattern outlines(FcPatternCreate());
     FcPatternAddBool(outlines.get(), FC_OUTLINE, FcTrue);
     const ObjectSet facts(FcObjectSetBuild(FC_FILE, FC_INDEX, nullptr));
@@ -227,10 +241,53 @@ std::vector<FontFile> likely_fonts() {
     if (const FontSet all(FcFontList(nullptr, outlines.get(), facts.get())); all)
         for (int i = 0; i < all->nfont; ++i) others.push_back(file_of(all->fonts[i]));
     std::sort(others.begin(), others.end());
-    files.insert(files.end(), others.begin(), others.end());
+    for (FontFile& file : others) fonts.push_back({std::move(file), {}});
     std::set<FontFile> seen;
-    std::erase_if(files, [&](const FontFile& file) { return file.path.empty() || !seen.insert(file).second; });
-    return files;
+    std::erase_if(fonts, [&](const FontPair& one) { return one.font.path.empty() || !seen.insert(one.font).second; });
+    return fonts;
+}
+
+Face open_file(FT_Library library, const FontFile& file) {
+    FT_Face loaded = nullptr;
+    if (file.path.empty() || FT_New_Face(library, file.path.c_str(), file.index, &loaded) != 0) return {};
+    Face face(loaded);
+    return FT_IS_SCALABLE(loaded) && loaded->units_per_EM > 0 ? std::move(face) : Face();
+}
+
+// The code of the italic letter that a font for formulas has for it (Unicode, Mathematical Alphanumeric Symbols); the same for
+// what formulas do not slant: all but Latin and small Greek letters.
+char32_t slanted(char32_t code) {
+    if (code >= 'A' && code <= 'Z') return 0x1D434 + (code - 'A');
+    if (code == 'h') return 0x210E;  // older than the others
+    if (code >= 'a' && code <= 'z') return 0x1D44E + (code - 'a');
+    if (code >= 0x3B1 && code <= 0x3C9) return 0x1D6FC + (code - 0x3B1);
+    return code;
+}
+
+using Codes = std::vector<char32_t>;
+
+// Those that formulas slant come from the font for formulas, if there is one.
+std::map<char32_t, Letter> letters_in(const FontPair& pair, const Codes& codes, Hinting hinting, double pixels) {
+    std::map<char32_t, Letter> letters;
+    FT_Library opened = nullptr;
+    if (FT_Init_FreeType(&opened) != 0) return letters;
+    const Library library(opened);
+    const Face font = open_file(library.get(), pair.font), formulas = open_file(library.get(), pair.formulas);
+    const long units = std::lround(64 * pixels);
+    const bool coded = formulas && FT_Get_Char_Index(formulas.get(), slanted('x')) != 0;
+    for (const Face* face : {&font, &formulas})
+        if (*face && hinting != Hinting::none && FT_Set_Char_Size(face->get(), 0, units, 72, 72) != 0) return letters;
+    for (const char32_t code : codes) {
+        const bool slants = formulas && slanted(code) != code;
+        const char32_t drawn = slants && coded ? slanted(code) : code;
+        FT_Face face = slants ? formulas.get() : font.get();
+        if (!face || FT_Get_Char_Index(face, drawn) == 0) continue;
+        if (hinting == Hinting::none)
+            load(face, drawn, letters[code]);
+        else
+            load_bent(face, drawn, hinting == Hinting::light, units, letters[code]);
+    }
+    return letters;
 }
 
 }  // namespace
@@ -238,30 +295,18 @@ std::vector<FontFile> likely_fonts() {
 void each_font(const std::function<bool(const FontLetters& font)>& goes_on) {
     constexpr std::size_t kMostFonts = 300;
     check_configuration();
-    FT_Library opened = nullptr;
-    if (FT_Init_FreeType(&opened) != 0) return;
-    const Library library(opened);
     // A batch asks for each picture; fonts do not come and go meanwhile.
-    static const std::vector<FontFile> files = likely_fonts();
-    for (const FontFile& file : std::span(files).first(std::min(files.size(), kMostFonts))) {
-        FT_Face loaded = nullptr;
-        if (FT_New_Face(library.get(), file.path.c_str(), file.index, &loaded) != 0) continue;
-        const Face face(loaded);
-        if (!FT_IS_SCALABLE(loaded) || loaded->units_per_EM == 0) continue;
-        const auto letters = [&](const std::vector<char32_t>& codes, Hinting hinting, double pixels) {
-            std::map<char32_t, Letter> found;
-            const long units = std::lround(64 * pixels);
-            if (hinting != Hinting::none && FT_Set_Char_Size(face.get(), 0, units, 72, 72) != 0) return found;
-            for (const char32_t code : codes) {
-                if (FT_Get_Char_Index(face.get(), code) == 0) continue;
-                if (hinting == Hinting::none)
-                    load(face.get(), code, found[code]);
-                else
-                    load_bent(face.get(), code, hinting == Hinting::light, units, found[code]);
-            }
-            return found;
+    static const std::vector<FontPair> fonts = likely_fonts();
+    for (const FontPair& pair : std::span(fonts).first(std::min(fonts.size(), kMostFonts))) {
+        FontLetters font;
+        font.plain = [file = pair.font](const Codes& codes, Hinting hinting, double pixels) {
+            return letters_in({file, {}}, codes, hinting, pixels);
         };
-        if (!goes_on(letters)) return;
+        if (!pair.formulas.path.empty())
+            font.formula = [pair](const Codes& codes, Hinting hinting, double pixels) {
+                return letters_in(pair, codes, hinting, pixels);
+            };
+        if (!goes_on(font)) return;
     }
 }
 

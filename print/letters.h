@@ -38,11 +38,15 @@ std::map<char32_t, Letter> letters_of(const Page& page);
 /// How programs hint outlines of letters to the pixels of a screen, and save them in this form.
 enum class Hinting { none, light, full };
 
-/// Those of the given letters that the font has; hinted at that many pixels per em.
-using FontLetters = std::function<std::map<char32_t, Letter>(const std::vector<char32_t>& codes, Hinting hinting, double pixels)>;
+struct FontLetters {
+    /// Reads those of the given letters that the font has; hinted at that many pixels per em.
+    using Of = std::function<std::map<char32_t, Letter>(const std::vector<char32_t>& codes, Hinting hinting, double pixels)>;
+    Of plain;
+    Of formula;  ///< as formulas in that font have them: Latin and small Greek letters slanted; empty: not known
+};
 
-/// Visits the installed outline fonts, first the default fonts of plotting and drawing programs, until `goes_on` returns false;
-/// at most 300.
+/// Visits the installed outline fonts, first the default fonts of plotting and drawing programs and of TeX, until `goes_on`
+/// returns false; at most 300. Their letters may be read later, too.
 void each_font(const std::function<bool(const FontLetters& font)>& goes_on);
 
 }  // namespace tactics

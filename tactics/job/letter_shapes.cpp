@@ -113,7 +113,7 @@ private:
         std::size_t number = 0;
         fonts([&](const FontLetters& font) {
             if (number < from) return ++number > 0;
-            const std::vector<FontLetter> letters = measured(font(codes, Hinting::none, 0), codes);
+            const std::vector<FontLetter> letters = measured(font.plain(codes, Hinting::none, 0), codes);
             if (has_letters(letters))
                 for (ShapeSet* set : unread())
                     if (set->matches(letters, number)) take(*set, codes.size() > common_codes().size() ? letters : all_of(font));
@@ -134,14 +134,14 @@ private:
         std::size_t number = 0;
         if (loose.may_tell_font())
             fonts([&](const FontLetters& font) {
-                const std::vector<FontLetter> letters = measured(font(common_codes(), Hinting::none, 0), common_codes());
+                const std::vector<FontLetter> letters = measured(font.plain(common_codes(), Hinting::none, 0), common_codes());
                 if (const auto em = has_letters(letters) ? loose.em_in(letters) : std::nullopt) loose.read_as(all_of(font), *em);
                 return ++number < kLikelyFonts && loose.may_tell_font();
             });
     }
 
     static std::vector<FontLetter> all_of(const FontLetters& font) {
-        return measured(font(all_codes(), Hinting::none, 0), all_codes());
+        return measured(font.plain(all_codes(), Hinting::none, 0), all_codes());
     }
 
     void look_bent(const Fonts& fonts) {
@@ -174,7 +174,7 @@ private:
         if (sizes.size() > kMostSizes) sizes.resize(kMostSizes);
         for (const double size : sizes)
             for (const Hinting hinting : {Hinting::full, Hinting::light}) {
-                const std::vector<FontLetter> bent = measured(font(codes, hinting, size), codes);
+                const std::vector<FontLetter> bent = measured(font.plain(codes, hinting, size), codes);
                 if (!set.matches_at(bent, size)) continue;
                 take(set, bent);
                 if (set.is_read(read_)) return;

@@ -7,7 +7,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostFonts = 24;
+constexpr std::size_t kMostFonts = 40;
 constexpr int kCurvePieces = 8;  // of a curve
 
 FontShape shape_of(const Letter& letter) {
@@ -35,31 +35,26 @@ FontShape shape_of(const Letter& letter) {
     return shape;
 }
 
-FontShapes shapes_of(const FontLetters& font, const std::vector<char32_t>& codes, Hinting hinting, double em) {
+FontShapes shapes_of(const FontLetters::Of& font, const std::vector<char32_t>& codes, Hinting hinting, double em) {
     FontShapes shapes;
     for (const auto& [code, letter] : font(codes, hinting, em))
         if (FontShape shape = shape_of(letter); !shape.rings.empty()) shapes.emplace(code, std::move(shape));
     return shapes;
 }
 
-// Of the font with that number. Plotting programs bend letters upwards and downwards, and leave their widths.
-FontShapes bent_shapes(std::size_t number, const std::vector<char32_t>& codes, double em) {
-    FontShapes shapes;
-    each_font([&](const FontLetters& font) {
-        if (number-- > 0) return true;
-        shapes = shapes_of(font, codes, Hinting::light, em);
-        return false;
-    });
-    return shapes;
-}
-
 }  // namespace
 
 void each_print_font(const std::vector<char32_t>& codes, const std::function<bool(PrintFont)>& goes_on) {
+    using Codes = std::vector<char32_t>;
     std::size_t number = 0;
     each_font([&](const FontLetters& font) {
-        const auto bent = [number, codes](double em) { return bent_shapes(number, codes, em); };
-        return goes_on({shapes_of(font, codes, Hinting::none, 0), bent}) && ++number < kMostFonts;
+        const auto plain = [font](const Codes& wanted) { return shapes_of(font.plain, wanted, Hinting::none, 0); };
+        // Plotting programs bend letters upwards and downwards, and leave their widths.
+        const auto bent = [font](const Codes& wanted, double em) { return shapes_of(font.plain, wanted, Hinting::light, em); };
+        PrintFont print{plain(codes), plain, bent, {}};
+        if (font.formula)
+            print.formula = [font](const Codes& wanted) { return shapes_of(font.formula, wanted, Hinting::none, 0); };
+        return goes_on(std::move(print)) && ++number < kMostFonts;
     });
 }
 

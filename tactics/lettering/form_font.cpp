@@ -11,11 +11,22 @@ constexpr char32_t kFirstJoined = 0x110000;  // beyond Unicode
 
 }  // namespace
 
+const FontShapes& FormFont::shapes() {
+    if (more_) shapes_.merge(std::exchange(more_, {})());
+    return shapes_;
+}
+
+const FontShape* FormFont::shape_of(char32_t code) {
+    if (!shapes_.contains(code)) shapes();
+    const auto found = shapes_.find(code);
+    return found == shapes_.end() ? nullptr : &found->second;
+}
+
 const LetterForm& FormFont::form(char32_t code) {
     const auto found = forms_.find(code);
     if (found != forms_.end()) return found->second;
-    const auto shape = shapes_.find(code);
-    return forms_[code] = shape == shapes_.end() ? LetterForm() : LetterForm(shape->second);
+    const FontShape* shape = shape_of(code);
+    return forms_[code] = shape ? LetterForm(*shape) : LetterForm();
 }
 
 const LetterForm& FormFont::drawn(char32_t code) {
@@ -32,13 +43,13 @@ char32_t FormFont::join(std::u32string_view letters) {
     if (known != joined_.end()) return code;
     FontShape shape;
     for (const char32_t letter : letters) {
-        const auto found = shapes_.find(letter);
-        if (found == shapes_.end()) return 0;
-        for (std::vector<Point> ring : found->second.rings) {
+        const FontShape* own = shape_of(letter);
+        if (!own) return 0;
+        for (std::vector<Point> ring : own->rings) {
             for (Point& p : ring) p.x += shape.advance;
             shape.rings.push_back(std::move(ring));
         }
-        shape.advance += found->second.advance;
+        shape.advance += own->advance;
     }
     forms_[code] = LetterForm(shape);
     joined_.push_back({std::u32string(letters), std::move(shape)});

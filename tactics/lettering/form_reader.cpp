@@ -28,9 +28,6 @@ constexpr std::size_t kMostSizes = 6, kMostFeet = 5, kMostUnits = 120, kMostLett
 // Pieces side by side that may be one letter.
 constexpr std::u32string_view kWide = U"%\u2030\u00bd\u00bc\u00be\"\u201c\u201d\u2033\u2026";
 
-// Two letters that touch in small print and look like one: rn and m, cl and d.
-constexpr std::u32string_view kLikeOne[] = {U"rn", U"cl", U"ri", U"li", U"Cl", U"vv", U"Fi", U"fi"};
-
 bool may_be_off_line(char32_t code) {
     return is_digit(code) || is_minus(code) || code == '+' || (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z');
 }
@@ -99,7 +96,9 @@ private:
         if (first == last)
             look_at_one(first, span);
         else if (span.box.width() < 2.5 * span.box.height()) {
-            if (!only_guessed_ && last - first < 3)
+            if (!only_guessed_ && strip_.tied(first, last))
+                for (const auto& [code, shape] : font_.shapes()) add(code, first, last, span);
+            else if (!only_guessed_ && last - first < 3)
                 for (const char32_t code : kWide) add(code, first, last, span);
             for (const char32_t code : guessed_) add(code, first, last, span);
         }
@@ -159,12 +158,10 @@ private:
     // Those that most letters speak for.
     std::vector<double> sizes(const std::vector<double>& known) const {
         std::vector<std::pair<double, double>> votes;  // size, weight
-        for (std::size_t i = 0; i < count_; ++i) {
-            const Span& one = span(i, i);
+        for (const Span& one : spans_)
             for (std::size_t k = 0; k < std::min<std::size_t>(one.choices.size(), 8); ++k)
                 if (one.choices[k].likeness >= kTells)
                     votes.push_back({one.choices[k].size, one.choices[k].likeness * std::max(one.box.width(), one.box.height())});
-        }
         std::vector<double> found = best_of(votes, 0.05, 0, kMostSizes);
         for (const double one : known)
             if (may_be_of(one)) found.push_back(one);
@@ -173,18 +170,18 @@ private:
 
     // Bent to few pixels, a letter may be less than certain of itself; of a size that other words have it counts all the same.
     bool may_be_of(double em) const {
-        for (std::size_t i = 0; i < count_; ++i)
-            for (const Choice& choice : span(i, i).choices)
+        for (const Span& one : spans_)
+            for (const Choice& choice : one.choices)
                 if (choice.likeness >= kIsOfKnown && has_size(choice, em)) return true;
         return false;
     }
 
     std::vector<double> feet(double em) const {
         std::vector<std::pair<double, double>> votes;
-        for (std::size_t i = 0; i < count_; ++i)
-            for (const Choice& choice : span(i, i).choices)
+        for (const Span& one : spans_)
+            for (const Choice& choice : one.choices)
                 if (choice.likeness >= kIsOfKnown && has_size(choice, em))
-                    votes.push_back({foot_of(span(i, i).box, choice, em), choice.likeness * span(i, i).box.width()});
+                    votes.push_back({foot_of(one.box, choice, em), choice.likeness * one.box.width()});
         return best_of(votes, 0, 0.7, kMostFeet);
     }
 

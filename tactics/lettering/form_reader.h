@@ -14,6 +14,9 @@ namespace tactics {
 /// Pixels for an em: in smaller print an l is hardly higher than an I, and the dot of an i may be pale. A setting.
 inline constexpr double kSmallPrint = 16;
 
+/// Two letters that touch in small print and look like one: rn and m, cl and d.
+inline constexpr std::u32string_view kLikeOne[] = {U"rn", U"cl", U"ri", U"li", U"Cl", U"vv", U"Fi", U"fi"};
+
 inline constexpr char32_t kMinus = 0x2212, kEnDash = 0x2013;
 /// What may stand before a figure; not every dash (utf8.h).
 constexpr bool is_minus(char32_t code) { return code == '-' || code == kMinus || code == kEnDash; }

@@ -32,10 +32,13 @@ public:
 
     // False: there is none.
     bool choose(const PrintFonts& fonts) {
-        fonts(letters_of_figures(), [&](PrintFont font) {
+        fonts(letters_asked_for(), [&](PrintFont font) {
             base_.push_back(fonts_.size());
-            fonts_.emplace_back(std::move(font.shapes));
+            std::function<FontShapes()> more;
+            if (font.more) more = [all = std::move(font.more)] { return all(letters_of_figures()); };
+            fonts_.emplace_back(std::move(font.shapes), std::move(more));
             bent_.push_back(std::move(font.bent));
+            formulas_.push_back(std::move(font.formula));
             return true;
         });
         std::vector<std::size_t> lines;
@@ -107,6 +110,14 @@ public:
         }
     }
 
+    // What the letters of a chosen font do not read may be a formula in it. False: no font has any.
+    bool add_formulas() {
+        const std::vector<std::size_t> chosen = chosen_;
+        for (const std::size_t font : chosen)
+            if (base_[font] == font && formulas_[font]) add(font, std::exchange(formulas_[font], {})(letters_of_figures()));
+        return chosen_.size() > chosen.size();
+    }
+
     // Single letters of unknown size, such as the numbers of an axis in a font that no words have: they belong to a font that
     // three of them match, in one size, or more of them less well, as letters that were bent to the pixels do.
     bool choose_by_letters(const std::vector<std::size_t>& lines) {
@@ -164,6 +175,16 @@ public:
     }
 
 private:
+    // Of the words that tell one font from another, and figures; reading takes longer for all letters of all fonts.
+    std::vector<char32_t> letters_asked_for() const {
+        std::set<char32_t> letters;
+        for (const char figure : std::string_view("0123456789")) letters.insert(static_cast<unsigned char>(figure));
+        for (const std::u32string_view pair : kLikeOne) letters.insert(pair.begin(), pair.end());
+        for (const OtherReading& other : others_)
+            for (std::string_view rest = other.text; !rest.empty();) letters.insert(take_letter(rest));
+        return {letters.begin(), letters.end()};
+    }
+
     std::vector<FormFont*> all_fonts() {
         std::vector<FormFont*> fonts;
         for (const std::size_t f : by_fit_) fonts.push_back(&fonts_[f]);
@@ -180,7 +201,11 @@ private:
     void add_bent(std::size_t font, double em) {
         em = std::round(10 * em) / 10;
         if (!bends_.insert({font, em}).second) return;
-        FontShapes shapes = bent_[font](em);
+        add(font, bent_[font](letters_of_figures(), em));
+    }
+
+    // In another form, of the same sizes.
+    void add(std::size_t font, FontShapes shapes) {
         if (shapes.empty()) return;
         chosen_.push_back(fonts_.size());
         base_.push_back(font);
@@ -272,9 +297,10 @@ private:
 
     const std::vector<InkStrip>& strips_;
     const std::vector<OtherReading>& others_;
-    std::vector<FormFont> fonts_;    // as they are, then bent ones
-    std::vector<std::size_t> base_;  // of each the one that it is, unbent
-    std::vector<std::function<FontShapes(double)>> bent_;
+    std::vector<FormFont> fonts_;    // as they are, then bent ones and those of formulas
+    std::vector<std::size_t> base_;  // of each the one that it is, as it is
+    std::vector<decltype(PrintFont::bent)> bent_;
+    std::vector<decltype(PrintFont::formula)> formulas_;
     std::set<std::pair<std::size_t, double>> bends_;  // font and size
     std::vector<std::size_t> by_fit_;                 // all as they are, the one that fits the words best first
     std::vector<std::size_t> chosen_;
@@ -338,6 +364,9 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
     };
     picture.bend();
     for (std::size_t i = 0; i < strips.size(); ++i) read_again(i);
+    if (picture.add_formulas())
+        for (std::size_t i = 0; i < strips.size(); ++i)
+            if (words[i].text.empty() || !words[i].sized) read_again(i);
     constexpr int kMostSizes = 3;  // of print that has no words
     for (int size = 0; size < kMostSizes; ++size) {
         std::vector<std::size_t> left;

@@ -74,6 +74,33 @@ InkStrip::InkStrip(const Image& grey, const LetteringLine& line) {
     owner_ = std::move(strip.owner);
     for (int& owner : owner_)
         if (owner >= 0) owner = static_cast<int>(unit_of[static_cast<std::size_t>(owner)]);
+    tie_units();
+}
+
+void InkStrip::tie_units() {
+    constexpr float kTies = 0.2F;  // ink of a stroke of .4 pixels that lies on two. A setting
+    tied_.resize(units_.size());
+    const auto tie = [&](std::size_t a, std::size_t b) {
+        const int one = owner_[a], other = owner_[b];
+        if (one >= 0 && other >= 0 && std::abs(one - other) == 1 && std::min(dark_[a], dark_[b]) >= kTies)
+            tied_[static_cast<std::size_t>(std::min(one, other))] = true;
+    };
+    const auto width = static_cast<std::size_t>(width_);
+    for (std::size_t at = 0; at < owner_.size(); ++at) {
+        if (owner_[at] < 0) continue;
+        const bool right = at % width + 1 < width, below = at + width < owner_.size();
+        if (right) tie(at, at + 1);
+        if (below) tie(at, at + width);
+        if (below && right) {
+            tie(at, at + width + 1);
+            tie(at + 1, at + width);
+        }
+    }
+}
+
+bool InkStrip::tied(std::size_t first, std::size_t last) const {
+    return std::all_of(tied_.begin() + static_cast<std::ptrdiff_t>(first), tied_.begin() + static_cast<std::ptrdiff_t>(last),
+                       [](bool one) { return one; });
 }
 
 double InkStrip::dark(int x, int y, const Part& part) const {

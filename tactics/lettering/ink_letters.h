@@ -24,6 +24,8 @@ public:
 
     /// From the left to the right: pieces of ink, those above each other as one, as the dot of an i is.
     std::size_t units() const { return units_.size(); }
+    /// Pale ink ties each of those units to the next: a letter of thin strokes may have come apart there.
+    bool tied(std::size_t first, std::size_t last) const;
     /// From all its pixels, with their darkness.
     double ink() const { return std::accumulate(dark_.begin(), dark_.end(), 0.0); }
     /// From the ink of those units and its fading edges only.
@@ -35,11 +37,13 @@ private:
         std::size_t first, last;
     };
     double dark(int x, int y, const Part& part) const;
+    void tie_units();
 
     int width_ = 0, height_ = 0;
     std::vector<float> dark_;
     std::vector<int> owner_;  // the unit that a pixel is of; -1: none
     std::vector<PixelBox> units_;
+    std::vector<bool> tied_;  // to the next one
 };
 
 /// The ink of neighbouring units of a strip, ready to be held against one letter after the other.

@@ -18,13 +18,17 @@ struct FontShape {
 };
 using FontShapes = std::map<char32_t, FontShape>;
 
-/// Those letters that a font has.
+/// A font, of which those letters that were asked for have been read. The others are empty where they are not known.
 struct PrintFont {
     FontShapes shapes;
-    std::function<FontShapes(double em)> bent = {};  ///< as programs bend them to a grid of so many pixels for an em
+    std::function<FontShapes(const std::vector<char32_t>& codes)> more = {};  ///< further letters
+    std::function<FontShapes(const std::vector<char32_t>& codes, double em)> bent =
+        {};  ///< as programs bend them to a grid of so many pixels for an em
+    std::function<FontShapes(const std::vector<char32_t>& codes)> formula =
+        {};  ///< as formulas in that font have them: most are slanted
 };
 
-/// Looks at one font after the other, the likely ones first, until `goes_on` says no: those of these letters that it has.
+/// Looks at one font after the other, the likely ones first, until `goes_on` says no. The fonts outlive the visit.
 using PrintFonts = std::function<void(const std::vector<char32_t>& codes, const std::function<bool(PrintFont)>& goes_on)>;
 
 /// A shape in its original size and, after drawing, as a grid of squares from which the ink in any part can be read at once.

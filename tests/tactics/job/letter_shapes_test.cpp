@@ -106,12 +106,15 @@ TEST(LetterShapes, AreNotTakenFromFontsOfSigns) {
     if (!has_font()) GTEST_SKIP() << "no font is installed";
     const Fonts shifted = [](const auto& goes_on) {
         each_font([&](const FontLetters& font) {
-            return goes_on([&](const std::vector<char32_t>& codes, Hinting hinting, double pixels) {
+            FontLetters other;
+            other.plain = [font](const std::vector<char32_t>& codes, Hinting hinting, double pixels) {
                 std::map<char32_t, Letter> out;
                 for (const char32_t code : codes)
-                    if (const auto next = font({code + 1}, hinting, pixels); next.size() == 1) out[code] = next.begin()->second;
+                    if (const auto next = font.plain({code + 1}, hinting, pixels); next.size() == 1)
+                        out[code] = next.begin()->second;
                 return out;
-            });
+            };
+            return goes_on(other);
         });
     };
     const FoundPage page = figure(line_of("Signal", 12, 0, 0), shifted);
