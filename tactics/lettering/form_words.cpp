@@ -16,14 +16,18 @@ namespace {
 
 // Settings: the largest number of fonts in a picture; how well a font must match the known words; how much better a further font
 // must match some of them.
-constexpr std::size_t kMostFonts = 4, kMostSamples = 8;
+constexpr std::size_t kMostFonts = 4, kMostSamples = 12;
 constexpr double kLeastFit = 0.76, kBetter = 0.04, kFitsAlone = 0.92;
 constexpr double kFitsBoth = 0.8, kLeastOfBoth = 0.7;  // of words that two readers say
 constexpr double kLeastLone = 0.86;                    // of a letter of a font that is chosen by its looks
 constexpr double kSameSize = 0.06;                     // of an em
+// Letters of one size that tell a font where no word does: so many that fit by themselves, or more that fit less well.
+constexpr std::size_t kLeast = 3, kMany = 4;
+constexpr double kFitsWithMany = 0.85;
 
 constexpr std::string_view kPlainLetters =
-    "0 1 2 3 4 5 6 7 8 9 A B C D E F G H I J K L M N O P Q R S T U V W X Y Z a b c d e f g h i j k l m n o p q r s t u v w x y z";
+    "0 1 2 3 4 5 6 7 8 9 A B C D E F G H I J K L M N O P Q R S T U V W X Y Z a b c d e f g h i j k l m n o p q r s t u v w x y z "
+    "- \u2212";
 
 class PictureFonts {
 public:
@@ -118,15 +122,26 @@ public:
         return chosen_.size() > chosen.size();
     }
 
-    // Single letters of unknown size, such as the numbers of an axis in a font that no words have: they belong to a font that
-    // three of them match, in one size, or more of them less well, as letters that were bent to the pixels do.
+    // A size that enough letters have which its words read without the other reader.
+    void know_by_company(const std::vector<FormWords>& words) {
+        for (const FormWords& one : words) {
+            if (one.sized || !is_read_well(one)) continue;
+            std::set<char32_t> letters;
+            for (const FormWords& other : words)
+                if (other.font == one.font && is_read_well(other) && is_of_size(other.reading.em, one.reading.em))
+                    add_telling(other.reading, letters);
+            if (letters.size() >= kMany) know(one);
+        }
+    }
+
+    // Short print of unknown size, such as the numbers of an axis in a font that no words have: it belongs to a font that three
+    // of its letters match, in one size, or more of them less well, as letters that were bent to the pixels do.
     bool choose_by_letters(const std::vector<std::size_t>& lines) {
-        constexpr std::size_t kLeast = 3, kMany = 4;
-        constexpr double kFitsWithMany = 0.85;  // a setting
         const std::vector<std::size_t> samples = samples_of(lines);
+        if (samples.size() < kLeast) return false;
         double most = 0, size = 0;
-        std::size_t found = bent_.size();
-        for (std::size_t f = 0; f < bent_.size() && samples.size() >= kLeast; ++f) {
+        std::size_t found = fonts_.size();
+        for (std::size_t f = 0; f < fonts_.size(); ++f) {
             std::vector<FormReading> readings;
             for (const std::size_t i : samples) {
                 FormReading reading = read_by_forms(strips_[i], fonts_[f], {}, kPlainLetters, true);
@@ -134,22 +149,22 @@ public:
                     readings.push_back(std::move(reading));
             }
             for (const FormReading& one : readings) {
-                std::set<std::string> texts, fitting;
+                std::set<char32_t> letters, fitting;
                 double sum = 0;
                 for (const FormReading& other : readings) {
-                    if (std::abs(other.em - one.em) > kSameSize * one.em) continue;
-                    if (other.mean >= kFitsAlone) fitting.insert(other.text);
-                    if (texts.insert(other.text).second) sum += other.value;
+                    if (!is_of_size(other.em, one.em)) continue;
+                    if (other.mean >= kFitsAlone) add_telling(other, fitting);
+                    if (add_telling(other, letters)) sum += other.value;
                 }
-                if ((fitting.size() < kLeast && texts.size() < kMany) || sum <= most) continue;
+                if ((fitting.size() < kLeast && letters.size() < kMany) || sum <= most) continue;
                 most = sum;
                 size = one.em;
                 found = f;
             }
         }
-        if (found == bent_.size()) return false;
+        if (found == fonts_.size()) return false;
         if (std::find(chosen_.begin(), chosen_.end(), found) == chosen_.end()) chosen_.push_back(found);
-        sizes_[found].push_back(size);
+        sizes_[base_[found]].push_back(size);
         return true;
     }
 
@@ -261,11 +276,11 @@ private:
 
     // Of one height, as numbers are; of those that are all the same, as dots are, one.
     std::vector<std::size_t> samples_of(const std::vector<std::size_t>& lines) const {
-        constexpr double kSameHeight = 0.12;
+        constexpr double kSameHeight = 0.12, kWidest = 2.5;  // of a height
         std::vector<std::pair<double, std::size_t>> heights;
         for (const std::size_t i : lines)
-            if (const InkBox box = strips_[i].measure(0, 0);
-                box.height() > 6 && box.width() < 1.3 * box.height() && box.height() < 6 * box.width())
+            if (const InkBox box = strips_[i].measure(0, strips_[i].units() - 1);
+                box.height() > 6 && box.width() < kWidest * box.height() && box.height() < 6 * box.width())
                 heights.push_back({box.height(), i});
         std::sort(heights.begin(), heights.end());
         std::vector<std::size_t> best;
@@ -273,11 +288,11 @@ private:
             std::vector<std::size_t> samples;
             std::vector<std::pair<double, double>> looks;  // width and ink
             for (std::size_t k = i; k < heights.size() && heights[k].first <= (1 + kSameHeight) * heights[i].first; ++k) {
-                const InkBox box = strips_[heights[k].second].measure(0, 0);
+                const InkBox box = strips_[heights[k].second].measure(0, strips_[heights[k].second].units() - 1);
                 const double width = box.width() / box.height(),
                              ink = strips_[heights[k].second].ink() / (box.width() * box.height());
                 const bool known = std::any_of(looks.begin(), looks.end(), [&](const auto& one) {
-                    return std::abs(one.first - width) < 0.08 && std::abs(one.second - ink) < 0.03;
+                    return std::abs(one.first - width) < 0.03 && std::abs(one.second - ink) < 0.015;
                 });
                 if (known || samples.size() == kMostSamples) continue;
                 looks.push_back({width, ink});
@@ -288,11 +303,25 @@ private:
         return best;
     }
 
+    static bool is_of_size(double em, double other) { return std::abs(em - other) <= kSameSize * other; }
+    static bool is_read_well(const FormWords& words) {
+        return words.font >= 0 && words.settled && !words.text.empty() && !words.reading.either &&
+               words.reading.mean >= kFitsWithMany;
+    }
+    static bool is_telling(const FormLetter& letter) {
+        return letter.code < 0x80 && letter.alike.empty() &&
+               (is_digit(letter.code) || is_lower(letter.code) || is_upper(letter.code)) && !may_be_drawn(letter.code);
+    }
     static bool tells(const FormReading& reading) {
-        return std::all_of(reading.letters.begin(), reading.letters.end(), [](const FormLetter& letter) {
-            return letter.code < 0x80 && letter.alike.empty() &&
-                   (is_digit(letter.code) || is_lower(letter.code) || is_upper(letter.code)) && !may_be_drawn(letter.code);
-        });
+        return std::all_of(reading.letters.begin(), reading.letters.end(),
+                           [](const FormLetter& letter) { return is_telling(letter) || is_minus(letter.code); });
+    }
+    // False: they are there already.
+    static bool add_telling(const FormReading& reading, std::set<char32_t>& letters) {
+        const std::size_t before = letters.size();
+        for (const FormLetter& letter : reading.letters)
+            if (is_telling(letter)) letters.insert(letter.code);
+        return letters.size() > before;
     }
 
     const std::vector<InkStrip>& strips_;
@@ -367,11 +396,15 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
     if (picture.add_formulas())
         for (std::size_t i = 0; i < strips.size(); ++i)
             if (words[i].text.empty() || !words[i].sized) read_again(i);
-    constexpr int kMostSizes = 3;  // of print that has no words
+    picture.know_by_company(words);
+    for (std::size_t i = 0; i < strips.size(); ++i)
+        if (!words[i].sized) read_again(i);
+    constexpr int kMostSizes = 3;       // of print that has no words
+    constexpr std::size_t kShort = 4;   // pieces of ink, of numbers and letters
     for (int size = 0; size < kMostSizes; ++size) {
         std::vector<std::size_t> left;
         for (std::size_t i = 0; i < strips.size(); ++i)
-            if (is_lone(i) && !words[i].sized) left.push_back(i);
+            if (strips[i].units() <= kShort && !words[i].sized) left.push_back(i);
         if (!picture.choose_by_letters(left)) break;
         picture.bend();
         for (std::size_t i = 0; i < strips.size(); ++i)

@@ -16,8 +16,8 @@ namespace {
 // Anything lighter is noise of the background. A setting.
 constexpr double kFaint = 0.12;
 
-// A point of a pixel and a half lies on two, each of which is less than dark: its box is larger than it is. Pixels of such a box
-// at most, and the share of it that is ink at least. Settings.
+// A point or a dash of a pixel and a half lies on two, each of which is less than dark: its box is larger than it is. Height of
+// such a box in pixels at most, and the share of it that is ink at least. Settings.
 constexpr double kSpeck = 3, kLeastSpeck = 0.35;
 
 // Each pixel is smoothed over itself and its neighbours, in both directions by 1, 2 and 1 of 4; at the border one is missing.
@@ -160,7 +160,7 @@ double LetterInk::likeness(const LetterForm& form, double least) {
     if (form.empty() || is_.empty()) return 0;
     for (std::size_t x = 0; x < across_.size(); ++x)
         across_[x] = form.across((left_ + static_cast<int>(x) - box_.left) / box_.width());
-    const bool speck = box_.width() <= kSpeck && box_.height() <= kSpeck;
+    const bool speck = box_.height() <= kSpeck;
     if (least > 0 && !speck && !may_be(form, least)) return 0;
     double all = wanted_apart(form);
     if (!(all > 0)) return 0;
