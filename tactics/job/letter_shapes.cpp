@@ -19,7 +19,7 @@ namespace tactics {
 namespace {
 
 // Limits: fonts to try first, and for their signs; sizes for which letters may be hinted; shapes in a figure.
-constexpr std::size_t kLikelyFonts = 24, kMostWide = 60, kMostSizes = 12, kMostShapes = 2000;
+constexpr std::size_t kLikelyFonts = 48, kMostWide = 60, kMostSizes = 12, kMostShapes = 2000;
 // Settings: what parts words, of em beyond the letter's own width, and of heights where that is not known.
 constexpr double kSpace = 0.12, kGap = 0.5;
 
@@ -113,10 +113,16 @@ private:
         std::size_t number = 0;
         fonts([&](const FontLetters& font) {
             if (number < from) return ++number > 0;
-            const std::vector<FontLetter> letters = measured(font.plain(codes, Hinting::none, 0), codes);
-            if (has_letters(letters))
-                for (ShapeSet* set : unread())
-                    if (set->matches(letters, number)) take(*set, codes.size() > common_codes().size() ? letters : all_of(font));
+            for (const FontLetters::Of& own : {font.plain, font.formula}) {
+                if (!own) continue;
+                const std::vector<FontLetter> letters = measured(own(codes, Hinting::none, 0), codes);
+                if (!has_letters(letters)) continue;
+                for (ShapeSet* set : unread()) {
+                    if (!set->matches(letters, number)) continue;
+                    take(*set, codes.size() > common_codes().size() ? letters : all_of(own));
+                    known_.back().formula = font.formula;
+                }
+            }
             return ++number < end && !unread().empty();
         });
     }
@@ -124,24 +130,43 @@ private:
     // Of that font and size.
     void take(const ShapeSet& set, const std::vector<FontLetter>& letters) {
         set.take(letters, read_);
-        known_.push_back({letters, set.em()});
+        known_.push_back({letters, set.em(), {}});
     }
 
     // First in the fonts of other words. Marks of a plot that lie on each other may look like letters: few fonts are tried.
     void look_for_loose(const Fonts& fonts) {
         LooseShapes loose(figure_, outlines_, read_);
-        for (const KnownFont& one : known_) loose.read_as(one.letters, one.em);
-        std::size_t number = 0;
-        if (loose.may_tell_font())
-            fonts([&](const FontLetters& font) {
-                const std::vector<FontLetter> letters = measured(font.plain(common_codes(), Hinting::none, 0), common_codes());
-                if (const auto em = has_letters(letters) ? loose.em_in(letters) : std::nullopt) loose.read_as(all_of(font), *em);
-                return ++number < kLikelyFonts && loose.may_tell_font();
-            });
+        for (const KnownFont& one : known_) {
+            loose.read_as(one.letters, one.em);
+            if (one.formula && loose.any()) loose.read_as(all_of(one.formula), one.em);
+        }
+        const auto each_likely = [&](const auto& goes_on, const auto& read) {
+            std::size_t number = 0;
+            if (goes_on())
+                fonts([&](const FontLetters& font) {
+                    read(font);
+                    return ++number < kLikelyFonts && goes_on();
+                });
+        };
+        each_likely([&] { return loose.may_tell_font(); },
+                    [&](const FontLetters& font) {
+                        std::optional<double> em;  // formulas are of the size of their font
+                        for (const FontLetters::Of& own : {font.plain, font.formula}) {
+                            if (!own) continue;
+                            const std::vector<FontLetter> letters =
+                                measured(own(common_codes(), Hinting::none, 0), common_codes());
+                            if (!em && has_letters(letters)) em = loose.em_in(letters);
+                            if (em) loose.read_as(all_of(own), *em);
+                        }
+                    });
+        each_likely([&] { return loose.has_indices(); },
+                    [&](const FontLetters& font) {
+                        loose.read_indices(measured(font.plain(common_codes(), Hinting::none, 0), common_codes()));
+                    });
     }
 
-    static std::vector<FontLetter> all_of(const FontLetters& font) {
-        return measured(font.plain(all_codes(), Hinting::none, 0), all_codes());
+    static std::vector<FontLetter> all_of(const FontLetters::Of& font) {
+        return measured(font(all_codes(), Hinting::none, 0), all_codes());
     }
 
     void look_bent(const Fonts& fonts) {
@@ -152,7 +177,7 @@ private:
         std::size_t number = 0;
         fonts([&](const FontLetters& font) {
             if (wanted.contains(number)) {
-                const std::vector<FontLetter> letters = all_of(font);
+                const std::vector<FontLetter> letters = all_of(font.plain);
                 for (ShapeSet* set : unread())
                     for (const NearFont& one : set->candidates())
                         if (one.font == number) try_bent(font, letters, *set, one.em);
@@ -272,6 +297,7 @@ private:
     struct KnownFont {
         std::vector<FontLetter> letters;
         double em;
+        FontLetters::Of formula;
     };
     std::vector<KnownFont> known_;
     LettersOfShapes read_;  // of each shape what it may be: letters that look the same

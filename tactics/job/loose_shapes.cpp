@@ -18,6 +18,36 @@ constexpr std::size_t kFewestLetters = 3;  // that tell a font
 constexpr std::size_t kPlainCorners = 4;   // a stem is a bar as well
 constexpr std::size_t kMostOutlines = 60;  // by which a font is known
 
+constexpr double kSameBar = 0.06;     // em: bars of two fonts as long, as thick and as high as each other
+constexpr double kNearlySame = 0.02;  // em: outlines of two editions of a font
+
+bool is_bar(char32_t code) { return code == '-' || code == 0x2212 || code == 0x2013; }
+
+bool is_same_bar(const OutlineMeasure& shape, const FontLetter& letter, double em) {
+    for (const std::size_t i : {0, 1, 2})  // width, bottom and top
+        if (std::abs(shape.lengths[i] / em - letter.outline.lengths[i]) > kSameBar) return false;
+    return shape.rings == 1 && is_bar(letter.code);
+}
+
+// The letter of a font that is nearly the same, beside letters of it: another edition has another dot on its i, and TeX has the
+// minus sign in a font of signs, whose bar has other ends. Nothing: none is, or two may be.
+const FontLetter* nearest(const std::vector<FontLetter>& font, const OutlineMeasure& shape, double em) {
+    const FontLetter* best = nullptr;
+    double least = 1, next = 1;
+    for (const FontLetter& letter : font) {
+        if (is_same_bar(shape, letter, em)) return &letter;
+        const double apart = apart_at(shape, letter.outline, em);
+        if (apart < least) {
+            next = least;
+            least = apart;
+            best = &letter;
+        } else {
+            next = std::min(next, apart);
+        }
+    }
+    return least <= kNearlySame && next >= 2 * least ? best : nullptr;
+}
+
 bool is_of_words(char32_t code) { return is_digit(code) || is_alphabetic(code); }
 
 // Whether one may be the other in another size: marks of a plot are many shapes, but few outlines.
@@ -66,6 +96,10 @@ std::vector<std::size_t> LooseShapes::outlines_that_tell() const {
     return found;
 }
 
+bool LooseShapes::any() const {
+    return std::any_of(own_.begin(), own_.end(), [&](std::size_t shape) { return tells(shape); });
+}
+
 bool LooseShapes::may_tell_font() const { return outlines_that_tell().size() >= kFewestLetters; }
 
 std::optional<double> LooseShapes::em_in(const std::vector<FontLetter>& font) const {
@@ -109,11 +143,14 @@ void LooseShapes::read_beside(const FoundWords& words, const std::vector<FontLet
     if (downs.empty()) return;
     const auto middle = downs.begin() + static_cast<std::ptrdiff_t>(downs.size() / 2);
     std::nth_element(downs.begin(), middle, downs.end());
-    for (const DrawnLetter& one : words.letters)
-        if (is_open(one.shape))
-            read_[one.shape] = letters_like(font, [&](const FontLetter& letter) {
-                return apart_at(moved(outlines_[one.shape], *middle), letter.outline, em);
-            });
+    for (const DrawnLetter& one : words.letters) {
+        if (!is_open(one.shape)) continue;
+        const OutlineMeasure shape = moved(outlines_[one.shape], *middle);
+        std::vector<FontLetter>& read = read_[one.shape];
+        read = letters_like(font, [&](const FontLetter& letter) { return apart_at(shape, letter.outline, em); });
+        if (read.empty())
+            if (const FontLetter* letter = nearest(font, shape, em)) read.push_back(*letter);
+    }
 }
 
 void LooseShapes::read_as(const std::vector<FontLetter>& font, double em) {
@@ -124,14 +161,34 @@ void LooseShapes::read_as(const std::vector<FontLetter>& font, double em) {
             });
     for (const FoundWords& words : figure_.words)
         if (!words.letters.empty() && figure_.letter_shapes[words.letters.front().shape].inked) read_beside(words, font, em);
-    for (const std::size_t shape : own_) {
-        if (!is_open(shape)) continue;
-        std::vector<FontLetter> alike;
-        for (const FontLetter& letter : font)
-            if (is_digit(letter.code) && apart_anywhere(outlines_[shape], letter, em_of(outlines_[shape], letter)) < kSameOutline)
-                alike.push_back(letter);
-        if (alike.size() == 1) read_[shape] = std::move(alike);
-    }
+    for (const std::size_t shape : own_) read_figure(shape, font);
+}
+
+void LooseShapes::read_figure(std::size_t shape, const std::vector<FontLetter>& font) {
+    if (!is_open(shape)) return;
+    std::vector<FontLetter> alike;
+    for (const FontLetter& letter : font)
+        if (is_digit(letter.code) && apart_anywhere(outlines_[shape], letter, em_of(outlines_[shape], letter)) < kSameOutline)
+            alike.push_back(letter);
+    if (alike.size() == 1) read_[shape] = std::move(alike);
+}
+
+bool LooseShapes::is_beside_letters(const FoundWords& words) const {
+    const auto is_open_one = [&](const DrawnLetter& one) { return is_open(one.shape); };
+    const auto is_read = [&](const DrawnLetter& one) { return !read_[one.shape].empty(); };
+    return !words.letters.empty() && figure_.letter_shapes[words.letters.front().shape].inked &&
+           std::any_of(words.letters.begin(), words.letters.end(), is_open_one) &&
+           std::any_of(words.letters.begin(), words.letters.end(), is_read);
+}
+
+bool LooseShapes::has_indices() const {
+    return std::any_of(figure_.words.begin(), figure_.words.end(), [&](const FoundWords& one) { return is_beside_letters(one); });
+}
+
+void LooseShapes::read_indices(const std::vector<FontLetter>& font) {
+    for (const FoundWords& words : figure_.words)
+        if (is_beside_letters(words))
+            for (const DrawnLetter& one : words.letters) read_figure(one.shape, font);
 }
 
 }  // namespace tactics

@@ -17,6 +17,9 @@ public:
     /// `read`.
     LooseShapes(const FoundPage& figure, const std::vector<OutlineMeasure>& outlines, LettersOfShapes& read);
 
+    /// Whether something is not read.
+    bool any() const;
+
     /// Whether what is not read may tell a font: it has some outlines, not only those of marks.
     bool may_tell_font() const;
 
@@ -27,7 +30,13 @@ public:
     /// and figures of another size.
     void read_as(const std::vector<FontLetter>& font, double em);
 
+    /// Whether letters that are not read stand beside others that are: figures of another font, as exponents and indices are.
+    bool has_indices() const;
+    void read_indices(const std::vector<FontLetter>& font);
+
 private:
+    void read_figure(std::size_t shape, const std::vector<FontLetter>& font);
+    bool is_beside_letters(const FoundWords& words) const;
     void read_beside(const FoundWords& words, const std::vector<FontLetter>& font, double em);
     bool is_open(std::size_t shape) const;
     bool tells(std::size_t shape) const;

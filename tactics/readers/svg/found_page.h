@@ -28,6 +28,7 @@ struct LetterShape {
 struct DrawnLetter {
     std::size_t shape = 0;  ///< in the page's letter_shapes
     double at = 0;          ///< in the shape's units, along the line
+    double up = 0;          ///< the same, across it: of an exponent or an index
 };
 
 /// Letters of the file, as far as it tells what they say.

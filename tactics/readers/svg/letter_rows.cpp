@@ -223,23 +223,42 @@ private:
         return row.upwards == other.upwards ? box : row.upwards ? turned(box) : turned_back(box);
     }
 
+    // With its sign, as numbers below zero have one.
     void look_for_lone() {
         const std::size_t count = rows.size();
         for (std::size_t i = 0; i < glyphs_.size(); ++i) {
-            const Box near = grown(glyphs_[i].box, kBeside * height_of(glyphs_[i]));
             if (used_[i] || !is_like_letters(glyphs_[i], count)) continue;
+            std::vector<bool> used = used_;
+            used[i] = true;
+            Glyphs row{glyphs_[i]};
+            take_signs(row, glyphs_, used);
+            const Box near = grown(box_of_row(row), kBeside * height_of(glyphs_[i]));
             bool alone = true;
-            for (std::size_t k = 0; k < glyphs_.size() && alone; ++k) alone = k == i || !meet(glyphs_[k].box, near);
-            if (alone) rows.push_back({{glyphs_[i]}, false, true});
+            for (std::size_t k = 0; k < glyphs_.size() && alone; ++k) {
+                const bool own = used[k] && (k == i || !used_[k]);
+                alone = own || !meet(glyphs_[k].box, near);
+            }
+            if (!alone) continue;
+            used_ = std::move(used);
+            rows.push_back({std::move(row), false, true});
         }
     }
 
+    // As high as the letters of a row, or, in a figure without any, as others that stand alone, such as names of corners.
     bool is_like_letters(const Glyph& glyph, std::size_t count) const {
-        constexpr double kLower = 0.5, kHigher = 1.4;
-        return std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count), [&](const LetterRow& row) {
-            const double high = usual_height(row.glyphs);
-            return !row.alike && height_of(glyph) > kLower * high && height_of(glyph) < kHigher * high;
-        });
+        constexpr double kLower = 0.5, kHigher = 1.4, kAsTall = 1.15, kFlat = 0.4;
+        constexpr std::ptrdiff_t kFewest = 3;
+        if (height_of(glyph) < kFlat * glyph.box.width()) return false;  // a sign
+        const auto is_like = [&](double usual, double tallest) {
+            const double high = height_of(glyph);
+            return high > kLower * usual && high < std::max(kHigher * usual, kAsTall * tallest);
+        };
+        const auto is_like_row = [&](const LetterRow& row) {
+            return !row.alike && is_like(usual_height(row.glyphs), tallest_of(row.glyphs));
+        };
+        if (std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count), is_like_row)) return true;
+        const auto is_like_other = [&](const Glyph& other) { return is_like(height_of(other), height_of(other)); };
+        return count == 0 && std::count_if(glyphs_.begin(), glyphs_.end(), is_like_other) >= kFewest;
     }
 
     Glyphs glyphs_;

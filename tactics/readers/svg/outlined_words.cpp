@@ -299,24 +299,34 @@ private:
         return out;
     }
 
-    // What was read as print is has as many letters as there are, and as many words as they leave gaps.
+    // What was read as print is has as many letters as there are, and as many words as they leave gaps; and what is flat is a
+    // sign.
     static bool fits(const FoundWords& words, const std::vector<LetterShape>& shapes) {
-        constexpr double kGapOfWords = 0.3;  // heights, from ink to ink
+        constexpr double kGapOfWords = 0.3, kFlat = 0.25;  // heights, from ink to ink; of a letter
         if (words.text.empty() || words.sureness >= 100) return true;
+        std::u32string letters;
+        for (std::string_view rest = words.text; !rest.empty();)
+            if (const char32_t code = take_letter(rest); code != ' ') letters += code;
         std::size_t parts = 1;
         double edge = 0;
         for (std::size_t i = 0; i < words.letters.size(); ++i) {
             const DrawnLetter& letter = words.letters[i];
             if (i > 0 && letter.at - edge > kGapOfWords * words.height) ++parts;
-            edge = letter.at;
+            Extent ink;
             for (const auto& ring : shapes[letter.shape].rings)
-                for (const Point p : ring) edge = std::max(edge, letter.at + p.x);
+                for (const Point p : ring) ink.add(p);
+            edge = letter.at + ink.box.left + ink.box.width;
+            const bool flat = ink.box.height < kFlat * words.height;
+            if (letters.size() == words.letters.size() && flat && is_like_letter(letters[i])) return false;
         }
-        const auto blanks = static_cast<std::size_t>(std::count(words.text.begin(), words.text.end(), ' '));
+        const std::size_t blanks = letters_in(words.text) - letters.size();
         // Letters that touch are one shape, and signs of two parts two.
-        const std::size_t said = letters_in(words.text) - blanks, drawn = words.letters.size();
+        const std::size_t said = letters.size(), drawn = words.letters.size();
         return std::max(said, drawn) - std::min(said, drawn) <= drawn / 8 && blanks + 1 == parts && drawn > 2;
     }
+
+    // A plain figure or letter.
+    static bool is_like_letter(char32_t code) { return is_digit(code) || ((code | 32) >= U'a' && (code | 32) <= U'z'); }
 
     std::vector<Row> rows_;
 };

@@ -22,7 +22,10 @@ bool is_two_numbers(std::string_view text, char dash) {
 }
 
 // Settings, in heights of the tallest letter of the font: what parts letters of one line.
-constexpr double kOffBaseline = 0.08, kNextWord = 1.2, kNextLetter = 0.3, kBack = 1.5;
+constexpr double kOffBaseline = 0.08, kNextWord = 1.2, kNextLetter = 0.3, kNextSign = 0.65, kBack = 1.5;
+
+// Of the width of a wide letter its height is more. A setting.
+constexpr double kHighAsWide = 0.6;
 
 constexpr double kStraight = 0.01;  // of a line's length
 
@@ -75,8 +78,9 @@ public:
     Lines(const std::vector<LetterShape>& shapes, FoundPage& figure) : shapes_(shapes), figure_(figure) {
         for (const LetterShape& shape : shapes) {
             boxes_.push_back(box_of(shape));
+            // TeX has the minus sign in a font of signs: it is not as high as letters are.
             double& tallest = tallest_[shape.font];
-            tallest = std::max(tallest, boxes_.back().height);
+            tallest = std::max({tallest, boxes_.back().height, kHighAsWide * boxes_.back().width});
         }
     }
 
@@ -134,9 +138,11 @@ private:
         if (!on_line(last, next)) return false;
         const double gap = along(last, next) - last.scale * (boxes_[last.shape].left + boxes_[last.shape].width) +
                            next.scale * boxes_[next.shape].left;
-        const bool same = last.group == next.group && (last.group == nullptr || shapes_[last.shape].code != 0 ||
-                                                       shapes_[last.shape].font == shapes_[next.shape].font);
-        return gap > -kBack * tall(last) && gap < (same ? kNextWord : kNextLetter) * tall(last);
+        const bool font = shapes_[last.shape].font == shapes_[next.shape].font;
+        const bool same = last.group == next.group && (last.group == nullptr || shapes_[last.shape].code != 0 || font);
+        // A formula has letters, figures and signs in different fonts; labels beside each other are in one.
+        const double most = same ? kNextWord : font ? kNextLetter : kNextSign;
+        return gap > -kBack * tall(last) && gap < most * std::max(tall(last), tall(next));
     }
 
     void add_ink(Extent& ink, const Placed& one) const {
