@@ -90,6 +90,7 @@ public:
         look_bent(fonts);
         look(fonts, all_codes(), 0, kMostWide);
         look_for_loose(fonts);
+        look_beside(fonts);
     }
 
     void fill(FoundWords& words) const {
@@ -165,6 +166,52 @@ private:
                     });
     }
 
+    // A formula has some letters of fonts that have no others in the figure: the 1 of an index, a minus sign.
+    void look_beside(const Fonts& fonts) {
+        std::map<std::size_t, double> open;  // shapes, and the em of the letters beside
+        for (const FoundWords& words : figure_.words) {
+            const double em = line_of(words, 'l').em;
+            for (const DrawnLetter& one : words.letters) {
+                const LetterShape& shape = figure_.letter_shapes[one.shape];
+                if (em > 0 && shape.code == 0 && !shape.inked && !shape.rings.empty() && read_[one.shape].empty())
+                    open[one.shape] = em;
+            }
+        }
+        std::erase_if(open, [&](const auto& one) { return is_nearly_known(one.first, one.second); });
+        std::size_t number = 0;
+        if (!open.empty())
+            fonts([&](const FontLetters& font) {
+                for (const FontLetters::Of& own : {font.plain, font.formula}) {
+                    if (!own) continue;
+                    const std::vector<FontLetter> letters = all_of(own);
+                    std::erase_if(open, [&](const auto& one) { return read_beside(one.first, one.second, letters); });
+                }
+                return ++number < kLikelyFonts && !open.empty();
+            });
+    }
+
+    // A letter of the font beside it, in another edition.
+    bool is_nearly_known(std::size_t shape, double em) {
+        constexpr double kSameSize = 0.01;
+        for (const KnownFont& font : known_) {
+            const FontLetter* letter =
+                std::abs(font.em / em - 1) < kSameSize ? nearly_same(font.letters, outlines_[shape], em) : nullptr;
+            if (letter != nullptr) read_[shape] = {*letter};
+        }
+        return !read_[shape].empty();
+    }
+
+    // As large as the letters beside, or smaller as an index is.
+    bool read_beside(std::size_t shape, double line, const std::vector<FontLetter>& letters) {
+        constexpr double kSmallest = 0.45, kLargest = 1.03;  // of their em
+        const OutlineMeasure& outline = outlines_[shape];
+        read_[shape] = letters_like(letters, [&](const FontLetter& letter) {
+            const double em = em_of(outline, letter);
+            return em < kSmallest * line || em > kLargest * line ? 1 : apart_at(outline, letter.outline, em);
+        });
+        return !read_[shape].empty();
+    }
+
     static std::vector<FontLetter> all_of(const FontLetters::Of& font) {
         return measured(font(all_codes(), Hinting::none, 0), all_codes());
     }
@@ -219,6 +266,7 @@ private:
         const Line line = line_of(words, script);
         double edge = 0;  // where the last letter ends
         bool after_letter = false;
+        OffLine off_line;
         double tall = 0;
         for (const DrawnLetter& one : words.letters)
             for (const auto& ring : figure_.letter_shapes[one.shape].rings)
@@ -247,13 +295,36 @@ private:
                         right = std::max(right, p.x);
                     }
             }
-            if (after_letter && one.at + left - edge > space) text += ' ';
-            add(text, letter != nullptr ? placed(one.shape, *letter, line) : plain_code(shape.code));
+            const Place place = letter != nullptr ? place_of(one, *letter, line) : Place::on_line;
+            if (place == Place::nowhere) return "";
+            const bool space_before = after_letter && one.at + left - edge > space;
+            if (place != off_line.place || space_before) off_line.append_to(text);
+            if (space_before) text += ' ';
+            off_line.place = place;
+            if (place == Place::on_line)
+                add(text, plain_code(letter != nullptr ? letter->code : shape.code));
+            else
+                off_line.letters += plain_code(letter->code);
             edge = one.at + right;
             after_letter = true;
         }
+        off_line.append_to(text);
         return to_line(text);
     }
+
+    enum class Place { on_line, raised, lowered, nowhere };
+
+    // An exponent or an index.
+    struct OffLine {
+        Place place = Place::on_line;
+        std::u32string letters;
+
+        void append_to(std::string& text) {
+            if (place == Place::raised) append_raised(text, letters);
+            if (place == Place::lowered) append_lowered(text, letters);
+            letters.clear();
+        }
+    };
 
     // The em of the largest letters, and where their line is, up from where the shapes have it.
     struct Line {
@@ -266,21 +337,24 @@ private:
             if (letter == nullptr) continue;
             const double em = em_of(outlines_[one.shape], *letter);
             if (em <= line.em) continue;
-            line = {em, outlines_[one.shape].lengths[1] - letter->outline.lengths[1] * em};
+            line = {em, foot_of(one, *letter)};
         }
         return line;
     }
 
-    // Smaller and off the line it is an exponent or an index.
-    char32_t placed(std::size_t shape, const FontLetter& letter, const Line& line) const {
+    // The line that the letter stands on.
+    double foot_of(const DrawnLetter& one, const FontLetter& letter) const {
+        const OutlineMeasure& outline = outlines_[one.shape];
+        return one.up + outline.lengths[1] - letter.outline.lengths[1] * em_of(outline, letter);
+    }
+
+    // Smaller and off the line it is an exponent or an index; off the line and as large, nobody knows.
+    Place place_of(const DrawnLetter& one, const FontLetter& letter, const Line& line) const {
         constexpr double kSmaller = 0.85, kRaised = 0.15, kLowered = 0.05;  // of the em
-        const double em = em_of(outlines_[shape], letter);
-        if (!figure_.letter_shapes[shape].inked || em > kSmaller * line.em) return letter.code;
-        const double foot = outlines_[shape].lengths[1] - letter.outline.lengths[1] * em - line.foot;
-        const char32_t code = foot > kRaised * line.em     ? raised(letter.code)
-                              : foot < -kLowered * line.em ? lowered(letter.code)
-                                                           : 0;
-        return code != 0 ? code : letter.code;
+        const double foot = foot_of(one, letter) - line.foot;
+        const bool off = foot > kRaised * line.em || foot < -kLowered * line.em;
+        if (em_of(outlines_[one.shape], letter) > kSmaller * line.em) return off && one.up != 0 ? Place::nowhere : Place::on_line;
+        return !off ? Place::on_line : foot > 0 ? Place::raised : Place::lowered;
     }
 
     static void add(std::string& text, char32_t code) {

@@ -18,36 +18,6 @@ constexpr std::size_t kFewestLetters = 3;  // that tell a font
 constexpr std::size_t kPlainCorners = 4;   // a stem is a bar as well
 constexpr std::size_t kMostOutlines = 60;  // by which a font is known
 
-constexpr double kSameBar = 0.06;     // em: bars of two fonts as long, as thick and as high as each other
-constexpr double kNearlySame = 0.02;  // em: outlines of two editions of a font
-
-bool is_bar(char32_t code) { return code == '-' || code == 0x2212 || code == 0x2013; }
-
-bool is_same_bar(const OutlineMeasure& shape, const FontLetter& letter, double em) {
-    for (const std::size_t i : {0, 1, 2})  // width, bottom and top
-        if (std::abs(shape.lengths[i] / em - letter.outline.lengths[i]) > kSameBar) return false;
-    return shape.rings == 1 && is_bar(letter.code);
-}
-
-// The letter of a font that is nearly the same, beside letters of it: another edition has another dot on its i, and TeX has the
-// minus sign in a font of signs, whose bar has other ends. Nothing: none is, or two may be.
-const FontLetter* nearest(const std::vector<FontLetter>& font, const OutlineMeasure& shape, double em) {
-    const FontLetter* best = nullptr;
-    double least = 1, next = 1;
-    for (const FontLetter& letter : font) {
-        if (is_same_bar(shape, letter, em)) return &letter;
-        const double apart = apart_at(shape, letter.outline, em);
-        if (apart < least) {
-            next = least;
-            least = apart;
-            best = &letter;
-        } else {
-            next = std::min(next, apart);
-        }
-    }
-    return least <= kNearlySame && next >= 2 * least ? best : nullptr;
-}
-
 bool is_of_words(char32_t code) { return is_digit(code) || is_alphabetic(code); }
 
 // Whether one may be the other in another size: marks of a plot are many shapes, but few outlines.
@@ -149,7 +119,7 @@ void LooseShapes::read_beside(const FoundWords& words, const std::vector<FontLet
         std::vector<FontLetter>& read = read_[one.shape];
         read = letters_like(font, [&](const FontLetter& letter) { return apart_at(shape, letter.outline, em); });
         if (read.empty())
-            if (const FontLetter* letter = nearest(font, shape, em)) read.push_back(*letter);
+            if (const FontLetter* letter = nearly_same(font, shape, em)) read.push_back(*letter);
     }
 }
 

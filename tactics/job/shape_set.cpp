@@ -94,6 +94,39 @@ bool is_alphabetic(char32_t code) { return ((code | 32) >= 'a' && (code | 32) <=
 
 char script_of(char32_t code) { return code >= 0x370 && code < 0x400 ? 'g' : code >= 0x400 && code < 0x500 ? 'c' : 'l'; }
 
+namespace {
+
+// Settings.
+constexpr double kSameBar = 0.06;     // em: bars of two fonts as long, as thick and as high as each other
+constexpr double kNearlySame = 0.02;  // em: outlines of two editions of a font
+
+bool is_bar(char32_t code) { return code == '-' || code == 0x2212 || code == 0x2013; }
+
+bool is_same_bar(const OutlineMeasure& shape, const FontLetter& letter, double em) {
+    for (const std::size_t i : {0, 1, 2})  // width, bottom and top
+        if (std::abs(shape.lengths[i] / em - letter.outline.lengths[i]) > kSameBar) return false;
+    return shape.rings == 1 && is_bar(letter.code);
+}
+
+}  // namespace
+
+const FontLetter* nearly_same(const std::vector<FontLetter>& font, const OutlineMeasure& shape, double em) {
+    const FontLetter* best = nullptr;
+    double least = 1, next = 1;
+    for (const FontLetter& letter : font) {
+        if (is_same_bar(shape, letter, em)) return &letter;
+        const double apart = apart_at(shape, letter.outline, em);
+        if (apart < least) {
+            next = least;
+            least = apart;
+            best = &letter;
+        } else {
+            next = std::min(next, apart);
+        }
+    }
+    return least <= kNearlySame && next >= 2 * least ? best : nullptr;
+}
+
 std::vector<FontLetter> letters_like(const std::vector<FontLetter>& font, const std::function<double(const FontLetter&)>& apart) {
     std::map<char, double> nearest;
     for (const FontLetter& letter : font) {

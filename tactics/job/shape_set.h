@@ -40,6 +40,10 @@ inline constexpr double kSameOutline = 0.006;
 /// Those of the font that are apart by no more than that, by the distance given: in each script, for Α may be Greek, the nearest.
 std::vector<FontLetter> letters_like(const std::vector<FontLetter>& font, const std::function<double(const FontLetter&)>& apart);
 
+/// The letter of a font that is nearly the same in that size, beside letters of it: another edition has another dot on its i, and
+/// TeX has the minus sign in a font of signs, whose bar has other ends. Nothing: none is, or two may be.
+const FontLetter* nearly_same(const std::vector<FontLetter>& font, const OutlineMeasure& shape, double em);
+
 /// Tolerated deviation of an em from that of the candidates, as a share.
 inline constexpr double kBentSize = 0.04;
 

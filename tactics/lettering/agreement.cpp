@@ -167,13 +167,6 @@ Belief believe_strange(const FormWords& words, const ReadWords& other) {
 
 }  // namespace
 
-bool is_alone_alike(const FormReading& reading) {
-    constexpr double kAlike = 0.86, kSmallAlike = 0.76, kUnlikeOthers = 0.1;  // settings
-    const bool figure =
-        reading.letters.size() == 1 && is_digit(reading.letters.front().code);  // a letter may be a mark of a plot
-    return reading.mean >= kAlike || (figure && reading.mean >= kSmallAlike && reading.margin >= kUnlikeOthers);
-}
-
 bool has_pairs(std::string_view text) {
     int open = 0;
     bool ever = false;

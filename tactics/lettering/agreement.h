@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "tactics/lettering/form_words.h"
+#include "tactics/lettering/form_line.h"
 
 namespace tactics {
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tactics/lettering/agreement.h"
+#include "tactics/lettering/form_words.h"
 #include "tactics/lettering/pale_ink.h"
 #include "tactics/lettering/read_line.h"
 #include "tactics/lettering/strip.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "tactics/drawing.h"
-#include "tactics/lettering/form_words.h"
+#include "tactics/lettering/form_line.h"
 #include "tactics/lettering/mark_shape.h"
 #include "tactics/lettering/print_company.h"
 #include "tactics/lettering/read_line.h"

@@ -48,6 +48,19 @@ char32_t lowered(char32_t sign) {
     return sign == '-' || sign == 0x2212 ? 0x208B : 0;
 }
 
+namespace {
+
+void append_off_line(std::string& text, std::u32string_view letters, char32_t (*small)(char32_t), char mark) {
+    const bool all = std::all_of(letters.begin(), letters.end(), [&](char32_t letter) { return small(letter) != 0; });
+    if (!all) text += mark;
+    for (const char32_t letter : letters) append_letter(text, all ? small(letter) : letter);
+}
+
+}  // namespace
+
+void append_raised(std::string& text, std::u32string_view letters) { append_off_line(text, letters, raised, '^'); }
+void append_lowered(std::string& text, std::u32string_view letters) { append_off_line(text, letters, lowered, '_'); }
+
 std::size_t letters_in(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }

@@ -33,6 +33,9 @@ constexpr bool is_dash(char32_t letter) {
 /// That digit or minus sign as an exponent or an index; 0 for other letters.
 char32_t raised(char32_t sign);
 char32_t lowered(char32_t sign);
+/// Appends them as an exponent, or an index: with signs of their own if there is one for each, or after ^ or _.
+void append_raised(std::string& text, std::u32string_view letters);
+void append_lowered(std::string& text, std::u32string_view letters);
 
 /// The number of letters in a UTF-8 text.
 std::size_t letters_in(std::string_view text);

@@ -9,6 +9,7 @@
 
 #include "tactics/geometry/box.h"
 #include "tactics/readers/svg/chart_parts.h"
+#include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/letter_rows.h"
 #include "tactics/text/utf8.h"
 
@@ -166,8 +167,8 @@ public:
         for (const Row& row : rows_) {
             FoundWords& words = figure.words[row.words];
             words.text = without_spacing(words.text);
-            if (row.doubt || !fits(words, figure.letter_shapes) || (row.only_read && !has_letter(words.text)) ||
-                (row.light && !is_seen(figure, row.words, surfaces))) {
+            if (row.doubt || is_torn(words.text) || !fits(words, figure.letter_shapes) ||
+                (row.only_read && !has_letter(words.text)) || (row.light && !is_seen(figure, row.words, surfaces))) {
                 words.seen = words.seen || !words.text.empty();
                 words.text.clear();
             }
@@ -297,6 +298,17 @@ private:
             if (letter != U' ') out += before.substr(0, before.size() - rest.size());
         }
         return out;
+    }
+
+    // "Chur c h": a word whose letters are spaced, but not evenly.
+    static bool is_torn(std::string_view text) {
+        std::size_t lone = 0;
+        while (!text.empty()) {
+            const std::string_view part = text.substr(0, text.find(' '));
+            lone += part.size() == 1 && part[0] >= 'a' && part[0] <= 'z' ? 1 : 0;
+            text.remove_prefix(std::min(part.size() + 1, text.size()));
+        }
+        return lone > 1;
     }
 
     // What was read as print is has as many letters as there are, and as many words as they leave gaps; and what is flat is a

@@ -23,6 +23,8 @@ bool is_two_numbers(std::string_view text, char dash) {
 
 // Settings, in heights of the tallest letter of the font: what parts letters of one line.
 constexpr double kOffBaseline = 0.08, kNextWord = 1.2, kNextLetter = 0.3, kNextSign = 0.65, kBack = 1.5;
+// The same of an index or an exponent: how far it is off the line, and beside its letter.
+constexpr double kIndexOff = 0.7, kNextIndex = 0.25;
 
 // Of the width of a wide letter its height is more. A setting.
 constexpr double kHighAsWide = 0.6;
@@ -103,7 +105,8 @@ public:
             words.start = first.at;
             words.way = first.way;
             words.unit = first.scale;
-            for (const Placed& one : line_) words.letters.push_back({one.shape, along(first, one) / one.scale});
+            for (const Placed& one : line_)
+                words.letters.push_back({one.shape, along(first, one) / one.scale, -down(first, one) / one.scale});
             figure_.words.push_back(std::move(words));
         }
         line_.clear();
@@ -122,9 +125,7 @@ public:
     }
 
     bool on_line(const Placed& a, const Placed& b) const {
-        const double turned = a.way.x * b.way.x + a.way.y * b.way.y;
-        const double down = (b.at.y - a.at.y) * a.way.x - (b.at.x - a.at.x) * a.way.y;
-        return turned > 0.999 && std::abs(down) < kOffBaseline * tall(a) && std::abs(a.scale / b.scale - 1) < 0.02;
+        return is_along(a, b) && std::abs(down(a, b)) < kOffBaseline * tall(a);
     }
 
 private:
@@ -132,17 +133,31 @@ private:
     static double along(const Placed& from, const Placed& to) {
         return (to.at.x - from.at.x) * from.way.x + (to.at.y - from.at.y) * from.way.y;
     }
+    static double down(const Placed& from, const Placed& to) {
+        return (to.at.y - from.at.y) * from.way.x - (to.at.x - from.at.x) * from.way.y;
+    }
+    static bool is_along(const Placed& a, const Placed& b) {
+        return a.way.x * b.way.x + a.way.y * b.way.y > 0.999 && std::abs(a.scale / b.scale - 1) < 0.02;
+    }
 
     bool goes_on(const Placed& next) const {
-        const Placed& last = line_.back();
-        if (!on_line(last, next)) return false;
+        const Placed &first = line_.front(), &last = line_.back();
         const double gap = along(last, next) - last.scale * (boxes_[last.shape].left + boxes_[last.shape].width) +
                            next.scale * boxes_[next.shape].left;
         const bool font = shapes_[last.shape].font == shapes_[next.shape].font;
+        // In a file that says which letters they are, formulas have other ways.
+        const bool formula = !font && shapes_[last.shape].code == 0 && shapes_[next.shape].code == 0;
+        const double high = std::max(tall(last), tall(next));
+        if (!on_line(last, next)) {
+            const bool near = gap > -kNextIndex * high && gap < kNextIndex * high;
+            if (!formula || !is_along(first, next)) return false;
+            if (on_line(first, next)) return gap > -kNextIndex * high && gap < kNextSign * high;
+            return near && std::abs(down(first, next)) < kIndexOff * std::max(high, tall(first));
+        }
         const bool same = last.group == next.group && (last.group == nullptr || shapes_[last.shape].code != 0 || font);
         // A formula has letters, figures and signs in different fonts; labels beside each other are in one.
         const double most = same ? kNextWord : font ? kNextLetter : kNextSign;
-        return gap > -kBack * tall(last) && gap < most * std::max(tall(last), tall(next));
+        return gap > -kBack * tall(last) && gap < most * high;
     }
 
     void add_ink(Extent& ink, const Placed& one) const {

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/lettering/picture_fonts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "tactics/lettering/meant_letters.h"
+#include "tactics/lettering/strange_print.h"
+#include "tactics/text/utf8.h"
+
+namespace tactics {
+
+namespace {
+
+// Settings: the largest number of fonts in a picture; how well a font must match the known words; how much better a further font
+// must match some of them.
+constexpr std::size_t kMostFonts = 4, kMostSamples = 12;
+constexpr double kLeastFit = 0.76, kBetter = 0.04, kFitsAlone = 0.92;
+constexpr double kFitsBoth = 0.8, kLeastOfBoth = 0.7;  // of words that two readers say
+constexpr double kLeastLone = 0.86;                    // of a letter of a font that is chosen by its looks
+constexpr double kSameSize = 0.06;                     // of an em
+// Letters of one size that tell a font where no word does: so many that fit by themselves, or more that fit less well.
+constexpr std::size_t kLeast = 3, kMany = 4;
+constexpr double kFitsWithMany = 0.85;
+
+constexpr std::string_view kPlainLetters =
+    "0 1 2 3 4 5 6 7 8 9 A B C D E F G H I J K L M N O P Q R S T U V W X Y Z a b c d e f g h i j k l m n o p q r s t u v w x y z "
+    "- \u2212";
+
+bool is_of_size(double em, double other) { return std::abs(em - other) <= kSameSize * other; }
+
+bool is_read_well(const FormWords& words) {
+    return words.font >= 0 && words.settled && !words.text.empty() && !words.reading.either &&
+           words.reading.mean >= kFitsWithMany;
+}
+
+bool is_telling(const FormLetter& letter) {
+    return letter.code < 0x80 && letter.alike.empty() &&
+           (is_digit(letter.code) || is_lower(letter.code) || is_upper(letter.code)) && !may_be_drawn(letter.code);
+}
+
+bool tells(const FormReading& reading) {
+    return std::all_of(reading.letters.begin(), reading.letters.end(),
+                       [](const FormLetter& letter) { return is_telling(letter) || is_minus(letter.code); });
+}
+
+// False: they are there already.
+bool add_telling(const FormReading& reading, std::set<char32_t>& letters) {
+    const std::size_t before = letters.size();
+    for (const FormLetter& letter : reading.letters)
+        if (is_telling(letter)) letters.insert(letter.code);
+    return letters.size() > before;
+}
+
+void keep_gaps(FormWords& words, const std::string& other) {
+    if (const auto text = with_its_gaps(words.reading, words.text, with_letters(other, words.reading)))
+        words.text = *text;
+    else
+        words.settled = false;
+}
+
+}  // namespace
+
+bool PictureFonts::choose(const PrintFonts& fonts) {
+    fonts(letters_asked_for(), [&](PrintFont font) {
+        base_.push_back(fonts_.size());
+        std::function<FontShapes()> more;
+        if (font.more) more = [all = std::move(font.more)] { return all(letters_of_figures()); };
+        fonts_.emplace_back(std::move(font.shapes), std::move(more));
+        bent_.push_back(std::move(font.bent));
+        formulas_.push_back(std::move(font.formula));
+        return true;
+    });
+    std::vector<std::size_t> lines;
+    for (std::size_t i = 0; i < strips_.size(); ++i)
+        if (others_[i].alike && strips_[i].units() > 1) lines.push_back(i);
+    sizes_.resize(fonts_.size());
+    choose_by_words(lines);
+    if (chosen_.empty()) choose_by_looks(lines);
+    return !fonts_.empty();
+}
+
+FormWords PictureFonts::read(std::size_t line) {
+    FormWords best;
+    for (const std::size_t font : chosen_) {
+        FormReading reading = read_by_forms(strips_[line], fonts_[font], sizes_[base_[font]], others_[line].text);
+        if (reading.letters.empty() || (best.font >= 0 && reading.value <= best.reading.value)) continue;
+        best.reading = std::move(reading);
+        best.font = static_cast<int>(font);
+    }
+    if (best.font < 0) return best;
+    const std::size_t font = std::exchange(best.font, static_cast<int>(base_[static_cast<std::size_t>(best.font)]));
+    if (best.reading.text.empty()) return best;
+    settle(best, others_[line]);
+    best.text = text_of(best.reading, fonts_[font]);
+    best.agreed = others_[line].alike && same_letters(best.text, others_[line].text);
+    if (best.agreed && best.text != others_[line].text && best.reading.mean < kFitsAlone) keep_gaps(best, others_[line].text);
+    return best;
+}
+
+void PictureFonts::bear_out_in_any(std::size_t line, FormWords& words) {
+    const OtherReading& other = others_[line];
+    const bool fits = words.reading.mean >= kFitsBoth && words.reading.least >= kLeastOfBoth;
+    // Small print of a known font has its own rules.
+    if (!other.alike || (words.agreed && ((words.settled && fits) || words.reading.em < kSmallPrint))) return;
+    const auto reading = bear_out(strips_[line], other.text, all_fonts());
+    if (reading && (words.text.empty() || same_letters(words.text, other.text) || reading->mean > words.reading.mean)) {
+        words.reading = *reading;
+        settle(words, other);
+        words.settled = words.settled && !reading->text.empty();
+        words.text = with_letters(other.text, words.reading);
+        words.sized = false;
+        words.agreed = words.strange = true;
+    }
+}
+
+bool PictureFonts::knows(const FormWords& words) const {
+    const auto& sizes = sizes_[static_cast<std::size_t>(words.font)];
+    const double em = words.reading.em;
+    return std::any_of(sizes.begin(), sizes.end(), [&](double one) { return std::abs(one - em) <= kSameSize * em + 0.3; });
+}
+
+void PictureFonts::bend() {
+    constexpr double kMostBent = 20, kOneSize = 0.05;  // pixels for an em; of that
+    const std::vector<std::size_t> chosen = chosen_;
+    for (const std::size_t font : chosen) {
+        if (base_[font] != font || !bent_[font]) continue;
+        std::vector<double> sizes = sizes_[font];
+        std::sort(sizes.begin(), sizes.end());
+        for (std::size_t i = 0, end = 0; i < sizes.size() && sizes[i] < kMostBent; i = end) {
+            double sum = 0;
+            for (; end < sizes.size() && sizes[end] <= (1 + kOneSize) * sizes[i]; ++end) sum += sizes[end];
+            add_bent(font, sum / static_cast<double>(end - i));
+        }
+    }
+}
+
+bool PictureFonts::add_formulas() {
+    const std::vector<std::size_t> chosen = chosen_;
+    for (const std::size_t font : chosen)
+        if (base_[font] == font && formulas_[font]) add(font, std::exchange(formulas_[font], {})(letters_of_figures()));
+    return chosen_.size() > chosen.size();
+}
+
+void PictureFonts::know_by_company(const std::vector<FormWords>& words) {
+    for (const FormWords& one : words) {
+        if (one.sized || !is_read_well(one)) continue;
+        std::set<char32_t> letters;
+        for (const FormWords& other : words)
+            if (other.font == one.font && is_read_well(other) && is_of_size(other.reading.em, one.reading.em))
+                add_telling(other.reading, letters);
+        if (letters.size() >= kMany) know(one);
+    }
+}
+
+bool PictureFonts::choose_by_letters(const std::vector<std::size_t>& lines) {
+    const std::vector<std::size_t> samples = samples_of(lines);
+    if (samples.size() < kLeast) return false;
+    double most = 0, size = 0;
+    std::size_t found = fonts_.size();
+    for (std::size_t f = 0; f < fonts_.size(); ++f) {
+        std::vector<FormReading> readings;
+        for (const std::size_t i : samples) {
+            FormReading reading = read_by_forms(strips_[i], fonts_[f], {}, kPlainLetters, true);
+            if (!reading.text.empty() && reading.mean >= kFitsWithMany && tells(reading)) readings.push_back(std::move(reading));
+        }
+        for (const FormReading& one : readings) {
+            std::set<char32_t> letters, fitting;
+            double sum = 0;
+            for (const FormReading& other : readings) {
+                if (!is_of_size(other.em, one.em)) continue;
+                if (other.mean >= kFitsAlone) add_telling(other, fitting);
+                if (add_telling(other, letters)) sum += other.value;
+            }
+            if ((fitting.size() < kLeast && letters.size() < kMany) || sum <= most) continue;
+            most = sum;
+            size = one.em;
+            found = f;
+        }
+    }
+    if (found == fonts_.size()) return false;
+    if (std::find(chosen_.begin(), chosen_.end(), found) == chosen_.end()) chosen_.push_back(found);
+    sizes_[base_[found]].push_back(size);
+    return true;
+}
+
+std::string PictureFonts::figure_like(std::size_t line) {
+    constexpr double kLeastLike = 0.6, kOffWidth = 0.2;  // settings; of its height
+    constexpr std::size_t kLikelyFonts = 24;
+    const InkBox box = strips_[line].measure(0, 0);
+    LetterInk ink(strips_[line], 0, 0, box);
+    double best = kLeastLike;
+    std::string figure;
+    for (std::size_t f = 0; f < std::min(kLikelyFonts, by_fit_.size()); ++f)
+        for (char32_t code = '0'; code <= '9'; ++code) {
+            FormFont& font = fonts_[by_fit_[f]];
+            const LetterForm& form = font.form(code);
+            if (form.empty() || std::abs(box.width() / box.height() - form.width() / form.height()) > kOffWidth) continue;
+            const double likeness = ink.likeness(font.drawn(code), best);
+            if (likeness <= best) continue;
+            best = likeness;
+            figure = static_cast<char>(code);
+        }
+    return figure;
+}
+
+std::vector<char32_t> PictureFonts::letters_asked_for() const {
+    std::set<char32_t> letters;
+    for (const char figure : std::string_view("0123456789")) letters.insert(static_cast<unsigned char>(figure));
+    for (const std::u32string_view pair : kLikeOne) letters.insert(pair.begin(), pair.end());
+    for (const OtherReading& other : others_)
+        for (std::string_view rest = other.text; !rest.empty();) letters.insert(take_letter(rest));
+    return {letters.begin(), letters.end()};
+}
+
+std::vector<FormFont*> PictureFonts::all_fonts() {
+    std::vector<FormFont*> fonts;
+    for (const std::size_t f : by_fit_) fonts.push_back(&fonts_[f]);
+    return fonts;
+}
+
+void PictureFonts::add_bent(std::size_t font, double em) {
+    em = std::round(10 * em) / 10;
+    if (!bends_.insert({font, em}).second) return;
+    add(font, bent_[font](letters_of_figures(), em));
+}
+
+void PictureFonts::add(std::size_t font, FontShapes shapes) {
+    if (shapes.empty()) return;
+    chosen_.push_back(fonts_.size());
+    base_.push_back(font);
+    fonts_.emplace_back(std::move(shapes));
+}
+
+void PictureFonts::choose_by_words(const std::vector<std::size_t>& lines) {
+    std::vector<double> weight(fonts_.size(), 0);
+    std::vector<std::vector<double>> fit(fonts_.size(), std::vector<double>(lines.size(), 0));
+    for (std::size_t f = 0; f < fonts_.size(); ++f)
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            double em = 0;
+            fit[f][i] = likeness_to(strips_[lines[i]], fonts_[f], others_[lines[i]].text, em);
+            weight[f] += fit[f][i] * static_cast<double>(strips_[lines[i]].units());
+        }
+    by_fit_.resize(fonts_.size());
+    std::iota(by_fit_.begin(), by_fit_.end(), std::size_t{0});
+    std::stable_sort(by_fit_.begin(), by_fit_.end(), [&](std::size_t a, std::size_t b) { return weight[a] > weight[b]; });
+    std::vector<double> best(lines.size(), 0);
+    while (chosen_.size() < kMostFonts) {
+        double most = 0;
+        std::size_t next = 0;
+        for (std::size_t f = 0; f < fonts_.size(); ++f) {
+            double gain = 0;
+            for (std::size_t i = 0; i < lines.size(); ++i)
+                if (fit[f][i] >= kLeastFit && fit[f][i] >= best[i] + kBetter)
+                    gain += (fit[f][i] - best[i]) * static_cast<double>(strips_[lines[i]].units());
+            if (gain > most) {
+                most = gain;
+                next = f;
+            }
+        }
+        if (!(most > 0)) return;
+        chosen_.push_back(next);
+        for (std::size_t i = 0; i < lines.size(); ++i) best[i] = std::max(best[i], fit[next][i]);
+    }
+}
+
+void PictureFonts::choose_by_looks(std::vector<std::size_t> lines) {
+    constexpr std::size_t kMostLines = 4, kLetters = 4, kMostLetters = 24;
+    std::erase_if(lines, [&](std::size_t i) { return strips_[i].units() < kLetters || strips_[i].units() > kMostLetters; });
+    if (lines.size() > kMostLines) lines.resize(kMostLines);
+    for (std::size_t f = 0; f < fonts_.size() && !lines.empty(); ++f)
+        for (const std::size_t i : lines) {
+            const FormReading reading = read_by_forms(strips_[i], fonts_[f], {});
+            if (reading.text.empty() || reading.mean < kFitsAlone || reading.least < kLeastLone) continue;
+            chosen_.push_back(f);
+            return;
+        }
+}
+
+std::vector<std::size_t> PictureFonts::samples_of(const std::vector<std::size_t>& lines) const {
+    constexpr double kSameHeight = 0.12, kWidest = 2.5;  // of a height
+    std::vector<std::pair<double, std::size_t>> heights;
+    for (const std::size_t i : lines)
+        if (const InkBox box = strips_[i].measure(0, strips_[i].units() - 1);
+            box.height() > 6 && box.width() < kWidest * box.height() && box.height() < 6 * box.width())
+            heights.push_back({box.height(), i});
+    std::sort(heights.begin(), heights.end());
+    std::vector<std::size_t> best;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        std::vector<std::size_t> samples;
+        std::vector<std::pair<double, double>> looks;  // width and ink
+        for (std::size_t k = i; k < heights.size() && heights[k].first <= (1 + kSameHeight) * heights[i].first; ++k) {
+            const InkBox box = strips_[heights[k].second].measure(0, strips_[heights[k].second].units() - 1);
+            const double width = box.width() / box.height(),
+                         ink = strips_[heights[k].second].ink() / (box.width() * box.height());
+            const bool known = std::any_of(looks.begin(), looks.end(), [&](const auto& one) {
+                return std::abs(one.first - width) < 0.03 && std::abs(one.second - ink) < 0.015;
+            });
+            if (known || samples.size() == kMostSamples) continue;
+            looks.push_back({width, ink});
+            samples.push_back(heights[k].second);
+        }
+        if (samples.size() > best.size()) best = std::move(samples);
+    }
+    return best;
+}
+
+}  // namespace tactics
