@@ -233,9 +233,9 @@ std::vector<FontPair> likely_fonts() {
             fonts.push_back({file_for(family + style), style.empty() ? file_for(family + ":italic") : FontFile()});
         fonts.push_back({file_for("Latin Modern Roman" + style), style.empty() ? file_for("Latin Modern Math") : FontFile()});
     }
-    // Exponents and indices of TeX are of fonts of their own.
+    // TeX has fonts of their own for small print, such as exponents and indices.
     for (const std::string name : {"Latin Modern Math", "LM Roman 7", "LM Roman 8", "LM Roman 12"})
-        fonts.push_back({file_for(name), {}});
+        fonts.push_back({file_for(name), file_for("Latin Modern Math")});
     const Pattern outlines(FcPatternCreate());
     FcPatternAddBool(outlines.get(), FC_OUTLINE, FcTrue);
     const ObjectSet facts(FcObjectSetBuild(FC_FILE, FC_INDEX, nullptr));
