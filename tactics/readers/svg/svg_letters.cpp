@@ -151,7 +151,7 @@ private:
         if (!on_line(last, next)) {
             const bool near = gap > -kNextIndex * high && gap < kNextIndex * high;
             if (!formula || !is_along(first, next)) return false;
-            if (on_line(first, next)) return gap > -kNextIndex * high && gap < kNextSign * high;
+            if (on_line(first, next)) return gap > -kNextIndex * high && gap < kNextSign * std::max(high, tall(first));
             return near && std::abs(down(first, next)) < kIndexOff * std::max(high, tall(first));
         }
         const bool same = last.group == next.group && (last.group == nullptr || shapes_[last.shape].code != 0 || font);

@@ -44,7 +44,7 @@ std::string path_of(const Letter& letter, double size, double degrees) {
 }
 
 // As cairo does it: a symbol for each letter, of turned lines turned ones.
-std::string line_of(const std::string& text, double size, double degrees, int font) {
+std::string line_of(const std::string& text, double size, double degrees, int font, Point from = {80, 80}) {
     const auto letters = letters_for(text);
     std::map<char32_t, int> numbers;
     std::ostringstream defs, uses;
@@ -55,7 +55,7 @@ std::string line_of(const std::string& text, double size, double degrees, int fo
         const std::string name = "glyph" + std::to_string(font) + "-" + std::to_string(number->second);
         const Letter& letter = letters.at(code);
         if (fresh) defs << "<symbol id='" << name << "'><path d='" << path_of(letter, size, degrees) << "'/></symbol>";
-        uses << "<use href='#" << name << "' x='" << 80 + c * at << "' y='" << 80 - s * at << "'/>";
+        uses << "<use href='#" << name << "' x='" << from.x + c * at << "' y='" << from.y - s * at << "'/>";
         at += letter.advance * size / 1000;
     }
     return "<defs>" + defs.str() + "</defs><g>" + uses.str() + "</g>";
@@ -91,6 +91,37 @@ TEST(LetterShapes, OfTurnedLinesAreReadAlongThem) {
     EXPECT_EQ(page.words[1].text, "Mill Road");
 }
 
+// TeX takes signs and indices of a formula from fonts that have nothing else in the figure.
+TEST(LetterShapes, OfAFormulaAreOneThoughTheyAreOfManyFonts) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const auto wide = [](const std::string& text, double size) {
+        double all = 0;
+        for (const auto& [code, letter] : letters_for(text)) all += letter.advance * size / 1000;
+        return all;
+    };
+    const auto texts = [](const std::string& body) {
+        std::vector<std::string> all;
+        for (const FoundWords& words : figure(body).words) all.push_back(words.text);
+        return all;
+    };
+    using Texts = std::vector<std::string>;
+    const std::string known = line_of("Rates 4711", 10, 0, 1, {20, 30});
+    const double minus = wide("\u2212", 10), r = wide("R", 10);
+    EXPECT_EQ(texts(known + line_of("\u2212", 10, 0, 2, {80, 60}) + line_of("471", 10, 0, 4, {80 + minus, 60})),
+              (Texts{"Rates 4711", "\u2212471"}));
+    const std::string index = line_of("R", 10, 0, 1, {80, 60}) + line_of("1", 7, 0, 3, {80 + r, 61.5});
+    EXPECT_EQ(texts(known + index), (Texts{"Rates 4711", "R\u2081"}));
+    const std::string power = line_of("R", 10, 0, 1, {80, 60}) + line_of("x", 7, 0, 3, {80 + r, 56});
+    EXPECT_EQ(texts(known + power), (Texts{"Rates 4711", "R^x"}));
+    const std::string rest = line_of("=", 10, 0, 2, {80 + r + wide("1", 7) + 2.5, 60});
+    EXPECT_EQ(texts(known + index + rest), (Texts{"Rates 4711", "R\u2081 ="}));
+    // As large as the other and off its line, nobody knows what it is; farther off it is something else.
+    EXPECT_EQ(texts(known + line_of("R", 10, 0, 1, {80, 60}) + line_of("1", 10, 0, 3, {80 + r, 62.5})),
+              (Texts{"Rates 4711", ""}));
+    EXPECT_EQ(texts(known + line_of("R", 10, 0, 1, {80, 60}) + line_of("471", 10, 0, 4, {80 + r, 70})),
+              (Texts{"Rates 4711", "R", "471"}));
+}
+
 TEST(LetterShapes, ThatNoFontHasStayUnread) {
     const std::string shape = "<defs><symbol id='glyph0-1'><path d='M0,0 L4,-9 L6,-2 L9,-8 L7,1 Z'/></symbol></defs>";
     const FoundPage page = figure(shape + "<g><use href='#glyph0-1' x='20' y='30'/></g>");
@@ -108,10 +139,10 @@ TEST(LetterShapes, AreNotTakenFromFontsOfSigns) {
         each_font([&](const FontLetters& font) {
             FontLetters other;
             other.plain = [font](const std::vector<char32_t>& codes, Hinting hinting, double pixels) {
+                std::vector<char32_t> next;
+                for (const char32_t code : codes) next.push_back(code + 1);
                 std::map<char32_t, Letter> out;
-                for (const char32_t code : codes)
-                    if (const auto next = font.plain({code + 1}, hinting, pixels); next.size() == 1)
-                        out[code] = next.begin()->second;
+                for (auto& [code, letter] : font.plain(next, hinting, pixels)) out[code - 1] = letter;
                 return out;
             };
             return goes_on(other);

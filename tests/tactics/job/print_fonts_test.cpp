@@ -47,6 +47,31 @@ std::vector<std::string> words_in(const Image& image, const std::string& program
 
 using Expected = std::vector<std::string>;
 
+bool is_same(const FontShape& a, const FontShape& b) {
+    if (a.advance != b.advance || a.rings.size() != b.rings.size()) return false;
+    for (std::size_t i = 0; i < a.rings.size(); ++i)
+        if (!std::equal(a.rings[i].begin(), a.rings[i].end(), b.rings[i].begin(), b.rings[i].end(),
+                        [](Point p, Point q) { return p.x == q.x && p.y == q.y; }))
+            return false;
+    return true;
+}
+
+// Latin Modern, as TeX has it: its letters for formulas are in another file, under other codes.
+TEST(FontsOfFormulas, SlantLettersAndNothingElse) {
+    const std::vector<char32_t> codes{U'1', U'x', U'h', U'=', U'\u03b1'};
+    bool any = false;
+    each_print_font(codes, [&](const PrintFont& font) {
+        if (!font.formula) return true;
+        const FontShapes formula = font.formula(codes), plain = font.more(codes);
+        if (!formula.contains(U'h') || !plain.contains(U'h') || is_same(formula.at(U'h'), plain.at(U'h'))) return true;
+        any = true;
+        EXPECT_TRUE(formula.contains(U'x'));
+        EXPECT_TRUE(is_same(formula.at(U'1'), plain.at(U'1')) && is_same(formula.at(U'='), plain.at(U'=')));
+        return true;
+    });
+    if (!any) GTEST_SKIP() << "no font with slanted letters is installed";
+}
+
 class PrintFonts : public testing::Test {
 protected:
     void SetUp() override {

@@ -205,6 +205,60 @@ TEST(FormReader, LettersThatTouchAreFoundByWhatTheyMaySay) {
     EXPECT_EQ(read_by_forms(strip, font, {}, "oi").text, "");
 }
 
+// A dash of less than a pixel lies on two rows, neither of which is dark.
+TEST(FormReader, AThinDashIsOne) {
+    FontShapes shapes = strokes();
+    shapes[0x2212] = {0.8, {box(0.1, 0.33, 0.7, 0.37)}};
+    FormFont font(shapes);
+    Image image = make_image(200, 60, 1, 0, 255);
+    write(image, 34.4, 40, 20, U"L");
+    for (int x = 20; x < 32; ++x) {
+        image.row(32)[x] = 115;
+        image.row(33)[x] = 160;
+    }
+    const auto lines = find_lettering(image);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(read_by_forms(InkStrip(image, lines[0]), font, {}).text, "\u2212L");
+}
+
+// Thin strokes are pale; what they tie together may be one letter, and what stands apart is none.
+TEST(FormReader, ALetterInPiecesIsOne) {
+    FontShapes shapes = strokes();
+    shapes[U'O'] = {0.9, {box(0.1, 0, 0.8, 0.7), hole(0.2, 0.015, 0.7, 0.685)}};
+    FormFont font(shapes);
+    const auto read = [&](std::uint8_t thin) {
+        Image image = make_image(200, 60, 1, 0, 255);
+        write(image, 20, 40, 20, U"L");
+        for (const int x : {37, 49})
+            for (int y = 26; y < 40; ++y) image.row(y)[x] = image.row(y)[x + 1] = 0;
+        for (int x = 39; x < 49; ++x) image.row(26)[x] = image.row(39)[x] = thin;
+        const auto lines = find_lettering(image);
+        EXPECT_EQ(lines.size(), 1u);
+        const InkStrip strip(image, lines[0]);
+        EXPECT_FALSE(strip.tied(0, 1));
+        EXPECT_EQ(strip.tied(1, strip.units() - 1), thin < 255);
+        return read_by_forms(strip, font, {}).text;
+    };
+    EXPECT_EQ(read(180), "LO");
+    EXPECT_NE(read(255), "LO");
+}
+
+TEST(FormFont, ReadsFurtherLettersWhenOneIsAskedFor) {
+    int times = 0;
+    FontShapes few;
+    few[U'L'] = strokes().at(U'L');
+    FormFont font(few, [&] {
+        ++times;
+        return strokes();
+    });
+    EXPECT_FALSE(font.form(U'L').empty());
+    EXPECT_EQ(times, 0);
+    EXPECT_FALSE(font.form(U'O').empty());
+    EXPECT_TRUE(font.form(U'x').empty());
+    EXPECT_EQ(font.shapes().size(), strokes().size());
+    EXPECT_EQ(times, 1);
+}
+
 TEST(FormReader, WhatIsNoLetterOfTheFontIsNotRead) {
     Image image = make_image(200, 60, 1, 0, 255);
     for (const int left : {20, 50})  // steps

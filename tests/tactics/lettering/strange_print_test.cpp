@@ -203,6 +203,48 @@ TEST(StrangePrint, ALoneFigureIsAsHighAsOthers) {
     EXPECT_FALSE(words[2].sized);
 }
 
+std::vector<FormWords> read_lines(const std::vector<Image>& images, const std::vector<OtherReading>& others,
+                                  const PrintFont& font) {
+    std::vector<InkStrip> strips;
+    for (const Image& image : images) strips.emplace_back(image, line_in(image));
+    return read_in_fonts(strips, others, [&](const auto&, const auto& goes_on) { goes_on(font); });
+}
+
+TEST(PictureFonts, AFormulaIsReadInTheFontOfTheWords) {
+    const FontShapes plain = strokes(0.1, 0.5);
+    FontShapes formula = plain;
+    formula[U'L'] = {0.6, {box(0.4, 0, 0.5, 0.7), box(0.05, 0, 0.5, 0.1)}};  // another form of it
+    const std::vector<Image> images{written(plain, U"1010", 30), written(formula, U"L", 30)};
+    const auto text = [&](const PrintFont& font) { return read_lines(images, {{"1010", true}, {}}, font)[1].text; };
+    EXPECT_EQ(text(PrintFont{plain}), "");
+    EXPECT_EQ(text(PrintFont{plain, {}, {}, [&](const auto&) { return formula; }}), "L");
+}
+
+// In another size than the words have.
+TEST(PictureFonts, LinesThatBearEachOtherOutTellTheirSize) {
+    const FontShapes font = strokes(0.1, 0.5);
+    std::vector<Image> images{written(font, U"1010", 30), written(font, U"HL", 22)};
+    std::vector<OtherReading> others{{"1010", true}, {}};
+    EXPECT_FALSE(read_lines(images, others, PrintFont{font})[1].sized);
+    images.push_back(written(font, U"Tn7", 22));
+    others.push_back({});
+    const std::vector<FormWords> words = read_lines(images, others, PrintFont{font});
+    EXPECT_TRUE(words[1].sized);
+    EXPECT_EQ(words[1].text, "HL");
+    EXPECT_EQ(words[2].text, "Tn7");
+}
+
+TEST(PictureFonts, ShortPrintTellsAFontWhereNoWordDoes) {
+    const FontShapes font = strokes(0.1, 0.5);
+    const std::vector<Image> images{written(font, U"17", 30), written(font, U"HT", 30), written(font, U"L", 30)};
+    const std::vector<FormWords> words = read_lines(images, {{}, {}, {}}, PrintFont{font});
+    ASSERT_EQ(words.size(), 3u);
+    EXPECT_EQ(words[0].text, "17");
+    EXPECT_TRUE(words[0].sized && words[2].sized);
+    const std::vector<FormWords> few = read_lines({images[2]}, {{}}, PrintFont{font});
+    EXPECT_EQ(few[0].text, "");
+}
+
 TEST(StrangePrint, ALoneFigureOfNoFontOfTheWordsIsLeftToItsAxis) {
     const FontShapes strange = strokes(0.1, 0.46);
     FontShapes without = strokes(0.12, 0.5);

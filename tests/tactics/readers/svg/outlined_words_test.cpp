@@ -111,6 +111,45 @@ TEST(OutlinedWords, OfOneOrTwoFiguresAreRead) {
     EXPECT_EQ(texts_of(figure(axis, kFonts)), (std::vector<std::string>{"25", "37", "40", "8"}));
 }
 
+// Corners of a figure that has no words, and numbers below zero; a circle is no O beside them.
+TEST(OutlinedWords, LettersThatStandAloneTellTheirFontTogether) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const std::string corners = outlined("A", 20, 60, false) + outlined("B", 90, 60, false) + outlined("\u22125", 55, 20, false),
+                      circle = "<circle cx='150' cy='40' r='2.2'/>";
+    const FoundPage page = figure(corners + circle, kFonts);
+    EXPECT_EQ(texts_of(page), (std::vector<std::string>{"A", "B", "\u22125"}));
+    EXPECT_EQ(page.page.areas.size() + page.page.strokes.size(),
+              figure(circle, {}).page.areas.size() + figure(circle, {}).page.strokes.size());
+    EXPECT_TRUE(figure(outlined("A", 20, 60, false) + outlined("B", 90, 60, false), kFonts).words.empty()) << "two are too few";
+}
+
+// A name of a corner is as high as the capitals of a word, not as its small letters.
+TEST(OutlinedWords, ALoneCapitalIsAsHighAsThoseOfWords) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    EXPECT_EQ(texts_of(figure(outlined("6 cm", 20, 60, false) + outlined("B", 90, 60, false), kFonts)),
+              (std::vector<std::string>{"6 cm", "B"}));
+}
+
+// Read as print is: a bar is no figure, and letters that come apart are no words.
+TEST(OutlinedWords, WhatLooksLikePrintHasTheShapesOfItsLetters) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const std::string body = outlined("Length", 20, 20, false) + outlined("10\u22122", 20, 60, false);
+    const auto read_as = [&](const std::string& text) {
+        const FoundPage page = figure(body, [&](FoundPage& found) {
+            for (FoundWords& words : found.words) {
+                words.text = words.letters.size() == 4 ? text : "Length";
+                words.sureness = words.letters.size() == 4 ? 80 : 100;
+            }
+        });
+        for (const FoundWords& words : page.words)
+            if (words.letters.size() == 4) return words.text;
+        return std::string("none");
+    };
+    EXPECT_EQ(read_as("10-2"), "10-2");
+    EXPECT_EQ(read_as("1072"), "");
+    EXPECT_EQ(read_as("1 a b-"), "");
+}
+
 TEST(OutlinedWords, DrawnAsTheirOutlinesAloneAreReadOrDrawn) {
     if (!has_font()) GTEST_SKIP() << "no font is installed";
     std::string lines = outlined("Mon", 20, 30, true) + outlined("Tue", 60, 30, true);
