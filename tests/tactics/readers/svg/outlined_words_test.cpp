@@ -11,6 +11,7 @@
 
 #include "print/letters.h"
 #include "tactics/job/letter_shapes.h"
+#include "tactics/readers/svg/letter_rows.h"
 #include "tactics/readers/svg/svg.h"
 #include "tactics/text/utf8.h"
 
@@ -123,11 +124,21 @@ TEST(OutlinedWords, LettersThatStandAloneTellTheirFontTogether) {
     EXPECT_TRUE(figure(outlined("A", 20, 60, false) + outlined("B", 90, 60, false), kFonts).words.empty()) << "two are too few";
 }
 
-// A name of a corner is as high as the capitals of a word, not as its small letters.
+// As high as the capitals of a word, not as its small letters; what is higher is no letter.
 TEST(OutlinedWords, ALoneCapitalIsAsHighAsThoseOfWords) {
-    if (!has_font()) GTEST_SKIP() << "no font is installed";
-    EXPECT_EQ(texts_of(figure(outlined("6 cm", 20, 60, false) + outlined("B", 90, 60, false), kFonts)),
-              (std::vector<std::string>{"6 cm", "B"}));
+    const auto rows_with = [](double high) {
+        Glyphs glyphs;
+        const auto add = [&](double left, double height) {
+            const std::size_t ring = glyphs.size();
+            glyphs.push_back({Box{left, 50 - height, left + 4, 50}, {ring}, 20 + ring});
+        };
+        add(20, 10);
+        for (const double left : {25, 30, 35}) add(left, 6);
+        add(120, high);
+        return letter_rows(glyphs).size();
+    };
+    EXPECT_EQ(rows_with(10), 2u);
+    EXPECT_EQ(rows_with(14), 1u);
 }
 
 // Read as print is: a bar is no figure, and letters that come apart are no words.
