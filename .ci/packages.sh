@@ -11,8 +11,9 @@ build_packages=(
     libjpeg62-turbo-dev libpng-dev libtiff-dev zlib1g-dev libexpat1-dev libusb-1.0-0-dev libhidapi-dev libevdev-dev libbrlapi-dev libopenimageio-dev libheif-dev libassimp-dev fonts-dejavu-core
     libboost-dev rapidjson-dev libpappl-dev
 )
-# Programs that tactics calls at run time if they are there: without them print stays in the lines, and PDF is refused.
-run_packages=(tesseract-ocr tesseract-ocr-eng poppler-utils)
+# What tactics uses at run time if it is there: without these programs print stays in the lines and PDF is refused, and without the
+# font figures that TeX has set keep most of their words as lines.
+run_packages=(tesseract-ocr tesseract-ocr-eng poppler-utils fonts-lmodern)
 # What the tests are built from, and the independent programs that they check our files with.
 test_packages=(libgtest-dev libgeos-dev qpdf ghostscript librsvg2-bin imagemagick libtiff-tools
                umockdev libumockdev-dev libxml2-utils admesh python3-jsonschema man-db speech-dispatcher libspeechd2 espeak-ng libasound2

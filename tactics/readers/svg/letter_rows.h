@@ -30,7 +30,7 @@ inline Point turned_back(Point p) { return {p.y, -p.x}; }
 struct LetterRow {
     Glyphs glyphs;
     bool upwards = false;  ///< their boxes are turned
-    bool lone = false;     ///< one shape by itself, as high as letters of others
+    bool lone = false;     ///< one letter by itself, maybe with a sign, as high as letters of others
     bool alike = false;    ///< all are the same shape, as points of a row are, and the figures of "22"
     bool doubt = false;    ///< something else that may be of it is there: a raised figure, or the rest of a word on a slope
 };
