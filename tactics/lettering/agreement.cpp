@@ -37,16 +37,18 @@ bool is_word_letter(char32_t code) {
 // The pieces that are like letters are letters of that text, in its order, and what is left of it are letters, too: a figure or a
 // point may be anything.
 bool bears_out(const FormReading& reading, std::string_view text) {
-    constexpr double kShare = 0.7;
+    constexpr double kShare = 0.7, kFarBelow = 0.12;
+    constexpr std::u32string_view kBelow = U"gjpqyQJ,;()[]{}|/_$@";
     // Which other readers take for each other, and in small print for two.
     const std::string_view confused = reading.em < kSmallPrint ? "gqlIOmdnhwUCJjF" : "gqlIO";
     std::vector<char32_t> letters;
     while (!text.empty())
         if (const char32_t letter = take_letter(text); letter != ' ') letters.push_back(letter);
     std::size_t at = 0, found = 0, passed = 0, unlike = 0;
-    bool plain = true;
+    bool plain = true, reaches_below = false, below = false;
     const auto pass = [&] {
         ++passed;
+        below = below || kBelow.find(letters[at]) != kBelow.npos;
         const bool is_letter = (letters[at] | 32) >= 'a' && (letters[at] | 32) <= 'z';
         plain = plain && is_letter && confused.find(static_cast<char>(letters[at])) == confused.npos;
         ++at;
@@ -54,6 +56,7 @@ bool bears_out(const FormReading& reading, std::string_view text) {
     for (const FormLetter& letter : reading.letters) {
         if (letter.code == 0 || letter.likeness < kBearsOut) {
             ++unlike;
+            reaches_below = reaches_below || letter.box.bottom > reading.foot + kFarBelow * reading.em;
             continue;
         }
         if (letter.place != FormLetter::Place::on_line) return false;  // which the text does not say
@@ -67,6 +70,7 @@ bool bears_out(const FormReading& reading, std::string_view text) {
     }
     while (at < letters.size()) pass();
     if (unlike > 0 && passed == 0) return false;  // a point, which the text has not
+    if (reaches_below && !below) return false;    // "et" was read, and is "gt"
     return plain && !letters.empty() && static_cast<double>(found) >= kShare * static_cast<double>(letters.size());
 }
 

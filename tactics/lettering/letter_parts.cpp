@@ -155,4 +155,45 @@ void drop_splinters(const Image& grey, std::vector<FoundLine>& found) {
     erase_marked(found, splinters);
 }
 
+namespace {
+
+// Above or below that part the letter has about as wide ink which is as dark: the bar of a 5, no tick and no pale smudge.
+bool is_half(const Image& grey, const LetteringLine& part, const LetteringLine& letter) {
+    constexpr double kWider = 1.4, kLower = 1.2, kHigher = 2.2, kAsWide = 0.45;  // of the part
+    const PixelBox &own = part.box, &whole = letter.box;
+    if (around(whole, own) != whole || whole.width() > kWider * own.width() || whole.height() < kLower * own.height() ||
+        whole.height() > kHigher * own.height() || !is_part_of(part, letter))
+        return false;
+    int left = whole.right, right = whole.left;
+    for (const InkRun& run : letter.letters.front().runs) {
+        if (run.y >= own.top && run.y < own.bottom) continue;
+        for (int x = run.left; x < run.right; ++x)
+            if ((grey.row(run.y)[x] < part.level) != part.light) {
+                left = std::min(left, x);
+                right = std::max(right, x + 1);
+            }
+    }
+    return right - left >= kAsWide * own.width();
+}
+
+}  // namespace
+
+void drop_halves(const Image& grey, std::vector<FoundLine>& found) {
+    constexpr int kAsClear = 3 * kClearer;
+    FoundBoxes boxes(grey.width, grey.height);
+    std::vector<const FoundLine*> letters;
+    const auto is_lone = [](const FoundLine& one) { return one.line.letters.size() == 1; };
+    for (const FoundLine& one : found) {
+        if (!is_lone(one) || !one.line.marks.empty()) continue;
+        boxes.add(one.line.letters.front().box);
+        letters.push_back(&one);
+    }
+    std::vector<bool> halves;
+    for (const FoundLine& one : found)
+        halves.push_back(is_lone(one) && boxes.any_on(corner_of(one.line), [&](std::size_t i, const PixelBox&) {
+            return letters[i]->rank < one.rank + kAsClear && is_half(grey, one.line, letters[i]->line);
+        }));
+    erase_marked(found, halves);
+}
+
 }  // namespace tactics

@@ -27,4 +27,7 @@ void drop_holes(const Image& grey, std::vector<FoundLine>& found);
 /// splinters look like a word. In small print they may as well be letters that touch, unless there are marks among them.
 void drop_splinters(const Image& grey, std::vector<FoundLine>& found);
 
+/// Where strokes are thin, a letter by itself comes apart at deeper levels, above and below: its halves are none.
+void drop_halves(const Image& grey, std::vector<FoundLine>& found);
+
 }  // namespace tactics

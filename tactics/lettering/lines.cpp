@@ -184,6 +184,7 @@ public:
         drop_frames(found_);
         drop_holes(grey_, found_);
         drop_splinters(grey_, found_);
+        drop_halves(grey_, found_);
         // Best first; what has ink where a better one stands is the same lettering at a worse level, or the frame around it.
         // Words before lone letters, then the clear ones, then the small ones: large things side by side look like letters, too.
         const auto key = [](const FoundLine& one) {
