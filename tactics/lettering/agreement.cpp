@@ -36,9 +36,8 @@ bool is_word_letter(char32_t code) {
 
 // The pieces that are like letters are letters of that text, in its order, and what is left of it are letters, too: a figure or a
 // point may be anything.
-bool bears_out(const FormWords& words, std::string_view text) {
-    const FormReading& reading = words.reading;
-    constexpr double kShare = 0.7, kFarBelow = 0.12, kJustLike = 0.9;
+bool bears_out(const FormReading& reading, std::string_view text) {
+    constexpr double kShare = 0.7, kFarBelow = 0.12;
     constexpr std::u32string_view kBelow = U"gjpqyQJ,;()[]{}|/_$@";
     // Which other readers take for each other, and in small print for two.
     const std::string_view confused = reading.em < kSmallPrint ? "gqlIOmdnhwUCJjF" : "gqlIO";
@@ -46,8 +45,7 @@ bool bears_out(const FormWords& words, std::string_view text) {
     while (!text.empty())
         if (const char32_t letter = take_letter(text); letter != ' ') letters.push_back(letter);
     std::size_t at = 0, found = 0, passed = 0, unlike = 0;
-    bool plain = true, reaches_below = false, below = false;
-    double least = 1;
+    bool plain = true, reaches_below = false, below = false, letter_found = false;
     const auto pass = [&] {
         ++passed;
         below = below || kBelow.find(letters[at]) != kBelow.npos;
@@ -67,15 +65,14 @@ bool bears_out(const FormWords& words, std::string_view text) {
         };
         while (at < letters.size() && !is(letters[at])) pass();
         if (at == letters.size()) return false;
-        if (is_of_words(letter.code)) least = std::min(least, letter.likeness);
+        letter_found = letter_found || is_of_words(letter.code);
         ++at;
         ++found;
     }
     while (at < letters.size()) pass();
-    // Where all others are just like those of the font, one that is not is another letter: an "α" was read as "a".
-    if (unlike > 0 && words.sized && least >= kJustLike) return false;
-    if (unlike > 0 && passed == 0) return false;  // a point, which the text has not
-    if (reaches_below && !below) return false;    // "et" was read, and is "gt"
+    if (unlike > 0 && !letter_found) return false;  // "a = 30°" was read, and is "α = 30°"
+    if (unlike > 0 && passed == 0) return false;    // a point, which the text has not
+    if (reaches_below && !below) return false;      // "et" was read, and is "gt"
     return plain && !letters.empty() && static_cast<double>(found) >= kShare * static_cast<double>(letters.size());
 }
 
@@ -194,7 +191,7 @@ bool has_pairs(std::string_view text) {
 Belief believe(const FormWords& words, const ReadWords& other) {
     const FormReading& reading = words.reading;
     if (words.text.empty()) {
-        const bool borne_out = other.sureness >= kSureWords && bears_out(words, other.text);
+        const bool borne_out = other.sureness >= kSureWords && bears_out(reading, other.text);
         Belief belief{other.text, other.sureness, other.sure && borne_out && !breaks_off(other.text), other.sure};
         belief.open = belief.sure && !has_pairs(belief.text);
         return belief;

@@ -201,6 +201,21 @@ TEST(Agreement, APieceThatIsLikeNoLetterMayOnlyBeALetterThatTheOtherReads) {
     EXPECT_FALSE(believe(square, {"m/s2", 95, true, true}).sure);
 }
 
+// "gt" touch and were read as "et"; an alpha among figures was read as "a".
+TEST(Agreement, APieceThatIsLikeNoLetterIsNotWhatItCannotBe) {
+    const auto is_sure = [](std::u32string_view codes, const char* other, double likeness, double bottom) {
+        FormWords words = line_of(codes, "", likeness);
+        words.reading.foot = 20;
+        for (FormLetter& letter : words.reading.letters) letter.box = {0, 5, 10, letter.code == 0 ? bottom : 20};
+        return believe(words, {other, 96, true, true}).sure;
+    };
+    const std::u32string_view gap(U"Len\0hof", 7), alpha(U"\0=30", 4);
+    EXPECT_TRUE(is_sure(gap, "Leneth of", 0.87, 20.5));
+    EXPECT_FALSE(is_sure(gap, "Leneth of", 0.87, 25));
+    EXPECT_TRUE(is_sure(gap, "Lenyth of", 0.87, 25));
+    EXPECT_FALSE(is_sure(alpha, "a=30", 0.95, 20));
+}
+
 TEST(Agreement, ALetterAloneIsSureInTheSizeOfWordsAndIsNoCircle) {
     EXPECT_TRUE(believe(line_of(U"A", "A"), {}).sure);
     EXPECT_FALSE(believe(line_of(U"o", "o"), {}).sure);

@@ -110,6 +110,25 @@ TEST(Lettering, SplintersOfALetterAreNoWord) {
 }
 
 // As in monospaced print.
+// A 5 whose stem is paler than its bar and its bowl; above the other bowl is a tick, which is none of it.
+TEST(Lettering, HalvesOfAThinLetterAreOne) {
+    const auto line_with = [](bool tick) {
+        Image image = make_image(80, 60, 1, 0, 255);
+        const auto fill = [&](int left, int top, int right, int bottom, std::uint8_t value) {
+            for (int y = top; y < bottom; ++y) std::fill(image.row(y) + left, image.row(y) + right, value);
+        };
+        fill(31, 18, tick ? 32 : 38, 20, 0);
+        fill(31, 20, 32, 23, 150);
+        fill(31, 23, 39, 25, 0);
+        fill(30, 30, 39, 32, 0);
+        fill(37, 23, 39, 32, 0);
+        const auto lines = find_lettering(image);
+        return lines.empty() ? PixelBox{} : lines.front().box;
+    };
+    EXPECT_EQ(line_with(false), (PixelBox{30, 18, 39, 32}));
+    EXPECT_EQ(line_with(true).top, 23);
+}
+
 TEST(Lettering, APointHasAsMuchRoomAsALetter) {
     Image image = make_image(160, 60, 1, 0, 255);
     write_blocks(image, 20, 20, "xx", 0);
