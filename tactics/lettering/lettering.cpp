@@ -157,20 +157,20 @@ void believe_lone_letters(std::vector<ReadLine>& all) {
     }
 }
 
-// Right behind or before it in its row, no farther off than so many of its heights.
-bool stands_right_beside(const LetteringLine& one, const LetteringLine& other, double most) {
-    constexpr double kOneHeight = 0.35, kOneFoot = 0.2;  // of the height; small letters stand beside figures. Settings
+// Right behind or before it in its row, no farther off than a word is in monospaced print.
+bool stands_right_beside(const LetteringLine& one, const LetteringLine& other) {
+    constexpr double kOneHeight = 0.35, kOneFoot = 0.2,
+                     kGap = 1.2;  // of the height; small letters stand beside figures. Settings
     if (one.upwards || other.upwards || one.light != other.light) return false;
     const double height = std::max(one.letter_height, other.letter_height);
     const int gap = std::max(one.box.left, other.box.left) - std::min(one.box.right, other.box.right);
     return std::abs(one.letter_height - other.letter_height) <= kOneHeight * height &&
-           std::abs(one.box.bottom - other.box.bottom) <= kOneFoot * height + 1 && gap > 0 && gap <= most * height;
+           std::abs(one.box.bottom - other.box.bottom) <= kOneFoot * height + 1 && gap > 0 && gap <= kGap * height;
 }
 
 // A label of which a part is only told is told as a whole: "effect" of "random effect" would name something else, as would "6" of
 // "6 cm". Figures stand beside each other along a scale.
 void doubt_parts(std::vector<ReadLine>& all, const std::vector<bool>& told) {
-    constexpr double kWord = 1.2, kUnit = 0.8;  // heights: in monospaced print; from a figure to its unit
     const auto is_of_label = [](const ReadLine& one) {
         return std::any_of(one.words.text.begin(), one.words.text.end(),
                            [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '='; });
@@ -178,10 +178,9 @@ void doubt_parts(std::vector<ReadLine>& all, const std::vector<bool>& told) {
     for (bool more = true; more;) {
         more = false;
         for (ReadLine& one : all) {
-            const double most = is_of_label(one) ? kWord : kUnit;
             for (std::size_t i = 0; i < all.size() && one.words.sure; ++i)
                 if (!all[i].words.sure && (told[i] || all[i].tell) && is_words(all[i].line) && is_of_label(all[i]) &&
-                    stands_right_beside(one.line, all[i].line, most)) {
+                    stands_right_beside(one.line, all[i].line)) {
                     one.words.sure = false;
                     one.tell = more = true;
                 }

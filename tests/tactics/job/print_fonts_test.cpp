@@ -240,16 +240,16 @@ TEST_F(PrintFonts, PrintThatIsNotSetLeavesTheLinesAndMarksStay) {
         for (int x = 68 * 650 / 110; x < 93 * 650 / 110; ++x) EXPECT_EQ(left.row(y)[x], image.row(y)[x]);
 }
 
-// "6" of "6 cm", where a line runs through the unit; farther off it is a number by itself.
+// "6" of "6 takes", where a line runs through the word; farther off it is a number by itself.
 TEST_F(PrintFonts, ANumberIsNotSetWithoutItsUnit) {
     const auto is_set = [](double x) {
-        const std::vector<PageStroke> line{{{{x + 10.3, 22}, {x + 10.3, 42}}, false, 0.3}};
+        const std::vector<PageStroke> line{{{{x + 8.7, 22}, {x + 8.7, 42}}, false, 0.3}};
         const Expected words =
-            words_in(picture_of({{20, 12, 4.2, "Flow chart"}, {20, 30, 4.2, "64"}, {x, 30, 4.2, "takes"}}, line));
-        return std::find(words.begin(), words.end(), "64") != words.end();
+            words_in(picture_of({{20, 12, 4.2, "Flow chart"}, {20, 30, 4.2, "6"}, {x, 30, 3.6, "takes"}}, line));
+        return std::find(words.begin(), words.end(), "6") != words.end();
     };
-    EXPECT_FALSE(is_set(27.6));
-    EXPECT_TRUE(is_set(33));
+    EXPECT_FALSE(is_set(25.7));
+    EXPECT_TRUE(is_set(28));
 }
 
 // "water" of "takes water", in print with wide gaps, where a line runs through the first word.
