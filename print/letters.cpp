@@ -268,29 +268,46 @@ char32_t slanted(char32_t code) {
 
 using Codes = std::vector<char32_t>;
 
-// Those that formulas slant come from the font for formulas, if there is one.
-std::map<char32_t, Letter> letters_in(const FontPair& pair, const Codes& codes, Hinting hinting, double pixels) {
-    std::map<char32_t, Letter> letters;
-    FT_Library opened = nullptr;
-    if (FT_Init_FreeType(&opened) != 0) return letters;
-    const Library library(opened);
-    const Face font = open_file(library.get(), pair.font), formulas = open_file(library.get(), pair.formulas);
-    const long units = std::lround(64 * pixels);
-    const bool coded = formulas && FT_Get_Char_Index(formulas.get(), slanted('x')) != 0;
-    for (const Face* face : {&font, &formulas})
-        if (*face && hinting != Hinting::none && FT_Set_Char_Size(face->get(), 0, units, 72, 72) != 0) return letters;
-    for (const char32_t code : codes) {
-        const bool slants = formulas && slanted(code) != code;
-        const char32_t drawn = slants && coded ? slanted(code) : code;
-        FT_Face face = slants ? formulas.get() : font.get();
-        if (!face || FT_Get_Char_Index(face, drawn) == 0) continue;
-        if (hinting == Hinting::none)
-            load(face, drawn, letters[code]);
-        else
-            load_bent(face, drawn, hinting == Hinting::light, units, letters[code]);
+// Opened when its letters are first asked for.
+class OpenFont {
+public:
+    explicit OpenFont(FontPair files) : files_(std::move(files)) {}
+
+    // `formula`: those that formulas slant come from the font for formulas.
+    std::map<char32_t, Letter> letters(const Codes& codes, Hinting hinting, double pixels, bool formula) {
+        open();
+        std::map<char32_t, Letter> letters;
+        const long units = std::lround(64 * pixels);
+        const bool coded = formulas_ && FT_Get_Char_Index(formulas_.get(), slanted('x')) != 0;
+        for (const Face* face : {&font_, &formulas_})
+            if (*face && hinting != Hinting::none && FT_Set_Char_Size(face->get(), 0, units, 72, 72) != 0) return letters;
+        for (const char32_t code : codes) {
+            const bool slants = formula && formulas_ && slanted(code) != code;
+            const char32_t drawn = slants && coded ? slanted(code) : code;
+            FT_Face face = slants ? formulas_.get() : font_.get();
+            if (!face || FT_Get_Char_Index(face, drawn) == 0) continue;
+            if (hinting == Hinting::none)
+                load(face, drawn, letters[code]);
+            else
+                load_bent(face, drawn, hinting == Hinting::light, units, letters[code]);
+        }
+        return letters;
     }
-    return letters;
-}
+
+private:
+    void open() {
+        if (library_) return;
+        FT_Library opened = nullptr;
+        if (FT_Init_FreeType(&opened) != 0) return;
+        library_.reset(opened);
+        font_ = open_file(opened, files_.font);
+        formulas_ = open_file(opened, files_.formulas);
+    }
+
+    FontPair files_;
+    Library library_;
+    Face font_, formulas_;  // closed before it
+};
 
 }  // namespace
 
@@ -300,13 +317,14 @@ void each_font(const std::function<bool(const FontLetters& font)>& goes_on) {
     // A batch asks for each picture; fonts do not come and go meanwhile.
     static const std::vector<FontPair> fonts = likely_fonts();
     for (const FontPair& pair : std::span(fonts).first(std::min(fonts.size(), kMostFonts))) {
+        const auto open = std::make_shared<OpenFont>(pair);
         FontLetters font;
-        font.plain = [file = pair.font](const Codes& codes, Hinting hinting, double pixels) {
-            return letters_in({file, {}}, codes, hinting, pixels);
+        font.plain = [open](const Codes& codes, Hinting hinting, double pixels) {
+            return open->letters(codes, hinting, pixels, false);
         };
         if (!pair.formulas.path.empty())
-            font.formula = [pair](const Codes& codes, Hinting hinting, double pixels) {
-                return letters_in(pair, codes, hinting, pixels);
+            font.formula = [open](const Codes& codes, Hinting hinting, double pixels) {
+                return open->letters(codes, hinting, pixels, true);
             };
         if (!goes_on(font)) return;
     }

@@ -22,7 +22,7 @@ bool is_two_numbers(std::string_view text, char dash) {
 }
 
 // Settings, in heights of the tallest letter of the font: what parts letters of one line.
-constexpr double kOffBaseline = 0.08, kNextWord = 1.2, kNextLetter = 0.3, kNextSign = 0.65, kBack = 1.5;
+constexpr double kOffBaseline = 0.08, kNextWord = 1.2, kNextLetter = 0.65, kBack = 1.5;
 // The same of an index or an exponent: how far it is off the line, and beside its letter.
 constexpr double kIndexOff = 0.7, kNextIndex = 0.25;
 
@@ -151,12 +151,11 @@ private:
         if (!on_line(last, next)) {
             const bool near = gap > -kNextIndex * high && gap < kNextIndex * high;
             if (!formula || !is_along(first, next)) return false;
-            if (on_line(first, next)) return gap > -kNextIndex * high && gap < kNextSign * std::max(high, tall(first));
+            if (on_line(first, next)) return gap > -kNextIndex * high && gap < kNextLetter * std::max(high, tall(first));
             return near && std::abs(down(first, next)) < kIndexOff * std::max(high, tall(first));
         }
         const bool same = last.group == next.group && (last.group == nullptr || shapes_[last.shape].code != 0 || font);
-        // A formula has letters, figures and signs in different fonts; labels beside each other are in one.
-        const double most = same ? kNextWord : font ? kNextLetter : kNextSign;
+        const double most = same ? kNextWord : kNextLetter;
         return gap > -kBack * tall(last) && gap < most * high;
     }
 
