@@ -114,24 +114,21 @@ private:
         std::size_t number = 0;
         fonts([&](const FontLetters& font) {
             if (number < from) return ++number > 0;
-            for (const FontLetters::Of& own : {font.plain, font.formula}) {
-                if (!own) continue;
+            for (const FontLetters::Of& own : forms_of(font)) {
                 const std::vector<FontLetter> letters = measured(own(codes, Hinting::none, 0), codes);
                 if (!has_letters(letters)) continue;
-                for (ShapeSet* set : unread()) {
-                    if (!set->matches(letters, number)) continue;
-                    take(*set, codes.size() > common_codes().size() ? letters : all_of(own));
-                    known_.back().formula = font.formula;
-                }
+                for (ShapeSet* set : unread())
+                    if (set->matches(letters, number))
+                        take(*set, codes.size() > common_codes().size() ? letters : all_of(own), font.formula);
             }
             return ++number < end && !unread().empty();
         });
     }
 
     // Of that font and size.
-    void take(const ShapeSet& set, const std::vector<FontLetter>& letters) {
+    void take(const ShapeSet& set, const std::vector<FontLetter>& letters, const FontLetters::Of& formula = {}) {
         set.take(letters, read_);
-        known_.push_back({letters, set.em(), {}});
+        known_.push_back({letters, set.em(), formula});
     }
 
     // First in the fonts of other words. Marks of a plot that lie on each other may look like letters: few fonts are tried.
@@ -141,29 +138,38 @@ private:
             loose.read_as(one.letters, one.em);
             if (one.formula && loose.any()) loose.read_as(all_of(one.formula), one.em);
         }
-        const auto each_likely = [&](const auto& goes_on, const auto& read) {
-            std::size_t number = 0;
-            if (goes_on())
-                fonts([&](const FontLetters& font) {
-                    read(font);
-                    return ++number < kLikelyFonts && goes_on();
-                });
-        };
-        each_likely([&] { return loose.may_tell_font(); },
-                    [&](const FontLetters& font) {
-                        std::optional<double> em;  // formulas are of the size of their font
-                        for (const FontLetters::Of& own : {font.plain, font.formula}) {
-                            if (!own) continue;
-                            const std::vector<FontLetter> letters =
-                                measured(own(common_codes(), Hinting::none, 0), common_codes());
-                            if (!em && has_letters(letters)) em = loose.em_in(letters);
-                            if (em) loose.read_as(all_of(own), *em);
-                        }
-                    });
-        each_likely([&] { return loose.has_indices(); },
-                    [&](const FontLetters& font) {
-                        loose.read_indices(measured(font.plain(common_codes(), Hinting::none, 0), common_codes()));
-                    });
+        each_likely(
+            fonts, [&] { return loose.may_tell_font(); },
+            [&](const FontLetters& font) {
+                std::optional<double> em;  // formulas are of the size of their font
+                for (const FontLetters::Of& own : forms_of(font)) {
+                    const std::vector<FontLetter> letters = measured(own(common_codes(), Hinting::none, 0), common_codes());
+                    if (!em && has_letters(letters)) em = loose.em_in(letters);
+                    if (em) loose.read_as(all_of(own), *em);
+                }
+            });
+        each_likely(
+            fonts, [&] { return loose.has_indices(); },
+            [&](const FontLetters& font) {
+                loose.read_indices(measured(font.plain(common_codes(), Hinting::none, 0), common_codes()));
+            });
+    }
+
+    // Reads with one likely font after the other while something is left to read.
+    template <typename Left, typename Read>
+    static void each_likely(const Fonts& fonts, const Left& is_left, const Read& read) {
+        std::size_t number = 0;
+        if (is_left())
+            fonts([&](const FontLetters& font) {
+                read(font);
+                return ++number < kLikelyFonts && is_left();
+            });
+    }
+
+    static std::vector<FontLetters::Of> forms_of(const FontLetters& font) {
+        std::vector<FontLetters::Of> forms{font.plain};
+        if (font.formula) forms.push_back(font.formula);
+        return forms;
     }
 
     // A formula has some letters of fonts that have no others in the figure: the 1 of an index, a minus sign.
@@ -178,15 +184,13 @@ private:
             }
         }
         std::erase_if(open, [&](const auto& one) { return is_nearly_known(one.first, one.second); });
-        std::size_t number = 0;
-        if (!open.empty())
-            fonts([&](const FontLetters& font) {
-                for (const FontLetters::Of& own : {font.plain, font.formula}) {
-                    if (!own) continue;
+        each_likely(
+            fonts, [&] { return !open.empty(); },
+            [&](const FontLetters& font) {
+                for (const FontLetters::Of& own : forms_of(font)) {
                     const std::vector<FontLetter> letters = all_of(own);
                     std::erase_if(open, [&](const auto& one) { return read_beside(one.first, one.second, letters); });
                 }
-                return ++number < kLikelyFonts && !open.empty();
             });
     }
 

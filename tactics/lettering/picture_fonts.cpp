@@ -280,30 +280,36 @@ void PictureFonts::choose_by_looks(std::vector<std::size_t> lines) {
 
 std::vector<std::size_t> PictureFonts::samples_of(const std::vector<std::size_t>& lines) const {
     constexpr double kSameHeight = 0.12, kWidest = 2.5;  // of a height
-    std::vector<std::pair<double, std::size_t>> heights;
-    for (const std::size_t i : lines)
-        if (const InkBox box = strips_[i].measure(0, strips_[i].units() - 1);
-            box.height() > 6 && box.width() < kWidest * box.height() && box.height() < 6 * box.width())
-            heights.push_back({box.height(), i});
-    std::sort(heights.begin(), heights.end());
-    std::vector<std::size_t> best;
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-        std::vector<std::size_t> samples;
-        std::vector<std::pair<double, double>> looks;  // width and ink
-        for (std::size_t k = i; k < heights.size() && heights[k].first <= (1 + kSameHeight) * heights[i].first; ++k) {
-            const InkBox box = strips_[heights[k].second].measure(0, strips_[heights[k].second].units() - 1);
-            const double width = box.width() / box.height(),
-                         ink = strips_[heights[k].second].ink() / (box.width() * box.height());
-            const bool known = std::any_of(looks.begin(), looks.end(), [&](const auto& one) {
-                return std::abs(one.first - width) < 0.03 && std::abs(one.second - ink) < 0.015;
-            });
-            if (known || samples.size() == kMostSamples) continue;
-            looks.push_back({width, ink});
-            samples.push_back(heights[k].second);
+    constexpr double kSameWidth = 0.03, kSameInk = 0.015;
+    struct Look {
+        double height;
+        std::size_t line;
+        double width, ink;  // of the height; of the box
+        bool is_like(const Look& other) const {
+            return std::abs(other.width - width) < kSameWidth && std::abs(other.ink - ink) < kSameInk;
+        }
+    };
+    std::vector<Look> looks;
+    for (const std::size_t i : lines) {
+        const InkBox box = strips_[i].measure(0, strips_[i].units() - 1);
+        if (box.height() > 6 && box.width() < kWidest * box.height() && box.height() < 6 * box.width())
+            looks.push_back({box.height(), i, box.width() / box.height(), strips_[i].ink() / (box.width() * box.height())});
+    }
+    std::sort(looks.begin(), looks.end(),
+              [](const Look& a, const Look& b) { return std::pair(a.height, a.line) < std::pair(b.height, b.line); });
+    std::vector<Look> best;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        std::vector<Look> samples;
+        for (std::size_t k = i; k < looks.size() && looks[k].height <= (1 + kSameHeight) * looks[i].height; ++k) {
+            const bool known =
+                std::any_of(samples.begin(), samples.end(), [&](const Look& one) { return one.is_like(looks[k]); });
+            if (!known && samples.size() < kMostSamples) samples.push_back(looks[k]);
         }
         if (samples.size() > best.size()) best = std::move(samples);
     }
-    return best;
+    std::vector<std::size_t> found;
+    for (const Look& one : best) found.push_back(one.line);
+    return found;
 }
 
 }  // namespace tactics

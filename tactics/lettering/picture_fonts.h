@@ -20,8 +20,6 @@ public:
     /// False: there is none.
     bool choose(const PrintFonts& fonts);
 
-    bool any() const { return !chosen_.empty(); }
-
     /// A line in the chosen font that it fits best.
     FormWords read(std::size_t line);
 
