@@ -53,7 +53,7 @@ protected:
     const std::string& key() const { return key_; }
     std::size_t index() const { return index_; }
     std::size_t row_line() const { return row_line_; }
-    bool in_heights() const { return depth_ == 3; }
+    bool in_heights() const { return depth_ == 3 && skipped_ == 0; }
 
 private:
     bool in_object() const { return form_ == TableForm::columns; }

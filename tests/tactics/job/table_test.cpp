@@ -131,6 +131,10 @@ TEST(Table, WhatIsWrongInJsonIsToldWithLineAndLetter) {
     expect("{\"x\":[1,2],\"y\":[1,2,3]}", "t, row 3: one of its columns ends here");
     expect("{\"x\":[1,2],\"y\":[1,\"a\"]}", "t, row 2: y is \"a\", which is no number");
     expect("{\"x\":{\"a\":1}}", "\"x\" is an object");
+    // Rows belong to z alone.
+    expect("{\"x\":[[1,2],[3,null]]}", "t has no column of numbers for it");
+    expect("[{\"x\":1,\"y\":[2]},{\"x\":2,\"y\":3}]", "t:1: y is \"[...]\", which is no number");
+    expect("{\"z\":[[1,2],3],\"x\":[1,2],\"y\":[1,2]}", "z has rows and numbers");
     expect("[]", "there is no row in it");
     expect("{\"z\":[[1,2],[3]],\"x\":[1,2],\"y\":[1,2]}", "has 1 heights for 2 of x");
     expect("{\"z\":[[1,2],[3,4]],\"x\":[1,1],\"y\":[1,2]}", "rise or fall all the way");
