@@ -11,6 +11,7 @@
 #include "tactics/lettering/equals_sign.h"
 #include "tactics/lettering/found_boxes.h"
 #include "tactics/lettering/letter_parts.h"
+#include "tactics/lettering/marks_beside.h"
 #include "tactics/lettering/pale_ink.h"
 #include "tactics/lettering/signs_between.h"
 #include "tactics/lettering/tick_ends.h"
@@ -254,7 +255,9 @@ private:
         for (const Group& one : groups)
             for (const std::size_t bar : level_pieces.bars.of(one.letters, foot_of(upright, one), tallest(upright, one)))
                 level_pieces.underscores[bar] = true;
-        for (const Group& one : groups) add(level_pieces, one, level, light, false, found_);
+        for (const Group& one : groups)
+            for (auto& part : parts_at_marks(pieces, upright, one.letters))
+                add(level_pieces, {std::move(part)}, level, light, false, found_);
     }
 
     static int tallest(const std::vector<PixelBox>& boxes, const Group& group) {
@@ -353,6 +356,7 @@ private:
                     box.right < seen.left - reach)
                     continue;
                 if (box.top < seen.top - reach || box.top >= foot || box.bottom > seen.bottom + reach / 2) continue;
+                if (is_node(of.pieces[i], box, seen)) continue;
                 attach(i);
                 more = true;
             }

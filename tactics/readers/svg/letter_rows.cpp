@@ -236,12 +236,19 @@ private:
             bool alone = true;
             for (std::size_t k = 0; k < glyphs_.size() && alone; ++k) {
                 const bool own = used[k] && (k == i || !used_[k]);
-                alone = own || !meet(glyphs_[k].box, near);
+                alone = own || !meet(glyphs_[k].box, near) || are_cornerwise(glyphs_[k].box, glyphs_[i].box);
             }
             if (!alone) continue;
             used_ = std::move(used);
             rows.push_back({std::move(row), false, true});
         }
+    }
+
+    // The zeros of two axes where these meet are so, and no letters of one word.
+    static bool are_cornerwise(const Box& a, const Box& b) {
+        constexpr double kAsHigh = 0.1;
+        const bool beside = a.right < b.left || b.right < a.left, above = a.bottom < b.top || b.bottom < a.top;
+        return beside && above && std::abs(a.height() - b.height()) < kAsHigh * b.height();
     }
 
     // As high as the letters of a row, or, in a figure without any, as others that stand alone, such as names of corners.

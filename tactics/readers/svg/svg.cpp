@@ -228,8 +228,7 @@ private:
         ours_ = marks_ != nullptr && !element.attribute(marks::kNumber).empty();
         if (take_region(element, transform, found_.page)) return;
         Pen pen(transform);
-        if (!draw_outline(element, lengths_, pen, figure_ ? &missed_.broken : nullptr)) return;
-        if (!style.visible) return;
+        if (!draw_outline(element, lengths_, pen, figure_ ? &missed_.broken : nullptr) || !style.visible) return;
         const std::size_t strokes = found_.page.strokes.size(), areas = found_.page.areas.size();
         add(element, pen.finish(), transform, style, element.name != "line");
         if (figure_) add_look(found_, strokes, areas, style, ground_);
@@ -264,6 +263,7 @@ private:
             return;
         }
         if (figure_ && has_inside) add_cover(found_, subpaths, fill, clip_);
+        const bool is_surface = figure_ && has_inside && fill.is_seen();
         if (figure_ && paint_figure(fill, stroke, has_inside, fill.is_ink() && is_sign(subpaths) ? 0 : size_of(subpaths)))
             ++missed_.pale;
         if (has_inside && fill.is_ink()) add_area(subpaths, style.even_odd, role_of(element));
@@ -273,6 +273,7 @@ private:
         if (!(width <= kFarthest)) refuse(element, phrase("a line over 100 m wide is out of range; mend its width"));
         missed_.stretched += transform.stretches() ? 1 : 0;
         if (takes_markers(element)) draw_markers(subpaths, style, width, transform.scale());
+        if (is_surface) close_rings(subpaths);
         const Dashes dashes = parse_dashes(style.dashes, style.dash_offset, whole, transform.scale());
         const Role role = role_of(element);
         for (Subpath& subpath : subpaths) {

@@ -17,6 +17,12 @@ constexpr double kMostPerCurve = 500;  // points
 
 Point between(Point a, Point b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
 
+void close_ring(Subpath& subpath) {
+    subpath.closed = true;
+    const Point first = subpath.points.front(), end = subpath.points.back();
+    if (subpath.points.size() > 1 && distance(first, end) < 1e-9) subpath.points.pop_back();
+}
+
 }  // namespace
 
 void Pen::add(Point p) {
@@ -87,12 +93,7 @@ void Pen::arc(double rx, double ry, double degrees, bool large, bool sweep, Poin
 }
 
 void Pen::close() {
-    if (drawing_) {
-        Subpath& last = subpaths_.back();
-        last.closed = true;
-        const Point first = last.points.front(), end = last.points.back();
-        if (last.points.size() > 1 && distance(first, end) < 1e-9) last.points.pop_back();
-    }
+    if (drawing_) close_ring(subpaths_.back());
     at_ = start_;
     drawing_ = false;
 }
@@ -285,6 +286,11 @@ double size_of(const std::vector<Subpath>& subpaths) {
     for (const Subpath& subpath : subpaths)
         for (const Point& p : subpath.points) largest = std::max(largest, distance(p, subpath.points.front()));
     return largest;
+}
+
+void close_rings(std::vector<Subpath>& subpaths) {
+    for (Subpath& subpath : subpaths)
+        if (!subpath.closed && subpath.points.size() >= 3) close_ring(subpath);
 }
 
 std::vector<std::vector<Point>> rings_of(const std::vector<Subpath>& subpaths) {

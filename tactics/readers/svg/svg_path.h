@@ -49,6 +49,8 @@ bool draw_points(std::string_view points, bool closed, Pen& pen);
 
 /// Those that have an inside: three points or more.
 std::vector<std::vector<Point>> rings_of(const std::vector<Subpath>& subpaths);
+/// A surface ends at a closed line, whether its path says so or not.
+void close_rings(std::vector<Subpath>& subpaths);
 /// How far its farthest point is from its first: about as large as it is.
 double size_of(const std::vector<Subpath>& subpaths);
 /// A page's lines have round ends: cut back by half its width, an open line with flat ends ends where these were. A line that is

@@ -12,7 +12,7 @@ namespace {
 
 // Lines of a figure. Of the colours of plotting tools all but yellow are darker than that (orange 0.60, olive 0.67); grids and
 // frames of legends are lighter (0.69 in Matplotlib, 0.8 and more elsewhere). A setting.
-constexpr double kPaleLine = 0.68, kWhite = 0.95;
+constexpr double kPaleLine = 0.68;
 constexpr double kMark = 5;  // mm, of a figure that is 200 mm wide
 
 // "font: 10px 'DejaVu Sans'" has the size before the family.
@@ -170,8 +170,8 @@ bool is_shadow(const Paint& fill, const Paint& stroke, bool blurred) {
 
 bool paint_figure(Paint& fill, Paint& stroke, bool has_inside, double size) {
     const Paint none{true, 0, 1}, black{false, 0, 1};
-    const bool filled = has_inside && fill.shown() < kWhite, lined = stroke.shown() < kPaleLine;
-    const bool pale = !lined && !filled && stroke.shown() < kWhite;
+    const bool filled = has_inside && fill.is_seen(), lined = stroke.shown() < kPaleLine;
+    const bool pale = !lined && !filled && stroke.is_seen();
     const bool mark = filled && size <= kMark;
     stroke = lined || (filled && !mark) ? black : none;
     fill = mark ? black : none;

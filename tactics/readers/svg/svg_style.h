@@ -45,13 +45,15 @@ struct Paint {
     double shown() const { return none ? 1 : 1 - opacity * (1 - lightness); }  ///< on white
     /// What is darker than half grey is raised.
     bool is_ink() const { return shown() < 0.5; }
+    /// It is no paper.
+    bool is_seen() const { return shown() < 0.95; }
 };
 
-/// The paints of a shape of a figure, in black or not at all: a surface that is not white and has no line around it gets one;
-/// what is as small as a mark of a plot (`size` in mm) stays full. True: it was too pale for either.
 /// A surface without a line that is mostly clear and fades, or is blurred: a shadow or a gleam, which is no part of the drawing.
 bool is_shadow(const Paint& fill, const Paint& stroke, bool blurred);
 
+/// The paints of a shape of a figure, in black or not at all: a surface that is not white and has no line around it gets one;
+/// what is as small as a mark of a plot (`size` in mm) stays full. True: it was too pale for either.
 bool paint_figure(Paint& fill, Paint& stroke, bool has_inside, double size);
 
 /// What an element hands down to those in it.

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tactics/lettering/marks_beside.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tactics/lettering/mark_shape.h"
+
+namespace tactics {
+
+namespace {
+
+// Settings. A solid letter, such as an l, is narrow; letters that touch are wide, but in a line of such.
+constexpr double kSolid = 0.86, kNarrowLetter = 0.5;  // of a bar with its moments; of its longer side
+constexpr double kApart = 0.25, kWide = 2;            // of the height of the line's tallest letter
+constexpr int kLeastSide = 5;                         // pixels
+
+// A box with straight sides that is empty, or painted paler than its border.
+bool is_frame(const InkPiece& piece) {
+    const PixelBox& box = piece.box;
+    std::vector<int> ink(static_cast<std::size_t>(box.height()), 0);
+    std::size_t reach = 0;  // ends of rows at a side
+    for (const InkRun& run : piece.runs) {
+        ink[static_cast<std::size_t>(run.y - box.top)] += run.right - run.left;
+        reach += (run.left == box.left ? 1U : 0U) + (run.right == box.right ? 1U : 0U);
+    }
+    return box.height() > kLeastSide && reach == 2 * ink.size() && ink.front() == box.width() && ink.back() == box.width();
+}
+
+bool is_mark_shape(const InkPiece& piece) {
+    const MarkShape shape = mark_shape(piece);
+    if (shape.side < kLeastSide || shape.across < kNarrowLetter * shape.side) return false;
+    return shape.band >= kSolid || is_frame(piece);
+}
+
+}  // namespace
+
+std::vector<std::vector<std::size_t>> parts_at_marks(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes,
+                                                     const std::vector<std::size_t>& letters) {
+    int height = 0;
+    for (const std::size_t letter : letters) height = std::max(height, boxes[letter].height());
+    std::vector<bool> marks;
+    int reached = boxes[letters.front()].left - height;
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        const PixelBox& box = boxes[letters[i]];
+        const int next = i + 1 < letters.size() ? boxes[letters[i + 1]].left : box.right + height;
+        const bool apart = std::min(box.left - reached, next - box.right) >= kApart * height;
+        marks.push_back(apart && (box.width() >= kWide * height || is_mark_shape(pieces[letters[i]])));
+        reached = std::max(reached, box.right);
+    }
+    const auto count = std::count(marks.begin(), marks.end(), true);
+    if (count == 0 || 2 * count > static_cast<std::ptrdiff_t>(marks.size())) return {letters};
+    std::vector<std::vector<std::size_t>> parts;
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        if (i == 0 || marks[i] || marks[i - 1]) parts.emplace_back();
+        parts.back().push_back(letters[i]);
+    }
+    return parts;
+}
+
+bool is_node(const InkPiece& piece, const PixelBox& box, const PixelBox& line) {
+    constexpr double kLargerThanPoint = 0.4, kOffMiddle = 0.2;  // of the height: points have up to 0.3, signs of degrees are above
+    return box.height() >= kLargerThanPoint * line.height() &&
+           std::abs(middle_of(box).y - middle_of(line).y) <= kOffMiddle * line.height() && is_mark_shape(piece);
+}
+
+}  // namespace tactics
