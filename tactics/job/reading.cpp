@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/job/trimmed.h"
 #include "tactics/units.h"
 
 namespace tactics {
@@ -74,7 +75,20 @@ bool draws_whole(const Recipe& recipe) {
 
 double aspect_of(const PictureInfo& picture) { return static_cast<double>(picture.width) / picture.height; }
 
-Choice choose(Reading& reading) { return choose_recipe(reading.get({kLook, true})); }
+// On a page that is mostly empty, solid parts are a small share as thin lines are, and are seen when the figure is looked at by
+// itself.
+Choice choose(Reading& reading) {
+    constexpr double kMostlyEmpty = 0.5;
+    const Image& whole = reading.get({kLook, true});
+    Choice choice = choose_recipe(whole);
+    if (choice.recipe != "line-art") return choice;
+    const Rect part = inked_part(whole);
+    if (part.width * part.height > kMostlyEmpty) return choice;
+    const double longer = std::max(part.width * whole.width, part.height * whole.height) / std::max(whole.width, whole.height);
+    const int finer = static_cast<int>(std::lround(kLook / std::max(longer, 0.1)));
+    Choice closer = choose_recipe(cut_out(reading.get({finer, true}), part));
+    return closer.recipe == "diagram" ? closer : choice;
+}
 
 Recipe fit_to(const Medium& medium, Recipe recipe) {
     for (Step& step : recipe.steps)

@@ -113,7 +113,7 @@ std::vector<SlopedWords> ink_of_row(const Image& grey, const SlopedRow& row, int
     constexpr double kAlongEnds = 0.4, kAcrossSides = 0.4;  // of the height
     const SlopedAxes axes(row.slope);
     std::vector<SlopedWords> found;
-    for (const Leaning& word : row.words) found.push_back({row.slope, level, false, word.height(), {}, {}});
+    for (const Leaning& word : row.words) found.push_back({row.slope, level, false, word.height(), {}, {}, false});
     for (InkPiece& piece : pieces_of(grey, level, false, grey.width)) {
         const Leaning own = leaning(piece, axes);
         for (std::size_t i = 0; i < found.size(); ++i) {
@@ -127,6 +127,20 @@ std::vector<SlopedWords> ink_of_row(const Image& grey, const SlopedRow& row, int
             break;
         }
     }
+    return found;
+}
+
+// Names of streets and sides.
+std::vector<SlopedWords> names_at(const Image& grey, int level, int fading_level) {
+    std::vector<SlopedWords> found;
+    const std::vector<InkPiece> pieces = pieces_of(grey, level, false, 2 * kMostSlopedSide);
+    if (pieces.size() > kMostOnSlopes) return found;
+    for (const SlopedName& name : sloped_names(pieces))
+        for (SlopedWords& words : ink_of_row(grey, {name.slope, {name.all}}, fading_level)) {
+            if (words.pieces.empty()) continue;
+            words.name = true;
+            found.push_back(std::move(words));
+        }
     return found;
 }
 
@@ -145,7 +159,7 @@ std::vector<SlopedWords> find_sloped_print(const Image& grey) {
         std::erase_if(found, [](const SlopedWords& words) { return words.pieces.empty(); });
         return found;
     }
-    return {};
+    return names_at(grey, kPrintLevels.front(), kFadingLevel);
 }
 
 }  // namespace tactics

@@ -16,10 +16,11 @@ struct SlopedWords {
     double height = 0;  ///< of all its ink, across
     PixelBox box;
     std::vector<InkPiece> pieces;
+    bool name = false;  ///< along a street or a side: of no row
 };
 
-/// Pieces of print that run in parallel, are alike in size, and begin or end at one height, as those of an axis do. A lone word
-/// on a slope is none, nor is print of less than 12 degrees from level or upright.
+/// Pieces of print that run in parallel, are alike in size, and begin or end at one height, as those of an axis do; if there are
+/// none, names of six letters or more, each at its own slope. Print of less than 12 degrees from level or upright is none.
 std::vector<SlopedWords> find_sloped_print(const Image& grey);
 
 /// Along and across print of that slope.

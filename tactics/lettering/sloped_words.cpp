@@ -14,6 +14,7 @@ namespace {
 
 // Settings: pixels; degrees of slopes that programs set words at, and no scan turns them by.
 constexpr int kLeastSlopedSide = 4;
+constexpr std::size_t kFewestOnSlope = 3;  // pieces by which a slope is told
 constexpr double kLeastSlope = 12, kMostSlope = 78;
 constexpr double kRadian = 3.14159265358979323846 / 180;
 
@@ -86,6 +87,20 @@ double sharpness(const std::vector<InkPiece>& pieces, const std::vector<std::vec
     return sum;
 }
 
+// In radians, near that one in degrees.
+std::optional<double> sharpest_slope(const std::vector<InkPiece>& pieces, const std::vector<std::vector<std::size_t>>& groups,
+                                     double about) {
+    constexpr double kAround = 10, kStep = 0.25;  // degrees
+    double slope = about, sharpest = 0;
+    const auto look = [&](double from, double to, double step) {
+        for (double at = from; at <= to; at += step)
+            if (const double sharp = sharpness(pieces, groups, at); sharp > sharpest) sharpest = sharp, slope = at;
+    };
+    look(std::round(about) - kAround, about + kAround, 1);
+    look(slope - 0.75, slope + 0.75, kStep);
+    return is_slope(slope) ? std::optional(slope * kRadian) : std::nullopt;
+}
+
 // Most stand on one line, and are about as high as it: things of a plot that happen to lie on a slope are not.
 bool stand_on_line(const std::vector<Leaning>& seen, const SlopedGroup& word) {
     constexpr double kLow = 0.55, kOffLine = 0.16, kMostOf = 0.65;
@@ -131,15 +146,26 @@ bool are_letters(const std::vector<InkPiece>& pieces, const std::vector<Leaning>
     return 2 * flat <= word.letters.size() && shapes.size() >= kShapes;
 }
 
-// Nothing else is among its letters or right beside them, as in a cloud of points.
+// Nothing else is among its letters or right beside them, as in a cloud of points, but parts of thin letters that came apart.
 bool stands_free(const std::vector<Leaning>& seen, const SlopedGroup& word) {
-    constexpr double kFree = 0.15;  // of the height
+    constexpr double kFree = 0.15, kTail = 0.35;  // of the height
+    constexpr std::size_t kLettersForAPart = 10;  // of a row one in so many
     const double room = kFree * word.height;
-    const auto near = std::count_if(seen.begin(), seen.end(), [&](const Leaning& one) {
-        return one.left < word.all.right + room && one.right > word.all.left - room && one.top < word.all.bottom + room &&
-               one.bottom > word.all.top - room;
-    });
-    return static_cast<std::size_t>(near) <= word.letters.size() + word.marks.size();
+    const auto has = [](const std::vector<std::size_t>& pieces, std::size_t one) {
+        return std::find(pieces.begin(), pieces.end(), one) != pieces.end();
+    };
+    std::size_t parts = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const Leaning& one = seen[i];
+        if (one.left >= word.all.right + room || one.right <= word.all.left - room || one.top >= word.all.bottom + room ||
+            one.bottom <= word.all.top - room || has(word.letters, i) || has(word.marks, i))
+            continue;
+        if (one.left < word.all.left || one.right > word.all.right || one.top < word.all.top - room ||
+            one.bottom > word.all.bottom + kTail * word.height)
+            return false;
+        ++parts;
+    }
+    return parts <= word.letters.size() / kLettersForAPart;
 }
 
 // A hyphen is no letter, and wider than the space between words.
@@ -194,12 +220,12 @@ Leaning leaning(const InkPiece& piece, const SlopedAxes& axes) {
 }
 
 std::optional<double> common_slope(const std::vector<InkPiece>& pieces) {
-    constexpr double kAlike = 5, kStep = 0.25;  // degrees
-    constexpr std::size_t kLetters = 3, kGroups = 2;
+    constexpr double kAlike = 5;  // degrees
+    constexpr std::size_t kGroups = 2;
     std::vector<std::vector<std::size_t>> groups;
     std::vector<double> courses;
     for (const std::vector<std::size_t>& group : near_groups(pieces)) {
-        if (group.size() < kLetters) continue;
+        if (group.size() < kFewestOnSlope) continue;
         const auto course = course_of(pieces, group);
         if (!course || !is_slope(*course)) continue;
         courses.push_back(*course);
@@ -219,14 +245,33 @@ std::optional<double> common_slope(const std::vector<InkPiece>& pieces) {
     if (alike.size() < kGroups) return std::nullopt;
     constexpr std::size_t kEnough = 16;  // groups tell as much as all
     if (alike.size() > kEnough) alike.resize(kEnough);
-    double slope = about, sharpest = 0;
-    const auto look = [&](double from, double to, double step) {
-        for (double at = from; at <= to; at += step)
-            if (const double sharp = sharpness(pieces, alike, at); sharp > sharpest) sharpest = sharp, slope = at;
-    };
-    look(std::round(about) - 2 * kAlike, about + 2 * kAlike, 1);
-    look(slope - 0.75, slope + 0.75, kStep);
-    return is_slope(slope) ? std::optional(slope * kRadian) : std::nullopt;
+    return sharpest_slope(pieces, alike, about);
+}
+
+std::vector<SlopedName> sloped_names(const std::vector<InkPiece>& pieces) {
+    constexpr std::size_t kLetters = 6, kMostNames = 24;
+    std::vector<SlopedName> names;
+    for (const std::vector<std::size_t>& group : near_groups(pieces)) {
+        if (names.size() == kMostNames) break;
+        const auto course = group.size() < kFewestOnSlope ? std::nullopt : course_of(pieces, group);
+        const auto slope = course && is_slope(*course) ? sharpest_slope(pieces, {group}, *course) : std::nullopt;
+        if (!slope) continue;
+        PixelBox around_it = pieces[group.front()].box;
+        for (const std::size_t one : group) around_it = around(around_it, pieces[one].box);
+        const int reach = 2 * kMostSlopedSide;
+        around_it = {around_it.left - reach, around_it.top - reach, around_it.right + reach, around_it.bottom + reach};
+        std::vector<InkPiece> near;
+        for (const InkPiece& piece : pieces)
+            if (overlap(piece.box, around_it)) near.push_back(piece);
+        for (const SlopedGroup& word : groups_along(near, SlopedAxes(*slope)))
+            if (word.certain && word.letters.size() >= kLetters && overlap(word.box, pieces[group.front()].box)) {
+                const bool known = std::any_of(names.begin(), names.end(), [&](const SlopedName& name) {
+                    return name.slope == *slope && name.all.left == word.all.left && name.all.top == word.all.top;
+                });
+                if (!known) names.push_back({*slope, word.all});
+            }
+    }
+    return names;
 }
 
 std::vector<SlopedGroup> groups_along(const std::vector<InkPiece>& pieces, const SlopedAxes& axes) {

@@ -34,6 +34,12 @@ struct SlopedGroup {
 
 /// The slope that most long groups share, in radians.
 std::optional<double> common_slope(const std::vector<InkPiece>& pieces);
+/// A name at a slope of its own, of letters that stand free.
+struct SlopedName {
+    double slope = 0;
+    Leaning all;
+};
+std::vector<SlopedName> sloped_names(const std::vector<InkPiece>& pieces);
 /// Each piece is in one of them at most.
 std::vector<SlopedGroup> groups_along(const std::vector<InkPiece>& pieces, const SlopedAxes& axes);
 

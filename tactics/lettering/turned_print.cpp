@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "tactics/lettering/pale_lines.h"
 #include "tactics/lettering/read_line.h"
 #include "tactics/lettering/sloped_words.h"
 #include "tactics/text/utf8.h"
@@ -266,7 +267,7 @@ PrintedWords TurnedPrint::told(std::size_t which, const std::vector<const Printe
         one.sure = false;
     one.print = true;
     one.out = !one.sure;
-    one.at = end_of(words);
+    if (!words.name) one.at = end_of(words);
     return one;
 }
 
@@ -284,7 +285,13 @@ bool TurnedPrint::put_back(Lettering& lettering) const {
         sure += back.back().sure ? 1 : 0;
         likely += !read.empty() && std::all_of(read.begin(), read.end(), [](const PrintedWords* one) { return one->print; });
     }
-    if (4 * sure < sloped_.size() && 2 * likely < sloped_.size()) return false;
+    if (sloped_.front().name) {
+        // Each by itself: nobody read what is no name.
+        std::erase_if(back, [](const PrintedWords& one) { return one.text.empty(); });
+        if (back.empty()) return false;
+    } else if (4 * sure < sloped_.size() && 2 * likely < sloped_.size()) {
+        return false;
+    }
     std::erase_if(words, [&](const PrintedWords& one) { return one.box.bottom > grey_.height; });
     words.insert(words.end(), back.begin(), back.end());
     return true;
@@ -298,7 +305,7 @@ void sort_by_place(std::vector<PrintedWords>& words) {
 
 Lettering read_lettering(const Image& picture, std::string_view language, double least_sure, const PrintFonts& fonts,
                          const std::string& program) {
-    const TurnedPrint turned(to_grey(picture));
+    const TurnedPrint turned(without_pale_lines(to_grey(picture)));
     Lettering lettering = read_upright(turned.picture(), language, least_sure, fonts, program);
     if (turned.any() && lettering.trouble.empty() && !turned.put_back(lettering))
         lettering = read_upright(turned.given(), language, least_sure, fonts, program);
