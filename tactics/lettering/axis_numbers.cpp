@@ -177,14 +177,17 @@ public:
 private:
     // Two numbers make any progression; but what readers have made of most others is by no accident just what it says of them.
     bool bear_out(const Progression& progression) const {
-        constexpr std::size_t kDoubtful = 3;
-        std::size_t at_steps = 0, fit = 0;
+        constexpr std::size_t kNumbers = 2, kFigures = 3;
+        std::size_t at_steps = 0, fit = 0, figures = 0;
         for (const Member& one : members_) {
             if (one.value || !progression.number_at(one.place)) continue;
             ++at_steps;
-            fit += confirmed(lines_[one.line], one.place, progression) ? 1 : 0;
+            const auto text = confirmed(lines_[one.line], one.place, progression);
+            if (!text) continue;
+            ++fit;
+            figures += static_cast<std::size_t>(std::count_if(text->begin(), text->end(), [](char c) { return is_digit(c); }));
         }
-        return fit >= kDoubtful && static_cast<double>(fit) >= kMostRead * static_cast<double>(at_steps);
+        return fit >= kNumbers && figures >= kFigures && static_cast<double>(fit) >= kMostRead * static_cast<double>(at_steps);
     }
 
     // Steps are as far apart as numbers that stand next to each other, read or not.

@@ -65,25 +65,6 @@ bool is_bent_band(const InkPiece& piece) {
     return static_cast<double>(middle.pixels.size()) <= kBent * std::hypot(right - left + 1, bottom - top + 1);
 }
 
-bool is_doubtful(const ReadLine& line) { return !line.words.sure && !line.tell; }
-
-KnownPrint known_print(const std::vector<ReadLine>& lines) {
-    KnownPrint known;
-    for (const bool likely : {false, true}) {
-        if (!known.empty()) break;
-        for (const ReadLine& one : lines)
-            if (likely ? one.likely : !is_doubtful(one)) known.push_back(&one.line);
-    }
-    return known;
-}
-
-bool as_large_as_print(const MarkShape& shape, const KnownPrint& known) {
-    return std::any_of(known.begin(), known.end(), [&](const LetteringLine* other) {
-        const double height = other->letter_height;
-        return is_words(*other) && shape.side >= kLeastOfKnown * height && shape.side <= kMostOfKnown * height;
-    });
-}
-
 Point middle_of(const PixelBox& box) { return {0.5 * (box.left + box.right), 0.5 * (box.top + box.bottom)}; }
 
 double gap_between(const PixelBox& a, const PixelBox& b) {

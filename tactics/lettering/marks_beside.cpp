@@ -12,7 +12,7 @@ namespace {
 
 // Settings. A solid letter, such as an l, is narrow; letters that touch are wide, but in a line of such.
 constexpr double kSolid = 0.86, kNarrowLetter = 0.5;  // of a bar with its moments; of its longer side
-constexpr double kApart = 0.25, kWide = 2;            // of the height of the line's tallest letter
+constexpr double kApart = 0.25, kWideMark = 2;        // of the height of the line's tallest letter
 constexpr int kLeastSide = 5;                         // pixels
 
 // A box with straight sides that is empty, or painted paler than its border.
@@ -45,7 +45,7 @@ std::vector<std::vector<std::size_t>> parts_at_marks(const std::vector<InkPiece>
         const PixelBox& box = boxes[letters[i]];
         const int next = i + 1 < letters.size() ? boxes[letters[i + 1]].left : box.right + height;
         const bool apart = std::min(box.left - reached, next - box.right) >= kApart * height;
-        marks.push_back(apart && (box.width() >= kWide * height || is_mark_shape(pieces[letters[i]])));
+        marks.push_back(apart && (box.width() >= kWideMark * height || is_mark_shape(pieces[letters[i]])));
         reached = std::max(reached, box.right);
     }
     const auto count = std::count(marks.begin(), marks.end(), true);
@@ -59,7 +59,8 @@ std::vector<std::vector<std::size_t>> parts_at_marks(const std::vector<InkPiece>
 }
 
 bool is_node(const InkPiece& piece, const PixelBox& box, const PixelBox& line) {
-    constexpr double kLargerThanPoint = 0.4, kOffMiddle = 0.2;  // of the height: points have up to 0.3, signs of degrees are above
+    constexpr double kLargerThanPoint = 0.4,
+                     kOffMiddle = 0.2;  // of the height: points have up to 0.3, signs of degrees are above
     return box.height() >= kLargerThanPoint * line.height() &&
            std::abs(middle_of(box).y - middle_of(line).y) <= kOffMiddle * line.height() && is_mark_shape(piece);
 }

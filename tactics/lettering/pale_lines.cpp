@@ -13,7 +13,7 @@ namespace {
 
 // Settings: the darkest line that is pale, as lines of print and axes are darker; how much paler than the ground nothing is a
 // line; by how much the pixels of a line differ.
-constexpr int kDarkest = 96, kFaint = 6, kSameGrey = 8;
+constexpr int kDarkest = 96, kFaintLine = 6, kSameGrey = 8;
 constexpr int kLeastLength = 60, kBeside = 4;    // pixels: longer than letters; of a thin line the ground is as near
 constexpr double kOfLine = 0.5, kOfSide = 0.12;  // pixels of the line that are bare; its length, of the picture's side
 constexpr double kBare = 0.6;                    // of the ground on both sides of it
@@ -50,7 +50,7 @@ int ground_of_print(const Image& grey) {
 int pale_grey_of(const PixelLine& line, int ground, int least) {
     std::array<int, 256> counts{};
     for (int i = 0; i < line.count(); ++i) ++counts[static_cast<std::size_t>(line[i])];
-    const auto from = counts.begin() + kDarkest, to = counts.begin() + std::max(kDarkest + 1, ground - kFaint + 1);
+    const auto from = counts.begin() + kDarkest, to = counts.begin() + std::max(kDarkest + 1, ground - kFaintLine + 1);
     const auto most = std::max_element(from, to);
     const int grey = static_cast<int>(most - counts.begin());
     int all = 0;
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    bool is_ground_like(int value) const { return value >= ground_ - kFaint; }
+    bool is_ground_like(int value) const { return value >= ground_ - kFaintLine; }
 
     const Image& grey_;
     int ground_;

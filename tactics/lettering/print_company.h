@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tactics/lettering/mark_shape.h"
+#include "tactics/lettering/known_print.h"
 #include "tactics/lettering/read_line.h"
 
 namespace tactics {

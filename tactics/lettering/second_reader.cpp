@@ -91,6 +91,16 @@ double room_of(const FormReading& reading) {
     return reading.letters.size() == 1 && !is_digit(reading.letters.front().code) ? kRoomOfLetters : kRoomOfWords;
 }
 
+// Alike, and side by side, as the dots of a line are.
+bool is_dashed_line(const std::vector<InkPiece>& pieces) {
+    constexpr std::size_t kDashes = 3;
+    const PixelBox& first = pieces.front().box;
+    return pieces.size() >= kDashes && std::all_of(pieces.begin(), pieces.end(), [&](const InkPiece& piece) {
+               return std::abs(piece.box.top - first.top) <= 1 && std::abs(piece.box.bottom - first.bottom) <= 1 &&
+                      std::abs(piece.box.width() - first.width()) <= 1;
+           });
+}
+
 // Something stands among its letters or below them that is none of them and ends there, such as the low line of "X_1", which is
 // thin, and paler than they are.
 bool has_strange_ink(const Image& grey, const LetteringLine& line) {
@@ -111,12 +121,13 @@ bool has_strange_ink(const Image& grey, const LetteringLine& line) {
                 for (int y = std::max(box.top, run.y - 1); y <= std::min(box.bottom - 1, run.y + 1); ++y)
                     std::fill(part.row(y - box.top) + (std::max(box.left, run.left - 1) - box.left),
                               part.row(y - box.top) + (std::min(box.right, run.right + 1) - box.left), std::uint8_t{255});
-    const std::vector<InkPiece> strange = pieces_of(part, 128, false, kMostInkHeight);
-    return std::any_of(strange.begin(), strange.end(), [&](const InkPiece& piece) {
+    std::vector<InkPiece> strange = pieces_of(part, 128, false, kMostInkHeight);
+    std::erase_if(strange, [&](const InkPiece& piece) {
         const PixelBox& own = piece.box;
-        return own.left > 0 && own.top > 0 && own.right < part.width && own.bottom < part.height &&
-               own.width() + own.height() > 2;
+        return own.left <= 0 || own.top <= 0 || own.right >= part.width || own.bottom >= part.height ||
+               own.width() + own.height() <= 2;
     });
+    return !strange.empty() && !is_dashed_line(strange);
 }
 
 // A line with what fonts say of it.

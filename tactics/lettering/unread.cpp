@@ -14,6 +14,7 @@
 
 #include "tactics/drawing.h"
 #include "tactics/lettering/form_line.h"
+#include "tactics/lettering/known_print.h"
 #include "tactics/lettering/mark_shape.h"
 #include "tactics/lettering/print_company.h"
 #include "tactics/lettering/read_line.h"

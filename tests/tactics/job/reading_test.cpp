@@ -34,5 +34,22 @@ TEST(Reading, GivesAsManyPixelsAsResampleLeaves) {
     }
 }
 
+// Grey bars on lines are solid, however small a part of the page the chart is.
+TEST(Reading, LooksCloserAtAFigureOnAnEmptyPage) {
+    const auto page = [](int wide, int high) {
+        Image image = make_image(wide, high, 1, 0, 255);
+        const auto fill = [&](int left, int top, int right, int bottom, std::uint8_t grey) {
+            for (int y = top; y < bottom; ++y) std::fill(image.row(y) + left, image.row(y) + right, grey);
+        };
+        for (int line = 0; line < 6; ++line) fill(20, 20 + 20 * line, 240, 21 + 20 * line, 0);
+        for (int bar = 0; bar < 4; ++bar) fill(40 + 50 * bar, 60, 64 + 50 * bar, 120, 100);
+        return image;
+    };
+    for (const auto& image : {page(260, 140), page(500, 700)}) {
+        Reading reading([&](const ReadRequest&) { return image; });
+        EXPECT_EQ(choose(reading).recipe, "diagram") << image.width;
+    }
+}
+
 }  // namespace
 }  // namespace tactics::reading_test

@@ -51,6 +51,14 @@ TEST(AxisNumbers, AReaderIsBorneOutByThePlace) {
     EXPECT_EQ(held({number(40, 90, "O", false), number(100, 90, "5", true), number(160, 90, "lo", false),
                     number(220, 90, "8", false), number(280, 90, "20", true), number(340, 90, "26", false)}),
               "? 5 ? ? 20 ?");
+    EXPECT_EQ(held({number(40, 90, "0", true), number(160, 90, "t0", false, {"t0", "10"}),
+                    number(220, 90, "t5", false, {"15", "t5"}), number(280, 90, "20", true)}),
+              "0 10 15 20")
+        << "four figures say so";
+    EXPECT_EQ(
+        held({number(40, 90, "0", true), number(100, 90, "l", false), number(160, 90, "2", false), number(280, 90, "4", true)}),
+        "0 ? ? 4")
+        << "two may by accident";
 }
 
 TEST(AxisNumbers, ASpaceIsNoneOfANumber) {

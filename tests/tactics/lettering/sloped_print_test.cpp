@@ -83,6 +83,19 @@ double ink_in(const Image& image) {
     return ink;
 }
 
+// Readers who read everything there, or nothing.
+Lettering answer(const TurnedPrint& turned, bool sure) {
+    Lettering lettering;
+    for (const LetteringLine& line : find_lettering(turned.picture())) {
+        PrintedWords words;
+        words.text = "201905", words.sureness = 90, words.sure = sure;
+        words.box = line.box;
+        words.letter_height = line.letter_height;
+        lettering.words.push_back(words);
+    }
+    return lettering;
+}
+
 TEST(SlopedPrint, IsFoundWithItsSlope) {
     for (const double degrees : {20.0, 30.0, 37.0, 45.0, 60.0, -30.0, -45.0, -65.0}) {
         const auto found = find_sloped_print(numbers_at(degrees));
@@ -131,10 +144,43 @@ TEST(SlopedPrint, DashesAndMarksOnSlopesAreNone) {
     EXPECT_TRUE(find_sloped_print(image).empty());
 }
 
-TEST(SlopedPrint, ALoneWordIsNone) {
-    Image image = make_image(460, 220, 1, 0, 255);
-    write(image, {200, 60, 30, kNumbers[0]});
-    EXPECT_TRUE(find_sloped_print(image).empty());
+// Names of streets, each at its own slope; shorter ones may be anything.
+TEST(SlopedPrint, NamesStandBesideTheirLines) {
+    Image image = make_image(460, 260, 1, 0, 255);
+    write(image, {200, 60, 30, "218434"});
+    write(image, {250, 60, -40, "206025"});
+    Image with_short = image;
+    write(with_short, {440, 60, 50, "2594"});
+    EXPECT_EQ(find_sloped_print(with_short).size(), 2u);
+    const auto found = find_sloped_print(image);
+    ASSERT_EQ(found.size(), 2u);
+    for (const SlopedWords& words : found) {
+        EXPECT_TRUE(words.name);
+        EXPECT_NEAR(words.slope / kRadian, words.box.left < 240 ? 30 : -40, 0.75);
+        EXPECT_EQ(words.pieces.size(), 6u);
+    }
+    const TurnedPrint turned{Image(image)};
+    Lettering lettering = answer(turned, true);
+    ASSERT_TRUE(turned.put_back(lettering));
+    ASSERT_EQ(lettering.words.size(), 2u);
+    for (const PrintedWords& words : lettering.words) {
+        EXPECT_TRUE(words.sure);
+        EXPECT_FALSE(words.at.has_value()) << "its middle";
+    }
+    Lettering silent;
+    EXPECT_FALSE(turned.put_back(silent)) << "what nobody reads is no name";
+}
+
+// A g may come apart; what reaches in from beside is of a cloud.
+TEST(SlopedPrint, NamesMayHaveAPartLikeAThinLetter) {
+    for (const double across : {9.0, 18.0}) {
+        Image image = make_image(460, 260, 1, 0, 255);
+        write(image, {260, 60, 30, "2184342594"});
+        const double c = std::cos(30 * kRadian), s = std::sin(30 * kRadian), u = -57, v = across;
+        const int x = static_cast<int>(260 + u * c + v * s), y = static_cast<int>(60 - u * s + v * c);
+        for (int k = -2; k < 3; ++k) std::fill(image.row(y + k) + x - 2, image.row(y + k) + x + 3, std::uint8_t{0});
+        EXPECT_EQ(find_sloped_print(image).size(), across < 10 ? 1u : 0u) << across;
+    }
 }
 
 // Below the picture its print is level: the finder of lines has each as one, and nothing of it is left above.
@@ -155,19 +201,6 @@ TEST(SlopedPrint, StandsUprightBelowThePicture) {
         }
         EXPECT_EQ(lines, kNumbers.size()) << degrees;
     }
-}
-
-// Readers who read everything there, or nothing.
-Lettering answer(const TurnedPrint& turned, bool sure) {
-    Lettering lettering;
-    for (const LetteringLine& line : find_lettering(turned.picture())) {
-        PrintedWords words;
-        words.text = "201905", words.sureness = 90, words.sure = sure;
-        words.box = line.box;
-        words.letter_height = line.letter_height;
-        lettering.words.push_back(words);
-    }
-    return lettering;
 }
 
 TEST(SlopedPrint, ComesBackToWhereItIs) {

@@ -95,6 +95,24 @@ TEST(OutlinedWords, NumbersOfAnAxisAndItsNameAreRead) {
     EXPECT_TRUE(page.page.areas.empty());
 }
 
+TEST(OutlinedWords, ZerosOfTwoAxesAreTwo) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const std::string others =
+        outlined("15", 60, 108, false, 4) + outlined("30", 90, 108, false, 4) + outlined("25", 24, 60, false, 4);
+    const std::string zeros = outlined("0", 24, 101, false, 4) + outlined("0", 28, 106, false, 4);
+    EXPECT_EQ(texts_of(figure(others + zeros, kFonts)), (std::vector<std::string>{"0", "0", "15", "25", "30"}));
+}
+
+// Larger than marks are, as letters of a small figure may be, and as some writers have it without a Z.
+TEST(OutlinedWords, OfOpenPathsAreRead) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    std::string path = outlined("Dose (mg)", 20, 60, false, 12);
+    for (std::size_t at; (at = path.find(" Z")) != std::string::npos;) path.erase(at, 2);
+    const FoundPage page = figure(path, kFonts);
+    EXPECT_EQ(texts_of(page), (std::vector<std::string>{"Dose (mg)"}));
+    EXPECT_TRUE(page.page.strokes.empty());
+}
+
 TEST(OutlinedWords, HaveExponentsAndIndices) {
     if (!has_font()) GTEST_SKIP() << "no font is installed";
     const std::string power = outlined("10", 20, 60, false) + outlined("3", 28, 57.5, false, 4),
