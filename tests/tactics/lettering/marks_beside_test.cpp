@@ -95,7 +95,8 @@ TEST(MarksBeside, ANodeIsInTheMiddleAndLargerThanAPoint) {
         return is_node(piece, piece.box, line);
     };
     EXPECT_TRUE(is(14, 7));
-    EXPECT_FALSE(is(20, 4)) << "a point";
+    EXPECT_FALSE(is(14, 5)) << "a point of a product";
+    EXPECT_FALSE(is(18, 6)) << "a full stop of heavy print";
     EXPECT_FALSE(is(9, 6)) << "a sign of degrees that is filled";
 }
 

@@ -53,7 +53,8 @@ void write(Image& image, const Set& set) {
     std::vector<Bar> bars;
     for (std::size_t i = 0; i < set.text.size(); ++i)
         for (const Bar& bar : bars_of(set.text[i], start + kAdvance * static_cast<double>(i))) bars.push_back(bar);
-    const int reach = static_cast<int>(length + kDigit), left = static_cast<int>(set.x), top = static_cast<int>(set.y);
+    const int reach = static_cast<int>(std::max(1.0, set.scale) * (length + kDigit)), left = static_cast<int>(set.x),
+              top = static_cast<int>(set.y);
     for (int y = std::max(0, top - reach); y < std::min(image.height, top + reach); ++y)
         for (int x = std::max(0, left - reach); x < std::min(image.width, left + reach); ++x) {
             int ink = 0;
@@ -171,15 +172,22 @@ TEST(SlopedPrint, NamesStandBesideTheirLines) {
     EXPECT_FALSE(turned.put_back(silent)) << "what nobody reads is no name";
 }
 
-// A g may come apart; what reaches in from beside is of a cloud.
+// A g may come apart, and its bowl hangs below the line; what lies farther off is of a cloud.
 TEST(SlopedPrint, NamesMayHaveAPartLikeAThinLetter) {
-    for (const double across : {9.0, 18.0}) {
-        Image image = make_image(460, 260, 1, 0, 255);
-        write(image, {260, 60, 30, "2184342594"});
-        const double c = std::cos(30 * kRadian), s = std::sin(30 * kRadian), u = -57, v = across;
-        const int x = static_cast<int>(260 + u * c + v * s), y = static_cast<int>(60 - u * s + v * c);
-        for (int k = -2; k < 3; ++k) std::fill(image.row(y + k) + x - 2, image.row(y + k) + x + 3, std::uint8_t{0});
-        EXPECT_EQ(find_sloped_print(image).size(), across < 10 ? 1u : 0u) << across;
+    constexpr double kSlope = 30, kScale = 2, kGap = 18;
+    const double c = std::cos(kSlope * kRadian), s = std::sin(kSlope * kRadian);
+    for (const double down : {0.0, 5.0}) {
+        Image image = make_image(700, 420, 1, 0, 255);
+        const double length = kScale * (5 * kAdvance - 3), x = 640, y = 60, before = length + kGap;
+        write(image, {x, y, kSlope, "21843", kScale});
+        write(image, {x - before * c, y + before * s, kSlope, "42594", kScale});
+        for (int v = 0; v < image.height; ++v)
+            for (int u = 0; u < image.width; ++u) {
+                const double along = (u + 0.5 - x) * c - (v + 0.5 - y) * s + length,
+                             across = (u + 0.5 - x) * s + (v + 0.5 - y) * c;
+                if (along > 3 - kGap && along < -3 && across > 20.2 + down && across < 37 + down) image.row(v)[u] = 0;
+            }
+        EXPECT_EQ(find_sloped_print(image).size(), down == 0 ? 1u : 0u) << down;
     }
 }
 

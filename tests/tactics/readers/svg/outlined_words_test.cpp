@@ -99,7 +99,7 @@ TEST(OutlinedWords, ZerosOfTwoAxesAreTwo) {
     if (!has_font()) GTEST_SKIP() << "no font is installed";
     const std::string others =
         outlined("15", 60, 108, false, 4) + outlined("30", 90, 108, false, 4) + outlined("25", 24, 60, false, 4);
-    const std::string zeros = outlined("0", 24, 101, false, 4) + outlined("0", 28, 106, false, 4);
+    const std::string zeros = outlined("0", 24, 101, false, 4) + outlined("0", 27, 105, false, 4);
     EXPECT_EQ(texts_of(figure(others + zeros, kFonts)), (std::vector<std::string>{"0", "0", "15", "25", "30"}));
 }
 
