@@ -241,4 +241,20 @@ Belief believe(const FormWords& words, const ReadWords& other) {
     return belief;
 }
 
+bool has_letter_for_figure(std::string_view text) {
+    constexpr std::string_view kAlike = "OoIl|", kOfNumbers = "0123456789.,OoIl|";
+    bool after_number = false;
+    while (!text.empty()) {
+        std::string_view part = text.substr(0, text.find(' '));
+        text.remove_prefix(std::min(part.size() + 1, text.size()));
+        if (after_number && part == "Q") return true;
+        std::string_view rest = part;
+        if (!rest.empty() && is_dash(take_letter(rest))) part = rest;
+        after_number = !part.empty() && is_digit(part.front());
+        if (after_number && part.find_first_of(kAlike) != part.npos && part.find_first_not_of(kOfNumbers) == part.npos)
+            return true;
+    }
+    return false;
+}
+
 }  // namespace tactics

@@ -33,4 +33,7 @@ bool has_pairs(std::string_view text);
 
 Belief believe(const FormWords& words, const ReadWords& other);
 
+/// "5.O" and "1l": what else is in a number is a figure; and of "10 \u03a9" readers make "10 Q".
+bool has_letter_for_figure(std::string_view text);
+
 }  // namespace tactics

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "tactics/lettering/agreement.h"
 #include "tactics/lettering/read_line.h"
 #include "tactics/lettering/strip.h"
 #include "tactics/lettering/tesseract.h"
@@ -188,6 +189,14 @@ void doubt_parts(std::vector<ReadLine>& all, const std::vector<bool>& told) {
     }
 }
 
+void doubt_letters_for_figures(std::vector<ReadLine>& all) {
+    for (ReadLine& one : all)
+        if (one.words.sure && has_letter_for_figure(one.words.text)) {
+            one.words.sure = false;
+            one.tell = true;
+        }
+}
+
 // A line that is drawn runs through it from above to below, where there is none of its ink: a letter or a point may be hidden.
 bool is_parted(const Image& grey, const LetteringLine& line) {
     const int beyond = std::max(2, line.letter_height / 4);
@@ -249,6 +258,7 @@ Lettering read_upright(const Image& grey, std::string_view language, double leas
     if (!lettering.trouble.empty()) return lettering;
     std::vector<ReadLine>& all = asked.all;
     if (!fonts || !hold_against_fonts(grey, all, std::move(climbing), fonts)) believe_lone_letters(all);
+    doubt_letters_for_figures(all);
     hold_against_axes(all);
     doubt_parted(grey, all);
     for (ReadLine& one : all) one.likely = may_be_words(one, all);
