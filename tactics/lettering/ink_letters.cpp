@@ -98,6 +98,24 @@ void InkStrip::tie_units() {
     }
 }
 
+bool InkStrip::is_stroke() const {
+    constexpr double kLong = 3, kFilled = 0.75;  // times as long as wide; of a bar with its moments
+    double all = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+    for (int row = 0; row < height_; ++row)
+        for (int column = 0; column < width_; ++column) {
+            const double ink =
+                dark_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column)];
+            all += ink, x += ink * column, y += ink * row;
+            xx += ink * column * column, yy += ink * row * row, xy += ink * column * row;
+        }
+    if (!(all > 0)) return false;
+    constexpr double kPixel = 1.0 / 12;  // what each has by itself
+    const double a = xx / all - x * x / (all * all) + kPixel, b = yy / all - y * y / (all * all) + kPixel,
+                 c = xy / all - x * y / (all * all), middle = (a + b) / 2, spread = std::hypot((a - b) / 2, c);
+    const double narrow = std::max(kPixel / 4, middle - spread), wide = middle + spread;
+    return wide >= kLong * kLong * narrow && all >= kFilled * 12 * std::sqrt(wide * narrow);
+}
+
 bool InkStrip::tied(std::size_t first, std::size_t last) const {
     return std::all_of(tied_.begin() + static_cast<std::ptrdiff_t>(first), tied_.begin() + static_cast<std::ptrdiff_t>(last),
                        [](bool one) { return one; });

@@ -28,6 +28,8 @@ public:
     bool tied(std::size_t first, std::size_t last) const;
     /// From all its pixels, with their darkness.
     double ink() const { return std::accumulate(dark_.begin(), dark_.end(), 0.0); }
+    /// It is a straight stroke, such as a dash of a curve; so may be an l.
+    bool is_stroke() const;
     /// From the ink of those units and its fading edges only.
     InkBox measure(std::size_t first, std::size_t last) const;
 

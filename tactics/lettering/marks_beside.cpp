@@ -11,13 +11,15 @@ namespace tactics {
 namespace {
 
 // Settings. A solid letter, such as an l, is narrow; letters that touch are wide, but in a line of such.
-constexpr double kSolid = 0.86, kNarrowLetter = 0.5;  // of a bar with its moments; of its longer side
-constexpr double kApart = 0.25, kWideMark = 2;        // of the height of the line's tallest letter
-constexpr int kLeastSide = 5;                         // pixels
+constexpr double kSolid = 0.86, kNarrowLetter = 0.5;               // of a bar with its moments; of its longer side
+constexpr double kApart = 0.25, kFrameApart = 0.4, kWideMark = 2;  // of the height of the line's tallest letter
+constexpr int kLeastSide = 5;                                      // pixels
 
-// A box with straight sides that is empty, or painted paler than its border.
+// A box with straight sides that is empty, or painted paler than its border. A zero of square letters is narrower.
 bool is_frame(const InkPiece& piece) {
+    constexpr double kSquare = 0.8;
     const PixelBox& box = piece.box;
+    if (box.width() < kSquare * box.height()) return false;
     std::vector<int> ink(static_cast<std::size_t>(box.height()), 0);
     std::size_t reach = 0;  // ends of rows at a side
     for (const InkRun& run : piece.runs) {
@@ -27,10 +29,9 @@ bool is_frame(const InkPiece& piece) {
     return box.height() > kLeastSide && reach == 2 * ink.size() && ink.front() == box.width() && ink.back() == box.width();
 }
 
-bool is_mark_shape(const InkPiece& piece) {
+bool is_solid(const InkPiece& piece) {
     const MarkShape shape = mark_shape(piece);
-    if (shape.side < kLeastSide || shape.across < kNarrowLetter * shape.side) return false;
-    return shape.band >= kSolid || is_frame(piece);
+    return shape.side >= kLeastSide && shape.across >= kNarrowLetter * shape.side && shape.band >= kSolid;
 }
 
 }  // namespace
@@ -44,8 +45,10 @@ std::vector<std::vector<std::size_t>> parts_at_marks(const std::vector<InkPiece>
     for (std::size_t i = 0; i < letters.size(); ++i) {
         const PixelBox& box = boxes[letters[i]];
         const int next = i + 1 < letters.size() ? boxes[letters[i + 1]].left : box.right + height;
-        const bool apart = std::min(box.left - reached, next - box.right) >= kApart * height;
-        marks.push_back(apart && (box.width() >= kWideMark * height || is_mark_shape(pieces[letters[i]])));
+        const double apart = 1.0 * std::min(box.left - reached, next - box.right) / height;
+        const InkPiece& piece = pieces[letters[i]];
+        marks.push_back((apart >= kApart && (box.width() >= kWideMark * height || is_solid(piece))) ||
+                        (apart >= kFrameApart && is_frame(piece)));
         reached = std::max(reached, box.right);
     }
     const auto count = std::count(marks.begin(), marks.end(), true);
@@ -62,7 +65,7 @@ bool is_node(const InkPiece& piece, const PixelBox& box, const PixelBox& line) {
     constexpr double kLargerThanPoint = 0.4,
                      kOffMiddle = 0.2;  // of the height: points have up to 0.3, signs of degrees are above
     return box.height() >= kLargerThanPoint * line.height() &&
-           std::abs(middle_of(box).y - middle_of(line).y) <= kOffMiddle * line.height() && is_mark_shape(piece);
+           std::abs(middle_of(box).y - middle_of(line).y) <= kOffMiddle * line.height() && is_solid(piece);
 }
 
 }  // namespace tactics

@@ -9,8 +9,8 @@
 
 namespace tactics {
 
-/// The letters of a line, by numbers, cut where a mark stands; each mark is a part of its own. `boxes` as seen by the reader, from
-/// the left to the right.
+/// The letters of a line, by numbers, cut where a mark stands; each mark is a part of its own. `boxes` as seen by the reader,
+/// from the left to the right.
 std::vector<std::vector<std::size_t>> parts_at_marks(const std::vector<InkPiece>& pieces, const std::vector<PixelBox>& boxes,
                                                      const std::vector<std::size_t>& letters);
 

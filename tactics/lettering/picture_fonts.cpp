@@ -157,32 +157,50 @@ void PictureFonts::know_by_company(const std::vector<FormWords>& words) {
 bool PictureFonts::choose_by_letters(const std::vector<std::size_t>& lines) {
     const std::vector<std::size_t> samples = samples_of(lines);
     if (samples.size() < kLeast) return false;
-    double most = 0, size = 0;
-    std::size_t found = fonts_.size();
-    for (std::size_t f = 0; f < fonts_.size(); ++f) {
-        std::vector<FormReading> readings;
-        for (const std::size_t i : samples) {
-            FormReading reading = read_by_forms(strips_[i], fonts_[f], {}, kPlainLetters, true);
-            if (!reading.text.empty() && reading.mean >= kFitsWithMany && tells(reading)) readings.push_back(std::move(reading));
-        }
-        for (const FormReading& one : readings) {
-            std::set<char32_t> letters, fitting;
-            double sum = 0;
-            for (const FormReading& other : readings) {
-                if (!is_of_size(other.em, one.em)) continue;
-                if (other.mean >= kFitsAlone) add_telling(other, fitting);
-                if (add_telling(other, letters)) sum += other.value;
-            }
-            if ((fitting.size() < kLeast && letters.size() < kMany) || sum <= most) continue;
-            most = sum;
-            size = one.em;
-            found = f;
-        }
+    struct Choice {
+        double sum = 0, size = 0;
+        std::size_t font = 0;
+        FontShapes formula;  // if these are the letters that tell it
+    } best;
+    const auto look = [&](std::size_t f, FormFont& font, const FontShapes& formula) {
+        const auto [sum, size] = size_told_by(samples, font);
+        if (sum > best.sum) best = {sum, size, f, formula};
+    };
+    for (std::size_t f = 0; f < fonts_.size(); ++f) look(f, fonts_[f], {});
+    for (std::size_t f = 0; f < formulas_.size(); ++f) {
+        if (!formulas_[f]) continue;
+        const FontShapes shapes = formulas_[f](letters_of_figures());
+        FormFont font{FontShapes(shapes)};
+        look(f, font, shapes);
     }
-    if (found == fonts_.size()) return false;
-    if (std::find(chosen_.begin(), chosen_.end(), found) == chosen_.end()) chosen_.push_back(found);
-    sizes_[base_[found]].push_back(size);
+    if (!(best.sum > 0)) return false;
+    if (std::find(chosen_.begin(), chosen_.end(), best.font) == chosen_.end()) chosen_.push_back(best.font);
+    if (!best.formula.empty()) {
+        formulas_[best.font] = {};
+        add(best.font, std::move(best.formula));
+    }
+    sizes_[base_[best.font]].push_back(best.size);
     return true;
+}
+
+std::pair<double, double> PictureFonts::size_told_by(const std::vector<std::size_t>& samples, FormFont& font) const {
+    std::vector<FormReading> readings;
+    for (const std::size_t i : samples) {
+        FormReading reading = read_by_forms(strips_[i], font, {}, kPlainLetters, true);
+        if (!reading.text.empty() && reading.mean >= kFitsWithMany && tells(reading)) readings.push_back(std::move(reading));
+    }
+    std::pair<double, double> best{0, 0};
+    for (const FormReading& one : readings) {
+        std::set<char32_t> letters, fitting;
+        double sum = 0;
+        for (const FormReading& other : readings) {
+            if (!is_of_size(other.em, one.em)) continue;
+            if (other.mean >= kFitsAlone) add_telling(other, fitting);
+            if (add_telling(other, letters)) sum += other.value;
+        }
+        if ((fitting.size() >= kLeast || letters.size() >= kMany) && sum > best.first) best = {sum, one.em};
+    }
+    return best;
 }
 
 std::string PictureFonts::figure_like(std::size_t line) {
@@ -292,6 +310,7 @@ std::vector<std::size_t> PictureFonts::samples_of(const std::vector<std::size_t>
     std::vector<Look> looks;
     for (const std::size_t i : lines) {
         const InkBox box = strips_[i].measure(0, strips_[i].units() - 1);
+        if (strips_[i].is_stroke()) continue;
         if (box.height() > 6 && box.width() < kWidest * box.height() && box.height() < 6 * box.width())
             looks.push_back({box.height(), i, box.width() / box.height(), strips_[i].ink() / (box.width() * box.height())});
     }

@@ -40,7 +40,8 @@ public:
     void know_by_company(const std::vector<FormWords>& words);
 
     /// Short print of unknown size, such as the numbers of an axis in a font that no words have: it belongs to a font that three
-    /// of its letters match, in one size, or more of them less well, as letters that were bent to the pixels do.
+    /// of its letters match, as they are or as formulas have them, in one size, or more of them less well, as letters that were
+    /// bent to the pixels do.
     bool choose_by_letters(const std::vector<std::size_t>& lines);
 
     /// The figure that a lone letter looks like most in the fonts that fit the words best, for an axis to bear it out.
@@ -62,6 +63,9 @@ private:
 
     // If the other reading fits no font, a font that reads one of the lines without doubt disproves it.
     void choose_by_looks(std::vector<std::size_t> lines);
+
+    // Of short print, if letters of one size are told by it: how well they fit, and the size; else zeros.
+    std::pair<double, double> size_told_by(const std::vector<std::size_t>& samples, FormFont& font) const;
 
     // Of one height, as numbers are; of those that are all the same, as dots are, one.
     std::vector<std::size_t> samples_of(const std::vector<std::size_t>& lines) const;

@@ -211,7 +211,23 @@ bool go_together(const Held& a, const Held& b) {
            std::abs(b.form.reading.em - em) <= 0.08 * em && std::abs(a.foot() - b.foot()) <= 1 + 0.05 * em;
 }
 
-// Numbers at an upright axis may climb, as its name does: two of them above each other, or what goes on with a line that climbs.
+// "mm" beside an axis: letters right beside each other, some of which look otherwise from the side, as rings and crosses do not.
+bool is_short_name(const Held& one) {
+    constexpr double kMean = 0.95, kBeside = 0.2;  // em
+    constexpr std::u32string_view kAlikeFromTheSide = U"oOxXsSzZNHIl";
+    const std::vector<FormLetter>& letters = one.form.reading.letters;
+    if (!one.sure() || !one.form.sized || one.form.reading.mean < kMean || letters.size() < 2) return false;
+    bool telling = false;
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        if (!is_lower(letters[i].code) && !is_upper(letters[i].code)) return false;
+        telling = telling || kAlikeFromTheSide.find(letters[i].code) == std::u32string_view::npos;
+        if (i > 0 && letters[i].box.left - letters[i - 1].box.right > kBeside * one.form.reading.em) return false;
+    }
+    return telling;
+}
+
+// Numbers at an upright axis may climb, as its name does: two of them above each other, or what goes on with a line that climbs;
+// and so may its unit.
 // Letters that were read from the left to the right there are none then. One that is not sure is kept for its axis, which may
 // bear it out, or else to be told.
 void add_climbing(std::vector<Held>& lines, std::vector<Held> climbing) {
@@ -233,7 +249,7 @@ void add_climbing(std::vector<Held>& lines, std::vector<Held> climbing) {
         for (const Held& line : lines) others += line.read.line.upwards && is_read(line) && in_column(climbing[i], line) ? 1 : 0;
         // A ring is a 0 only where others are numbers.
         const std::size_t least = is_read(climbing[i]) ? 1 : 2;
-        if (!(climbing[i].sure() && sure > 0) && others < least) continue;
+        if (!(climbing[i].sure() && sure > 0) && others < least && !is_short_name(climbing[i])) continue;
         kept.push_back(climbing[i]);
         kept.back().read.tell = true;
     }

@@ -244,11 +244,34 @@ std::size_t DrawnLetters::end_of_group(std::size_t from) const {
     return end;
 }
 
+// A line of one group; or, where each letter has a group of its own, those of one font that follow each other upright, ink right
+// beside ink, as figures that stand above each other in a column are not.
+std::size_t DrawnLetters::end_of_line(std::size_t from) const {
+    constexpr double kBeside = 0.25;  // of the ink of the larger one
+    std::size_t end = end_of_group(from);
+    if (end - from > 1) return end;
+    const auto box_at = [&](const Use& use) {
+        Rect box = box_of(shapes_[use.shape]);
+        return Rect{box.left * use.place.a + use.place.e, box.top * use.place.d + use.place.f, box.width * use.place.a,
+                    box.height * use.place.d};
+    };
+    for (; end < uses_.size() && end_of_group(end) == end + 1; ++end) {
+        const Use &last = uses_[end - 1], &next = uses_[end];
+        const Rect a = box_at(last), b = box_at(next);
+        const double larger = std::max({a.width, a.height, b.width, b.height});
+        const double gap = std::max(a.top - b.top - b.height, b.top - a.top - a.height);
+        if (shapes_[last.shape].font != shapes_[next.shape].font || last.place.b != 0 || next.place.b != 0 ||
+            std::abs(last.place.e - next.place.e) > kStraight * larger || gap > kBeside * larger)
+            break;
+    }
+    return end;
+}
+
 // Cairo has letters of turned lines as turned shapes: which way a line runs is seen where its letters stand.
 std::map<std::string, Point> DrawnLetters::turn_upright(std::vector<LetterShape>& shapes) const {
     std::map<std::string, Point> turns;
     for (std::size_t i = 0, end = 0; i < uses_.size(); i = end) {
-        end = end_of_group(i);
+        end = end_of_line(i);
         const std::string& font = shapes_[uses_[i].shape].font;
         const Transform& first = uses_[i].place;
         const Transform& last = uses_[end - 1].place;

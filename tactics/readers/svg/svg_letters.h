@@ -34,6 +34,7 @@ private:
         const Element* group;
     };
     std::size_t end_of_group(std::size_t from) const;
+    std::size_t end_of_line(std::size_t from) const;
     std::map<std::string, Point> turn_upright(std::vector<LetterShape>& shapes) const;
 
     std::map<const Element*, std::size_t> known_;

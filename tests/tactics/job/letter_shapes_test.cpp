@@ -91,6 +91,28 @@ TEST(LetterShapes, OfTurnedLinesAreReadAlongThem) {
     EXPECT_EQ(page.words[1].text, "Mill Road");
 }
 
+// As pdftocairo has what LibreOffice turned: a group for each letter. Figures in a column have it, too, and are not turned.
+TEST(LetterShapes, OfTurnedLinesMayEachHaveAGroup) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const auto apart = [](std::string body) {
+        for (std::size_t at = 0; (at = body.find("<use", at)) != std::string::npos; at += 9) body.insert(at, "</g><g>");
+        return body;
+    };
+    for (const std::string text : {"Mass (kg)", "mm"}) {
+        const FoundPage page = figure(apart(line_of(text, 10, 90, 0)));
+        ASSERT_EQ(page.words.size(), 1u) << text;
+        EXPECT_EQ(page.words[0].text, text);
+        EXPECT_TRUE(page.words[0].upwards);
+    }
+    const std::string letters = line_of("247", 10, 0, 3);
+    std::string column = letters.substr(0, letters.find("</defs>") + 7);
+    for (int row = 0; row < 3; ++row)
+        column += "<g><use href='#glyph3-" + std::to_string(row) + "' x='80' y='" + std::to_string(40 + 11 * row) + "'/></g>";
+    const FoundPage page = figure(column);
+    ASSERT_EQ(page.words.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(page.words[i].text, std::string(1, "247"[i]));
+}
+
 // TeX takes signs and indices of a formula from fonts that have nothing else in the figure.
 TEST(LetterShapes, OfAFormulaAreOneThoughTheyAreOfManyFonts) {
     if (!has_font()) GTEST_SKIP() << "no font is installed";
