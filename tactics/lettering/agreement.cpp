@@ -257,4 +257,9 @@ bool has_letter_for_figure(std::string_view text) {
     return false;
 }
 
+bool begins_in_formula(std::string_view text) {
+    constexpr std::string_view kBetween = "+=<>*/";
+    return text.size() > 2 && kBetween.find(text[0]) != kBetween.npos && text[1] == ' ';
+}
+
 }  // namespace tactics

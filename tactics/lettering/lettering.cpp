@@ -189,9 +189,9 @@ void doubt_parts(std::vector<ReadLine>& all, const std::vector<bool>& told) {
     }
 }
 
-void doubt_letters_for_figures(std::vector<ReadLine>& all) {
+void doubt_by_text(std::vector<ReadLine>& all) {
     for (ReadLine& one : all)
-        if (one.words.sure && has_letter_for_figure(one.words.text)) {
+        if (one.words.sure && (has_letter_for_figure(one.words.text) || begins_in_formula(one.words.text))) {
             one.words.sure = false;
             one.tell = true;
         }
@@ -258,7 +258,7 @@ Lettering read_upright(const Image& grey, std::string_view language, double leas
     if (!lettering.trouble.empty()) return lettering;
     std::vector<ReadLine>& all = asked.all;
     if (!fonts || !hold_against_fonts(grey, all, std::move(climbing), fonts)) believe_lone_letters(all);
-    doubt_letters_for_figures(all);
+    doubt_by_text(all);
     hold_against_axes(all);
     doubt_parted(grey, all);
     for (ReadLine& one : all) one.likely = may_be_words(one, all);

@@ -170,6 +170,7 @@ bool PictureFonts::choose_by_letters(const std::vector<std::size_t>& lines) {
     for (std::size_t f = 0; f < formulas_.size(); ++f) {
         if (!formulas_[f]) continue;
         const FontShapes shapes = formulas_[f](letters_of_figures());
+        if (shapes.empty()) continue;
         FormFont font{FontShapes(shapes)};
         look(f, font, shapes);
     }

@@ -234,5 +234,11 @@ TEST(Agreement, AnOIsNoZero) {
         EXPECT_FALSE(has_letter_for_figure(right)) << right;
 }
 
+TEST(Agreement, AFormulaDoesNotBeginWithASignBetweenTwo) {
+    for (const char* wrong : {"+ 1", "= 5 cm", "> 0 ?", "* 2"}) EXPECT_TRUE(begins_in_formula(wrong)) << wrong;
+    for (const char* right : {"+1", "x + 1", "\u2212 2", "+", "+ ", "", "<b>", "a = 5"})
+        EXPECT_FALSE(begins_in_formula(right)) << right;
+}
+
 }  // namespace
 }  // namespace tactics::agreement_test
