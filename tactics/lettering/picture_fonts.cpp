@@ -53,6 +53,11 @@ bool add_telling(const FormReading& reading, std::set<char32_t>& letters) {
     return letters.size() > before;
 }
 
+bool are_as_wide(const FontShapes& one, const FontShapes& other) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                      [](const auto& a, const auto& b) { return a.first == b.first && a.second.advance == b.second.advance; });
+}
+
 void keep_gaps(FormWords& words, const std::string& other) {
     if (const auto text = with_its_gaps(words.reading, words.text, with_letters(other, words.reading)))
         words.text = *text;
@@ -166,13 +171,18 @@ bool PictureFonts::choose_by_letters(const std::vector<std::size_t>& lines) {
         const auto [sum, size] = size_told_by(samples, font);
         if (sum > best.sum) best = {sum, size, f, formula};
     };
-    for (std::size_t f = 0; f < fonts_.size(); ++f) look(f, fonts_[f], {});
+    // Where words tell fonts, numbers are in one of these, or one like them.
+    constexpr std::size_t kLikeThose = 12;
+    const bool told = !chosen_.empty();
+    for (std::size_t i = 0; i < by_fit_.size() && (!told || i < kLikeThose); ++i) look(by_fit_[i], fonts_[by_fit_[i]], {});
+    for (std::size_t f = by_fit_.size(); f < fonts_.size(); ++f) look(f, fonts_[f], {});
+    FontShapes last;  // fonts of one family have the same letters for formulas, one after the other
     for (std::size_t f = 0; f < formulas_.size(); ++f) {
-        if (!formulas_[f]) continue;
-        const FontShapes shapes = formulas_[f](letters_of_figures());
-        if (shapes.empty()) continue;
+        const FontShapes shapes = formulas_[f] ? formulas_[f](letters_of_figures()) : FontShapes{};
+        if (shapes.empty() || are_as_wide(shapes, last)) continue;
         FormFont font{FontShapes(shapes)};
         look(f, font, shapes);
+        last = shapes;
     }
     if (!(best.sum > 0)) return false;
     if (std::find(chosen_.begin(), chosen_.end(), best.font) == chosen_.end()) chosen_.push_back(best.font);
