@@ -155,12 +155,25 @@ TEST_F(PrintFonts, AWordWhoseFirstLetterTouchesALineIsToldAndNotSet) {
     EXPECT_EQ(words[1], "Flow chart");
 }
 
-TEST_F(PrintFonts, NumbersThatClimbAreReadAsTheyStand) {
-    const Image level = picture_of({{20, 12, 4.2, "Number"}, {50, 12, 4.2, "10"}, {80, 12, 4.2, "15"}});
+Image turned_left(const Image& level) {
+    const Image grey = to_grey(level);
     Image climbing = make_image(level.height, level.width, 1, 0, 255);
     for (int y = 0; y < level.height; ++y)
-        for (int x = 0; x < level.width; ++x) climbing.row(level.width - 1 - x)[y] = to_grey(level).row(y)[x];
-    EXPECT_EQ(words_in(climbing), (Expected{"10", "15", "Number"}));
+        for (int x = 0; x < level.width; ++x) climbing.row(level.width - 1 - x)[y] = grey.row(y)[x];
+    return climbing;
+}
+
+TEST_F(PrintFonts, NumbersThatClimbAreReadAsTheyStand) {
+    const Image level = picture_of({{20, 12, 4.2, "Number"}, {50, 12, 4.2, "10"}, {80, 12, 4.2, "15"}});
+    EXPECT_EQ(words_in(turned_left(level)), (Expected{"10", "15", "Number"}));
+}
+
+// The unit of an axis has no other print in its column.
+TEST_F(PrintFonts, AUnitThatClimbsIsRead) {
+    const Image level = picture_of({{20, 12, 4.2, "Number"}, {60, 40, 4.2, "mm"}, {90, 40, 4.2, "oo"}});
+    const Expected words = words_in(turned_left(level));
+    EXPECT_EQ(std::count(words.begin(), words.end(), "mm"), 1);
+    EXPECT_EQ(std::count(words.begin(), words.end(), "oo"), 0) << "rings may stand above each other";
 }
 
 // A reader of print that says the same of everything.

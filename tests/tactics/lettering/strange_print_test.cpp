@@ -245,6 +245,38 @@ TEST(PictureFonts, ShortPrintTellsAFontWhereNoWordDoes) {
     EXPECT_EQ(few[0].text, "");
 }
 
+// Corners of a triangle are named as formulas have it.
+TEST(PictureFonts, ShortPrintMayBeOfFormulas) {
+    const FontShapes plain = strokes(0.1, 0.5);
+    FontShapes formula = plain;
+    formula[U'L'] = {0.6, {box(0.4, 0, 0.5, 0.7), box(0.05, 0, 0.5, 0.1)}};
+    formula[U'T'] = {0.6, {box(0.05, 0, 0.55, 0.1), box(0.25, 0, 0.35, 0.7)}};
+    formula[U'H'] = {0.7, {box(0.05, 0, 0.15, 0.7), box(0.5, 0, 0.6, 0.7), box(0.05, 0.6, 0.6, 0.7)}};
+    const std::vector<Image> images{written(formula, U"L", 30), written(formula, U"T", 30), written(formula, U"H", 30)};
+    const auto texts = [&](const PrintFont& font) {
+        std::string all;
+        for (const FormWords& words : read_lines(images, {{}, {}, {}}, font)) all += words.sized ? words.text : "?";
+        return all;
+    };
+    EXPECT_EQ(texts(PrintFont{plain}), "???");
+    EXPECT_EQ(texts(PrintFont{plain, {}, {}, [&](const auto&) { return formula; }}), "LTH");
+}
+
+// Dashes of a curve may be as high as figures, and are many more.
+TEST(PictureFonts, DashesTellNoFont) {
+    const FontShapes font = strokes(0.1, 0.5);
+    std::vector<Image> images;
+    for (int i = 0; i < 14; ++i) {
+        Image& dash = images.emplace_back(make_image(320, 60, 1, 0, 255));
+        for (int y = 20; y < 40; ++y)
+            for (int x = 0; x < 4; ++x) dash.row(y)[30 + x + (y - 20) * (i + 2) / 16] = 0;
+    }
+    for (const char32_t letter : {U'7', U'H', U'T', U'L'}) images.push_back(written(font, std::u32string(1, letter), 30));
+    const std::vector<FormWords> words = read_lines(images, std::vector<OtherReading>(images.size()), PrintFont{font});
+    ASSERT_EQ(words.size(), 18u);
+    EXPECT_EQ(words[14].text + words[15].text + words[16].text + words[17].text, "7HTL");
+}
+
 TEST(StrangePrint, ALoneFigureOfNoFontOfTheWordsIsLeftToItsAxis) {
     const FontShapes strange = strokes(0.1, 0.46);
     FontShapes without = strokes(0.12, 0.5);
