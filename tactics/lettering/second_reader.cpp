@@ -7,6 +7,7 @@
 
 #include "tactics/lettering/agreement.h"
 #include "tactics/lettering/form_words.h"
+#include "tactics/lettering/meant_letters.h"
 #include "tactics/lettering/pale_ink.h"
 #include "tactics/lettering/read_line.h"
 #include "tactics/lettering/strip.h"
