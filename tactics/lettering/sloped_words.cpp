@@ -265,10 +265,11 @@ std::vector<SlopedName> sloped_names(const std::vector<InkPiece>& pieces) {
             if (overlap(piece.box, around_it)) near.push_back(piece);
         for (const SlopedGroup& word : groups_along(near, SlopedAxes(*slope)))
             if (word.certain && word.letters.size() >= kLetters && overlap(word.box, pieces[group.front()].box)) {
+                // Each of its words leads to it.
                 const bool known = std::any_of(names.begin(), names.end(), [&](const SlopedName& name) {
-                    return name.slope == *slope && name.all.left == word.all.left && name.all.top == word.all.top;
+                    return distance(middle_of(name.box), middle_of(word.box)) < word.height;
                 });
-                if (!known) names.push_back({*slope, word.all});
+                if (!known) names.push_back({*slope, word.all, word.box});
             }
     }
     return names;

@@ -38,6 +38,7 @@ std::optional<double> common_slope(const std::vector<InkPiece>& pieces);
 struct SlopedName {
     double slope = 0;
     Leaning all;
+    PixelBox box;
 };
 std::vector<SlopedName> sloped_names(const std::vector<InkPiece>& pieces);
 /// Each piece is in one of them at most.

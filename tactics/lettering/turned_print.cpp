@@ -286,9 +286,13 @@ bool TurnedPrint::put_back(Lettering& lettering) const {
         likely += !read.empty() && std::all_of(read.begin(), read.end(), [](const PrintedWords* one) { return one->print; });
     }
     if (sloped_.front().name) {
-        // Each by itself: nobody read what is no name.
-        std::erase_if(back, [](const PrintedWords& one) { return one.text.empty(); });
-        if (back.empty()) return false;
+        // What nobody read may be no name, and stays where it is.
+        bool any = false;
+        for (PrintedWords& one : back) {
+            any = any || !one.text.empty();
+            if (one.text.empty()) one.print = one.out = false;
+        }
+        if (!any) return false;
     } else if (4 * sure < sloped_.size() && 2 * likely < sloped_.size()) {
         return false;
     }

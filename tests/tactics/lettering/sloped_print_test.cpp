@@ -170,6 +170,24 @@ TEST(SlopedPrint, NamesStandBesideTheirLines) {
     }
     Lettering silent;
     EXPECT_FALSE(turned.put_back(silent)) << "what nobody reads is no name";
+    Lettering one = answer(turned, true);
+    one.words.pop_back();
+    ASSERT_TRUE(turned.put_back(one));
+    ASSERT_EQ(one.words.size(), 2u);
+    const PrintedWords& unread = one.words[one.words[0].text.empty() ? 0 : 1];
+    EXPECT_TRUE(unread.text.empty());
+    EXPECT_FALSE(unread.sure || unread.out) << "told, and left in the lines";
+}
+
+// Each of them leads to the name.
+TEST(SlopedPrint, ANameOfTwoWordsIsOne) {
+    Image image = make_image(460, 260, 1, 0, 255);
+    const double c = std::cos(30 * kRadian), s = std::sin(30 * kRadian), before = 4 * kAdvance - 3 + 8;
+    write(image, {300, 60, 30, "2184"});
+    write(image, {300 - before * c, 60 + before * s, 30, "2594"});
+    const auto found = find_sloped_print(image);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].pieces.size(), 8u);
 }
 
 // A g may come apart, and its bowl hangs below the line; what lies farther off is of a cloud.
