@@ -181,13 +181,16 @@ TEST(SlopedPrint, NamesStandBesideTheirLines) {
 
 // Each of them leads to the name.
 TEST(SlopedPrint, ANameOfTwoWordsIsOne) {
-    Image image = make_image(460, 260, 1, 0, 255);
-    const double c = std::cos(30 * kRadian), s = std::sin(30 * kRadian), before = 4 * kAdvance - 3 + 8;
-    write(image, {300, 60, 30, "2184"});
-    write(image, {300 - before * c, 60 + before * s, 30, "2594"});
-    const auto found = find_sloped_print(image);
-    ASSERT_EQ(found.size(), 1u);
-    EXPECT_EQ(found[0].pieces.size(), 8u);
+    constexpr double kGap = 10;
+    for (const double slope : {14.0, 16.0, 18.0, 70.0, 74.0}) {
+        Image image = make_image(460, 260, 1, 0, 255);
+        const double c = std::cos(slope * kRadian), s = std::sin(slope * kRadian), before = 6 * kAdvance - 3 + kGap;
+        write(image, {300, 30, slope, "218430"});
+        write(image, {300 - before * c, 30 + before * s, slope, "257496"});
+        const auto found = find_sloped_print(image);
+        ASSERT_EQ(found.size(), 1u) << slope;
+        EXPECT_EQ(found[0].pieces.size(), 12u) << slope;
+    }
 }
 
 // A g may come apart, and its bowl hangs below the line; what lies farther off is of a cloud.
