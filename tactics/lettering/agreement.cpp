@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "tactics/lettering/meant_letters.h"
 #include "tactics/lettering/strange_print.h"
 #include "tactics/text/utf8.h"
 
@@ -255,6 +256,18 @@ bool has_letter_for_figure(std::string_view text) {
             return true;
     }
     return false;
+}
+
+bool names_letter_in_formula(std::string_view text) {
+    bool equals = false, letter = false;
+    while (!text.empty()) {
+        const std::string_view part = text.substr(0, text.find(' '));
+        text.remove_prefix(std::min(part.size() + 1, text.size()));
+        equals = equals || part == "=";
+        letter = letter || (part.size() == 1 &&
+                            (is_lower(static_cast<unsigned char>(part[0])) || is_upper(static_cast<unsigned char>(part[0]))));
+    }
+    return equals && letter;
 }
 
 bool begins_in_formula(std::string_view text) {

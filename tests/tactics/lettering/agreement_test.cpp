@@ -240,5 +240,10 @@ TEST(Agreement, AFormulaDoesNotBeginWithASignBetweenTwo) {
         EXPECT_FALSE(begins_in_formula(right)) << right;
 }
 
+TEST(Agreement, ALetterOfAFormulaMayBeGreek) {
+    for (const char* doubtful : {"a = 30\u00b0", "R = 10", "2 x = 4"}) EXPECT_TRUE(names_letter_in_formula(doubtful)) << doubtful;
+    for (const char* plain : {"mean = 30", "vitamin a", "5 = 5", "=", ""}) EXPECT_FALSE(names_letter_in_formula(plain)) << plain;
+}
+
 }  // namespace
 }  // namespace tactics::agreement_test
