@@ -50,7 +50,8 @@ int ground_of_print(const Image& grey) {
 int pale_grey_of(const PixelLine& line, int ground, int least) {
     std::array<int, 256> counts{};
     for (int i = 0; i < line.count(); ++i) ++counts[static_cast<std::size_t>(line[i])];
-    const auto from = counts.begin() + kDarkest, to = counts.begin() + std::max(kDarkest + 1, ground - kFaintLine + 1);
+    const auto from = counts.begin() + kDarkest,
+               to = counts.begin() + std::max(kDarkest + 1, ground - kFaintLine - kSameGrey + 1);
     const auto most = std::max_element(from, to);
     const int grey = static_cast<int>(most - counts.begin());
     int all = 0;
