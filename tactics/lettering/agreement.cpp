@@ -258,6 +258,13 @@ bool has_letter_for_figure(std::string_view text) {
     return false;
 }
 
+bool ends_word_with_capital_i(std::string_view text) {
+    for (std::size_t i = 1; i < text.size(); ++i)
+        if (text[i] == 'I' && text[i - 1] >= 'a' && text[i - 1] <= 'z' && (i + 1 == text.size() || text[i + 1] == ' '))
+            return true;
+    return false;
+}
+
 bool names_letter_in_formula(std::string_view text) {
     bool equals = false, letter = false;
     while (!text.empty()) {

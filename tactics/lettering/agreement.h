@@ -35,6 +35,8 @@ Belief believe(const FormWords& words, const ReadWords& other);
 
 /// "5.O" and "1l": what else is in a number is a figure; and of "10 \u03a9" readers make "10 Q".
 bool has_letter_for_figure(std::string_view text);
+/// "MilI": a capital I that ends a word of small letters is an l.
+bool ends_word_with_capital_i(std::string_view text);
 /// "a = 30" may be an alpha, where no font tells.
 bool names_letter_in_formula(std::string_view text);
 /// "+ 1" and "= 5 cm" go on with something before them.

@@ -191,7 +191,8 @@ void doubt_parts(std::vector<ReadLine>& all, const std::vector<bool>& told) {
 
 void doubt_by_text(std::vector<ReadLine>& all) {
     for (ReadLine& one : all)
-        if (one.words.sure && (has_letter_for_figure(one.words.text) || begins_in_formula(one.words.text))) {
+        if (one.words.sure && (has_letter_for_figure(one.words.text) || begins_in_formula(one.words.text) ||
+                               ends_word_with_capital_i(one.words.text))) {
             one.words.sure = false;
             one.tell = true;
         }

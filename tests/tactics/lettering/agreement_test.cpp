@@ -245,5 +245,11 @@ TEST(Agreement, ALetterOfAFormulaMayBeGreek) {
     for (const char* plain : {"mean = 30", "vitamin a", "5 = 5", "=", ""}) EXPECT_FALSE(names_letter_in_formula(plain)) << plain;
 }
 
+TEST(Agreement, AWordOfSmallLettersEndsWithNoCapitalI) {
+    for (const char* wrong : {"MilI", "MilI Road", "OwI nest"}) EXPECT_TRUE(ends_word_with_capital_i(wrong)) << wrong;
+    for (const char* right : {"Mill", "World War I", "II", "McIntyre", "I", ""})
+        EXPECT_FALSE(ends_word_with_capital_i(right)) << right;
+}
+
 }  // namespace
 }  // namespace tactics::agreement_test
