@@ -11,12 +11,13 @@ namespace tactics {
 
 namespace {
 
-// Settings: the darkest line that is pale, as lines of print and axes are darker; how much paler than the ground nothing is a
-// line; by how much the pixels of a line differ.
+// Settings, grey levels: the darkest that a pale line may be, as print and axes are darker; what is less off the ground than that
+// is ground; by how much the pixels of a line differ.
 constexpr int kDarkest = 96, kFaintLine = 6, kSameGrey = 8;
-constexpr int kLeastLength = 60, kBeside = 4;    // pixels: longer than letters; of a thin line the ground is as near
-constexpr double kOfLine = 0.5, kOfSide = 0.12;  // pixels of the line that are bare; its length, of the picture's side
-constexpr double kBare = 0.6;                    // of the ground on both sides of it
+constexpr int kLeastLength = 60, kBeside = 4;  // pixels: letters are shorter; so near beside a thin line is ground
+constexpr double kOfLine = 0.5,
+                 kOfSide = 0.12;  // share of a line that nothing is printed over; its length, of the picture's side
+constexpr double kBare = 0.6;     // share of a line that has ground on both sides
 constexpr int kLightGround = 200;
 
 // A row or a column of the picture.
