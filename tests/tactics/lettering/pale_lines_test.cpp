@@ -53,9 +53,9 @@ TEST(PaleLines, AreTakenOutBehindPrint) {
 
 TEST(PaleLines, DarkLinesShortOnesAndSurfacesStay) {
     Image image = letters();
-    add_box(image, 30, 0, 32, 200, 0);       // an axis
-    add_box(image, 60, 20, 61, 60, 170);     // a stroke of pale print
-    add_box(image, 220, 20, 290, 180, 200);  // a panel
+    add_box(image, 30, 0, 32, 200, 0);                                           // an axis
+    add_box(image, 60, 20, 61, 60, 170);                                         // a stroke of pale print
+    add_box(image, 220, 20, 290, 180, 200);                                      // a panel
     for (int x = 20; x < 200; x += 12) add_box(image, x, 150, x + 4, 151, 248);  // what fades from small print
     EXPECT_EQ(without_pale_lines(image).pixels, image.pixels);
     Image dark = image;
