@@ -129,11 +129,11 @@ bool is_plain(const std::string& text, const std::string& other, bool agreed) {
 // Letters of small print that touch look like one: rn and m, cl and d, Cl and O.
 bool is_no_pair(const FormWords& words, const ReadWords& other) {
     constexpr std::u32string_view kLikeTwo = U"mdOJjnwh";
-    constexpr double kClear = 0.86, kCertain = 0.92;  // of such a letter; two are like it with 0.8
+    constexpr double kClear = 0.86, kCertain = 0.9;  // of such a letter; two are like it with 0.8
     const bool tiny = words.reading.em < kTinyPrint;
     // S and 8, or B and 8, are told apart by one reader no longer.
     if (tiny && (!words.agreed || is_all_thin(words.reading))) return false;
-    bool any = false, two = false, clear = true, certain = !tiny;
+    bool any = false, two = false, clear = true, certain = !tiny || words.sized;
     for (const FormLetter& letter : words.reading.letters) {
         any = any || (letter.code | 32) - U'a' < 26;
         if (kLikeTwo.find(letter.code) == kLikeTwo.npos) continue;

@@ -79,13 +79,19 @@ public:
                 if (differs(reading, best) && reading.value > second.value) second = std::move(reading);
             }
         const bool decided = is_known(best.em) && !is_known(second.em);
-        best.either = !decided && second.value > 0.96 * best.value && differs(second, best);
+        const bool near = second.value > 0.96 * best.value || is_letter_in_two_sizes(best, second);
+        best.either = !decided && near && differs(second, best);
         return best;
     }
 
 private:
     static bool differs(const FormReading& a, const FormReading& b) {
         return a.text != b.text && std::abs(a.em - b.em) > 0.1 * b.em;
+    }
+
+    // Alone, a c is more like a C than pixels tell.
+    static bool is_letter_in_two_sizes(const FormReading& a, const FormReading& b) {
+        return a.letters.size() == 1 && b.letters.size() == 1 && is_same_in_two_sizes(a.letters[0].code, b.letters[0].code);
     }
 
     const Span& span(std::size_t first, std::size_t last) const { return spans_[(last - first) * count_ + last]; }
@@ -361,46 +367,6 @@ FormReading read_by_forms(const InkStrip& strip, FormFont& font, const std::vect
                           bool only_guessed) {
     if (strip.units() == 0 || strip.units() > kMostUnits) return {};
     return Reader(strip, font, guess, only_guessed).run(known);
-}
-
-double likeness_to(const InkStrip& strip, FormFont& font, std::string_view text, double& em) {
-    std::vector<char32_t> codes;
-    const std::string_view guess = text;
-    while (!text.empty())
-        if (const char32_t code = take_letter(text); code != ' ') codes.push_back(code);
-    if (codes.empty() || strip.units() == 0 || strip.units() > kMostUnits) return 0;
-    if (codes.size() != strip.units()) {
-        const FormReading reading = Reader(strip, font, guess, true).run({});
-        const bool same =
-            reading.letters.size() == codes.size() &&
-            std::equal(codes.begin(), codes.end(), reading.letters.begin(), [](char32_t code, const FormLetter& letter) {
-                return letter.code == code || std::find(letter.alike.begin(), letter.alike.end(), code) != letter.alike.end();
-            });
-        em = reading.em;
-        return same ? reading.mean : 0;
-    }
-    double sum = 0, width = 0;
-    std::vector<double> sizes;
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-        const LetterForm& form = font.form(codes[i]);
-        const InkBox box = strip.measure(i, i);
-        width += box.width();
-        if (form.empty() || !(box.height() > 0)) continue;
-        sum += box.width() * LetterInk(strip, i, i, box).likeness(font.drawn(codes[i]));
-        if (form.height() >= 0.4) sizes.push_back(box.height() / form.height());
-    }
-    if (sizes.empty() || !(width > 0)) return 0;
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    em = *middle;
-    // Letters of one line are of one size.
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-        const LetterForm& form = font.form(codes[i]);
-        const InkBox box = strip.measure(i, i);
-        const double off = std::abs(box.width() - form.width() * em);
-        if (!form.empty() && off > 1.2 + 0.08 * box.width()) sum -= 0.5 * std::min(off, box.width());
-    }
-    return std::max(0.0, sum / width);
 }
 
 }  // namespace tactics

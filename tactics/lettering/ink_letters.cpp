@@ -20,6 +20,8 @@ constexpr double kFaint = 0.12;
 // such a box in pixels at most, and the share of it that is ink at least. Settings.
 constexpr double kSpeck = 3, kLeastSpeck = 0.35;
 
+constexpr double kBar = 3;  // times as long as wide at least
+
 // Each pixel is smoothed over itself and its neighbours, in both directions by 1, 2 and 1 of 4; at the border one is missing.
 constexpr int kSmoothed = 4;
 int smoothed_share(int place, int count) { return kSmoothed - (place == 0 ? 1 : 0) - (place == count - 1 ? 1 : 0); }
@@ -37,6 +39,21 @@ double edge(int from, int to, int step, Dark darkest) {
         return std::abs(at - from) + 1 - own / std::max(own, next);
     }
     return 0;
+}
+
+// From where to where there is ink.
+using Extent = std::pair<double, double>;
+template <typename Dark>
+Extent extent(int from, int to, Dark darkest) {
+    return {from + edge(from, to, 1, darkest), to - edge(to - 1, from - 1, -1, darkest)};
+}
+
+// A stem or a dash of a pixel and a bit that lies on two fills neither.
+template <typename Dark>
+Extent of_bar(const Extent& measured, Dark darkest) {
+    const int middle = static_cast<int>(std::floor(measured.first)) + 1;
+    if (measured.second <= middle || measured.second > middle + 1) return measured;
+    return {middle - darkest(middle - 1), middle + darkest(middle)};
 }
 
 }  // namespace
@@ -144,9 +161,11 @@ InkBox InkStrip::measure(std::size_t first_unit, std::size_t last_unit) const {
         for (int y = box.top; y < box.bottom; ++y) most = std::max(most, dark(x, y, part));
         return most;
     };
-    const int right = box.right - 1, bottom = box.bottom - 1;
-    return {box.left + edge(box.left, right + 1, 1, column), box.top + edge(box.top, bottom + 1, 1, row),
-            box.right - edge(right, box.left - 1, -1, column), box.bottom - edge(bottom, box.top - 1, -1, row)};
+    Extent across = extent(box.left, box.right, column), down = extent(box.top, box.bottom, row);
+    const double width = across.second - across.first, height = down.second - down.first;
+    if (height >= kBar * width) across = of_bar(across, column);
+    if (width >= kBar * height) down = of_bar(down, row);
+    return {across.first, down.first, across.second, down.second};
 }
 
 LetterInk::LetterInk(const InkStrip& strip, std::size_t first, std::size_t last, const InkBox& box)

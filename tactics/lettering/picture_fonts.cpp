@@ -81,6 +81,7 @@ bool PictureFonts::choose(const PrintFonts& fonts) {
     for (std::size_t i = 0; i < strips_.size(); ++i)
         if (others_[i].alike && strips_[i].units() > 1) lines.push_back(i);
     sizes_.resize(fonts_.size());
+    widths_.resize(fonts_.size());
     choose_by_words(lines);
     if (chosen_.empty()) choose_by_looks(lines);
     return !fonts_.empty();
@@ -126,17 +127,34 @@ bool PictureFonts::knows(const FormWords& words) const {
     return std::any_of(sizes.begin(), sizes.end(), [&](double one) { return std::abs(one - em) <= kSameSize * em + 0.3; });
 }
 
+void PictureFonts::know(const FormWords& words) {
+    const auto font = static_cast<std::size_t>(words.font);
+    sizes_[font].push_back(words.reading.em);
+    Widths widths{words.reading.em};
+    for (const FormLetter& letter : words.reading.letters) {
+        const LetterForm& form = fonts_[font].form(letter.code);
+        if (form.empty() || letter.touches || letter.place != FormLetter::Place::on_line) continue;
+        widths.is += letter.box.width();
+        widths.of += form.width();
+    }
+    if (widths.of > 0) widths_[font].push_back(widths);
+}
+
+// Letters are bent upwards and downwards only, so that their widths tell which size they have.
 void PictureFonts::bend() {
     constexpr double kMostBent = 20, kOneSize = 0.05;  // pixels for an em; of that
     const std::vector<std::size_t> chosen = chosen_;
     for (const std::size_t font : chosen) {
         if (base_[font] != font || !bent_[font]) continue;
-        std::vector<double> sizes = sizes_[font];
-        std::sort(sizes.begin(), sizes.end());
-        for (std::size_t i = 0, end = 0; i < sizes.size() && sizes[i] < kMostBent; i = end) {
-            double sum = 0;
-            for (; end < sizes.size() && sizes[end] <= (1 + kOneSize) * sizes[i]; ++end) sum += sizes[end];
-            add_bent(font, sum / static_cast<double>(end - i));
+        std::vector<Widths> lines = widths_[font];
+        std::sort(lines.begin(), lines.end(), [](const Widths& a, const Widths& b) { return a.em < b.em; });
+        for (std::size_t i = 0, end = 0; i < lines.size() && lines[i].em < kMostBent; i = end) {
+            Widths all{0};
+            for (; end < lines.size() && lines[end].em <= (1 + kOneSize) * lines[i].em; ++end) {
+                all.is += lines[end].is;
+                all.of += lines[end].of;
+            }
+            add_bent(font, all.is / all.of);
         }
     }
 }
@@ -191,6 +209,7 @@ bool PictureFonts::choose_by_letters(const std::vector<std::size_t>& lines) {
         add(best.font, std::move(best.formula));
     }
     sizes_[base_[best.font]].push_back(best.size);
+    widths_[base_[best.font]].push_back({best.size, best.size, 1});
     return true;
 }
 

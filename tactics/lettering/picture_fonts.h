@@ -27,7 +27,7 @@ public:
     void bear_out_in_any(std::size_t line, FormWords& words);
 
     /// Their size is one of their font's.
-    void know(const FormWords& words) { sizes_[static_cast<std::size_t>(words.font)].push_back(words.reading.em); }
+    void know(const FormWords& words);
     bool knows(const FormWords& words) const;
 
     /// Small letters that were bent to the pixels are like themselves only when bent in the same way.
@@ -80,6 +80,11 @@ private:
     std::vector<std::size_t> by_fit_;                 // all as they are, the one that fits the words best first
     std::vector<std::size_t> chosen_;
     std::vector<std::vector<double>> sizes_;  // known sizes of each font, pixels per em
+    struct Widths {
+        double em;              // that they were read in
+        double is = 0, of = 0;  // of letters, pixels; of their forms, em
+    };
+    std::vector<std::vector<Widths>> widths_;  // of each font's lines of known size
 };
 
 }  // namespace tactics

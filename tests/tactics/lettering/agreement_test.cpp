@@ -102,15 +102,18 @@ TEST(Agreement, ABracketWithoutAPartnerWaitsForIt) {
 }
 
 TEST(Agreement, AnMBeyondDoubtNeedsNoSurerReader) {
-    const auto sure = [](double em, double likeness, double sureness) {
-        FormWords words = line_of(U"Random", "Random", likeness);
+    const auto sure = [](double em, double likeness, double sureness, bool sized = true) {
+        FormWords words = line_of(U"Modes", "Modes", likeness);
         words.reading.em = em;
-        words.agreed = words.sized = true;
-        return believe(words, {"Random", sureness, true, sureness >= 60}).sure;
+        words.agreed = true;
+        words.sized = sized;
+        return believe(words, {"Modes", sureness, true, sureness >= 60}).sure;
     };
     EXPECT_TRUE(sure(14, 0.95, 80));
-    EXPECT_FALSE(sure(14, 0.9, 80));
-    EXPECT_TRUE(sure(14, 0.9, 90));
+    EXPECT_FALSE(sure(14, 0.88, 80));
+    EXPECT_TRUE(sure(14, 0.88, 90));
+    EXPECT_TRUE(sure(12, 0.95, 80)) << "of 12 pixels, as charts on web pages have it";
+    EXPECT_FALSE(sure(12, 0.95, 80, false)) << "the size of no other words";
 }
 
 TEST(Agreement, InPrintOfFewPixelsBothReadersMustSayIt) {

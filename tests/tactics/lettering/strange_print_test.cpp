@@ -245,6 +245,25 @@ TEST(PictureFonts, ShortPrintTellsAFontWhereNoWordDoes) {
     EXPECT_EQ(few[0].text, "");
 }
 
+// Programs stretch letters upwards to whole pixels, and leave their widths.
+TEST(PictureFonts, LettersAreBentToTheSizeThatTheirWidthsTell) {
+    const FontShapes font = strokes(0.1, 0.5);
+    FontShapes stretched = font;
+    for (auto& [code, shape] : stretched)
+        for (auto& ring : shape.rings)
+            for (Point& corner : ring) corner.y *= 1.07;
+    std::vector<double> sizes;
+    PrintFont print{font};
+    print.bent = [&](const std::vector<char32_t>&, double em) {
+        sizes.push_back(em);
+        return stretched;
+    };
+    const std::vector<FormWords> words = read_lines({written(stretched, U"1H10", 18)}, {{"1H10", true}}, print);
+    ASSERT_EQ(sizes.size(), 1u);
+    EXPECT_NEAR(sizes[0], 18, 0.3);
+    EXPECT_GT(words[0].reading.mean, 0.93);
+}
+
 // Corners of a triangle are named as formulas have it.
 TEST(PictureFonts, ShortPrintMayBeOfFormulas) {
     const FontShapes plain = strokes(0.1, 0.5);
