@@ -20,7 +20,7 @@ struct Likely {
 };
 constexpr Likely kBothSay{0.8, 0.7}, kBothSayOfFew{0.84, 0.78}, kOfKnownSize{0.85, 0.74}, kOfItself{0.93, 0.85}, kTold{0.75, 0.6};
 // Print of few pixels is less like its letters, and still unlike all others: by these margins each letter must beat the next.
-constexpr Likely kSmallBothSay{0.72, 0.62}, kSmallOfKnownSize{0.8, 0.7};
+constexpr Likely kSmallBothSay{0.72, 0.62}, kSmallOfKnownSize{0.8, 0.7}, kAlone{0.94, 0.9};
 // How sure the other reader must be of words in no known font, and of those that are less than kLikeAny like the letters of any.
 constexpr double kSureStrange = 90, kSureUnlike = 95, kLikeAny = 0.66;
 constexpr double kMargin = 0.03, kClearMargin = 0.07, kAgainstOther = 0.1;
@@ -126,7 +126,7 @@ bool is_plain(const std::string& text, const std::string& other, bool agreed) {
     return letters > 0 || digits < 3 || agreed;
 }
 
-// Letters of small print that touch look like one: rn and m, cl and d, Cl and O.
+// Letters of small print that touch look like one, unless they are far more like themselves: rn and m, cl and d, Cl and O.
 bool is_no_pair(const FormWords& words, const ReadWords& other) {
     constexpr std::u32string_view kLikeTwo = U"mdOJjnwh";
     constexpr double kClear = 0.86, kCertain = 0.9;  // of such a letter; two are like it with 0.8
@@ -142,7 +142,8 @@ bool is_no_pair(const FormWords& words, const ReadWords& other) {
         certain = certain && letter.likeness >= kCertain;
     }
     if (any && tiny && words.text.size() > 2 && words.text.back() == 'm') return false;
-    return !any || (words.agreed && (!two || (clear && (certain || other.sureness >= kSureWords))));
+    if (!words.agreed) return !any || (!tiny && words.sized && kAlone.holds(words.reading) && certain && clear);
+    return !any || !two || (clear && (certain || other.sureness >= kSureWords));
 }
 
 // In print of so few pixels two readers say the same wrong figure.

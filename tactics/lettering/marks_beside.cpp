@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/geometry/convex.h"
 #include "tactics/lettering/mark_shape.h"
 
 namespace tactics {
@@ -11,7 +12,7 @@ namespace tactics {
 namespace {
 
 // Settings. A solid letter, such as an l, is narrow; letters that touch are wide, but in a line of such.
-constexpr double kSolid = 0.86, kNarrowLetter = 0.5;               // of a bar with its moments; of its longer side
+constexpr double kSolid = 0.85, kNarrowLetter = 0.5;               // of what is between its ink; of its longer side
 constexpr double kApart = 0.25, kFrameApart = 0.4, kWideMark = 2;  // of the height of the line's tallest letter
 constexpr int kLeastSide = 5;                                      // pixels
 
@@ -29,9 +30,18 @@ bool is_frame(const InkPiece& piece) {
     return box.height() > kLeastSide && reach == 2 * ink.size() && ink.front() == box.width() && ink.back() == box.width();
 }
 
+// Discs, boxes and heads of arrows: nothing but ink between one part of it and another.
 bool is_solid(const InkPiece& piece) {
-    const MarkShape shape = mark_shape(piece);
-    return shape.side >= kLeastSide && shape.across >= kNarrowLetter * shape.side && shape.band >= kSolid;
+    const int side = std::max(piece.box.width(), piece.box.height()), across = std::min(piece.box.width(), piece.box.height());
+    if (side < kLeastSide || across < kNarrowLetter * side) return false;
+    std::vector<Point> corners;
+    double ink = 0;
+    for (const InkRun& run : piece.runs) {
+        ink += run.right - run.left;
+        for (const int x : {run.left, run.right})
+            for (const int y : {run.y, run.y + 1}) corners.push_back({1.0 * x, 1.0 * y});
+    }
+    return ink >= kSolid * area_of(hull_of(std::move(corners)));
 }
 
 }  // namespace

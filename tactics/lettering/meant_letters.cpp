@@ -51,10 +51,11 @@ char32_t fitting(const std::vector<char32_t>& choices, char32_t before, char32_t
 
 // I and l look the same in many fonts, and other readers guess. A word begins with a vowel or goes on with one: "Income" and
 // "level"; before an o it may be either, as in "Iowa" and "low", and short words are "ln" and "lbs", too. 0: there is no telling.
+// But for "Is", "It" and "If".
 char32_t first_of_word(char32_t told, char32_t next, bool is_long) {
-    constexpr std::u32string_view kVowels = U"aeiuy";
+    constexpr std::u32string_view kVowels = U"aeiuy", kEndShort = U"stf";
     if (kVowels.find(next) != kVowels.npos) return told == 'l' ? 'l' : 0;
-    return next != 'o' && is_long && told == 'I' ? 'I' : 0;
+    return next != 'o' && (is_long || kEndShort.find(next) != kEndShort.npos) && told == 'I' ? 'I' : 0;
 }
 
 // "lron": no word of three letters and more begins with l and another consonant but "ll".
@@ -75,6 +76,28 @@ std::vector<bool> beginnings_of(const FormReading& reading) {
     }
     begins.resize(reading.letters.size(), false);
     return begins;
+}
+
+// "sizeInFeet": a capital follows small letters, and here another may.
+bool may_be_of_joined_words(const std::vector<FormLetter>& letters, const std::vector<bool>& begins, std::size_t at) {
+    const auto is_within = [&](std::size_t i) { return i < letters.size() && !begins[i] && is_lower(letters[i].code); };
+    if (at == 0 || !is_lower(letters[at - 1].code) || !is_within(at + 1)) return false;
+    std::size_t first = at, end = at + 1;
+    while (first > 0 && !begins[first]) --first;
+    while (end < letters.size() && !begins[end]) ++end;
+    for (std::size_t i = first + 1; i < end; ++i)
+        if (i != at && is_lower(letters[i - 1].code) && is_upper(letters[i].code) && letters[i].code != 'I') return true;
+    return false;
+}
+
+// So many letters from the beginning may be what another reader has.
+std::size_t letters_in_step(const std::vector<FormLetter>& letters, const std::vector<char32_t>& told) {
+    std::size_t count = 0;
+    const auto may_be = [&](const FormLetter& letter, char32_t code) {
+        return letter.code == code || std::find(letter.alike.begin(), letter.alike.end(), code) != letter.alike.end();
+    };
+    while (count < std::min(letters.size(), told.size()) && may_be(letters[count], told[count])) ++count;
+    return count;
 }
 
 // What is raised follows something, and a raised minus sign stands before a raised figure; else it is something that is drawn.
@@ -107,6 +130,7 @@ void settle(FormWords& words, const OtherReading& other) {
     words.settled = !is_raised_astray(letters);
     const std::vector<char32_t> told = bare_letters_of(other.text);
     const std::vector<bool> begins = beginnings_of(words.reading);
+    const std::size_t steps = told.size() == letters.size() ? letters.size() : letters_in_step(letters, told);
     for (std::size_t i = 0; i < letters.size(); ++i) {
         FormLetter& letter = letters[i];
         std::vector<char32_t> choices = letter.alike;
@@ -129,9 +153,9 @@ void settle(FormWords& words, const OtherReading& other) {
         const auto in = [&](char32_t code) { return std::find(choices.begin(), choices.end(), code) != choices.end(); };
         const char32_t before = i > 0 ? letters[i - 1].code : 0;
         const char32_t after = i + 1 < letters.size() && letters[i + 1].alike.empty() ? letters[i + 1].code : 0;
-        const bool in_step = told.size() == letters.size();
+        const bool in_step = i < steps;
         const auto code_at = [&](std::size_t k) {
-            return k >= letters.size() || begins[k] ? char32_t{0} : in_step ? told[k] : letters[k].code;
+            return k >= letters.size() || begins[k] ? char32_t{0} : k < steps ? told[k] : letters[k].code;
         };
         const char32_t said = in_step && in(told[i]) ? told[i] : char32_t{0};
         const auto is_either = [](char32_t code) { return code == 'I' || code == 'l'; };
@@ -144,6 +168,8 @@ void settle(FormWords& words, const OtherReading& other) {
                 words.settled = false;
         } else if (choices.size() < 2)
             letter.code = choices.front();
+        else if (is_either(letter.code) && !begins[i] && may_be_of_joined_words(letters, begins, i))
+            words.settled = false;
         else if (said != 0 && begins[i] && is_either(said) && in(U'I') && in(U'l') &&
                  is_no_beginning(said, code_at(i + 1), code_at(i + 2)))
             words.settled = false;

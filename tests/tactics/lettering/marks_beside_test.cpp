@@ -27,6 +27,11 @@ public:
                 if (4 * (dx * dx + dy * dy) <= side * side) image_.row(top + y)[left + x] = 0;
             }
     }
+    // As an arrow to the right has it.
+    void head(int left, int top, int side) {
+        for (int x = 0; x < side; ++x)
+            for (int y = x / 2; y < side - x / 2; ++y) image_.row(top + y)[left + x] = 0;
+    }
     // As an L is.
     void letter(int left) {
         box(left, 10, left + 2, 24, true);
@@ -54,10 +59,12 @@ Parts parts_of(const Line& line) {
 }
 
 TEST(MarksBeside, SwatchesDotsAndSamplesAreCutOff) {
-    for (const std::string mark : {"solid", "frame", "disc", "sample"}) {
+    for (const std::string mark : {"solid", "frame", "disc", "sample", "head"}) {
         Line line;
         if (mark == "disc")
             line.disc(10, 12, 10);
+        else if (mark == "head")
+            line.head(10, 12, 12);
         else
             line.box(10, 12, mark == "sample" ? 45 : 22, 24, mark != "frame");
         for (const int left : {52, 64, 76}) line.letter(left);
