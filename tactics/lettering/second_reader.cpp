@@ -2,14 +2,17 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "tactics/lettering/agreement.h"
+#include "tactics/lettering/beyond_end.h"
 #include "tactics/lettering/form_words.h"
 #include "tactics/lettering/meant_letters.h"
 #include "tactics/lettering/pale_ink.h"
 #include "tactics/lettering/read_line.h"
+#include "tactics/lettering/strange_print.h"
 #include "tactics/lettering/strip.h"
 #include "tactics/text/utf8.h"
 
@@ -19,71 +22,11 @@ namespace {
 
 constexpr int kLeastPrint = 7;  // pixels, of the tallest letter of a line; smaller print is reported, not set. A setting
 
-bool is_ink(const Image& grey, const LetteringLine& line, int x, int y) {
-    return x >= 0 && y >= 0 && x < grey.width && y < grey.height && (grey.row(y)[x] < line.level) != line.light;
-}
-
-// What stands beyond one end of a line, row by row across it, from the end outwards.
-class BeyondEnd {
-public:
-    BeyondEnd(const Image& grey, const LetteringLine& line, bool before) : grey_(grey), line_(line), before_(before) {}
-
-    // Something that is none of the line stands right there and is no straight line across, or sticks out of such a line, or
-    // the picture ends: a letter that touches what is drawn, and is part of that now, or one that is cut off. `part` of the
-    // line is looked at, from above.
-    bool is_cut(double near, double part = 1) const {
-        const int reach = std::max(4, static_cast<int>(std::ceil(near * line_.letter_height)));
-        if (is_out(std::max(1, line_.letter_height / 8))) return true;
-        int nearest = reach + 2, farthest = 0, thinnest = kThick, thickest = 0;
-        for (int row = 0; row < part * across(); ++row) {
-            int step = 1;
-            while (step < reach + 2 && !has_ink(row, step)) ++step;
-            nearest = std::min(nearest, step);
-            farthest = std::max(farthest, step);
-            int end = step;
-            while (end < step + kThick && has_ink(row, end)) ++end;
-            thinnest = std::min(thinnest, end - step);
-            thickest = std::max(thickest, end - step);
-        }
-        if (nearest > reach) return false;
-        return farthest > nearest + 1 || thickest > thinnest + 1;
-    }
-
-private:
-    static constexpr int kThick = 6;  // pixels
-
-    int along() const { return line_.upwards ? line_.box.height() : line_.box.width(); }
-    int across() const { return line_.upwards ? line_.box.width() : line_.box.height(); }
-    Point at(int row, int step) const {
-        const int beyond = before_ ? -step : along() - 1 + step;
-        return line_.upwards ? Point{1.0 * line_.box.left + row, line_.box.bottom - 1.0 - beyond}
-                             : Point{1.0 * line_.box.left + beyond, 1.0 * line_.box.top + row};
-    }
-    bool has_ink(int row, int step) const {
-        const Point p = at(row, step);
-        return is_ink(grey_, line_, static_cast<int>(p.x), static_cast<int>(p.y));
-    }
-    bool is_out(int step) const {
-        const Point p = at(0, step);
-        return p.x < 0 || p.y < 0 || p.x >= grey_.width || p.y >= grey_.height;
-    }
-
-    const Image& grey_;
-    const LetteringLine& line_;
-    bool before_;
-};
-
-// Of the height of letters, what must be free beyond the ends of a line, and behind a figure, where a degree sign may be.
-constexpr double kRoomOfWords = 0.3, kRoomOfLetters = 0.5, kRoomOfSigns = 0.45;
-
-bool is_cut(const Image& grey, const LetteringLine& line, double near = kRoomOfWords) {
-    return BeyondEnd(grey, line, true).is_cut(near) || BeyondEnd(grey, line, false).is_cut(near);
-}
+// Of the height of letters, what must be free beyond the ends of a line.
+constexpr double kRoomOfWords = 0.3, kRoomOfLetters = 0.5;
 
 bool hides_sign(const Image& grey, const LetteringLine& line, const FormReading& reading) {
-    constexpr double kUpperPart = 0.5;
-    return !reading.letters.empty() && is_digit(reading.letters.back().code) &&
-           BeyondEnd(grey, line, false).is_cut(kRoomOfSigns, kUpperPart);
+    return !reading.letters.empty() && is_digit(reading.letters.back().code) && may_hide_sign(grey, line);
 }
 
 // A letter by itself is one of a word if something is nearer to it than words are to each other; a figure may stand beside a
@@ -148,13 +91,16 @@ Held held(const Image& grey, ReadLine read, FormWords form) {
                      (is_cut(grey, read.line, room_of(form.reading)) || hides_sign(grey, read.line, form.reading) ||
                       has_strange_ink(grey, read.line));
     // If the readers divide words differently, or the gaps disagree, one may have missed a point.
+    // Wide gaps and narrow ones tell.
     const auto parts = static_cast<std::size_t>(std::count(belief.text.begin(), belief.text.end(), ' ')) + 1;
     const WordCount count = words_in(read.line);
     const bool parted = is_words(read.line) && (parts < count.least || parts > count.most);
-    if (parted && form.agreed && read.counted && read.words.sure) belief.text = read.words.text;
+    const bool same = parted && form.agreed && read.counted && read.words.sure;
+    const auto told = same ? with_its_gaps(form.reading, belief.text, read.words.text) : std::nullopt;
+    if (same) belief.text = told.value_or(read.words.text);
     for (const std::string& text : {form.text, form.reading.text})
         if (!text.empty()) read.readings.push_back(text);
-    const bool lost = parted && belief.text != read.words.text;
+    const bool lost = parted && !told && belief.text != read.words.text;
     read.words.text = std::move(belief.text);
     read.words.sureness = belief.sureness;
     // "new" has no letter as high as others of its size.
@@ -174,7 +120,7 @@ void doubt(const Image& grey, ReadLine& one) {
     one.tell = one.words.sure;
     const WordCount count = words_in(one.line);
     one.words.sure = one.words.sure && one.words.sureness >= kSure && one.line.letters.size() >= kLetters &&
-                     count.least == count.most && !names_letter_in_formula(one.words.text) && !is_cut(grey, one.line);
+                     count.least == count.most && !names_letter_in_formula(one.words.text) && !is_cut(grey, one.line, kRoomOfWords);
 }
 
 bool has_ink_of(const PixelBox& box, const std::vector<Held>& lines) {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands right beyond the ends of a line of print and is none of it.
+#pragma once
+
+#include "tactics/image.h"
+#include "tactics/lettering/lines.h"
+
+namespace tactics {
+
+/// Nearer to an end than that share of the height of its letters there is what may be one of them: a letter that touches what is
+/// drawn and is part of that now, or one that the picture cuts off.
+bool is_cut(const Image& grey, const LetteringLine& line, double near);
+
+/// Something is where a sign of degrees would stand behind its last figure.
+bool may_hide_sign(const Image& grey, const LetteringLine& line);
+
+}  // namespace tactics
