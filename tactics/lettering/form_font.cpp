@@ -65,7 +65,7 @@ const std::vector<char32_t>& letters_of_figures() {
     static const std::vector<char32_t> letters = [] {
         std::vector<char32_t> codes;
         for (char32_t code = 0x21; code <= 0x7E; ++code)
-            if (code != '`' && code != '^' && code != '~') codes.push_back(code);
+            if (code != '`' && code != '~') codes.push_back(code);
         for (char32_t code = 0xC0; code <= 0xFF; ++code) codes.push_back(code);
         for (const char32_t code :
              U"\u00b0\u00b1\u00b2\u00b3\u00b9\u00bd\u00bc\u00be\u20ac\u00a3\u00a7\u2212\u2032\u2033\u2026"

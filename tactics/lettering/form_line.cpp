@@ -17,7 +17,7 @@ bool is_alone_alike(const FormReading& reading) {
 bool may_be_drawn(char32_t code) {
     constexpr std::u32string_view kDrawn =
         U"oOlI|/"
-        U"\\()[]{}<>=+-.,:;'\"*!_"
+        U"\\^()[]{}<>=+-.,:;'\"*!_"
         U"\u2212\u00b0\u2032\u2033\u2026\u2190\u2192\u221a\u0398\u03b8\u00d7\u00f7\u00d8\u00f8\u2220\u0394\u039b";
     return kDrawn.find(code) != kDrawn.npos;
 }

@@ -64,13 +64,20 @@ bool is_no_beginning(char32_t first, char32_t next, char32_t third) {
     return first == 'l' && is_lower(next) && next < 0x80 && is_lower(third) && kGoOn.find(next) == kGoOn.npos;
 }
 
+// In a text it stands before that letter, which is raised or lowered, and is none itself.
+bool is_place_mark(char32_t code, const std::vector<FormLetter>& letters, std::size_t at) {
+    return (code == '^' || code == '_') && at < letters.size() && letters[at].code != code;
+}
+
 // Which of its letters begin a word.
 std::vector<bool> beginnings_of(const FormReading& reading) {
     std::vector<bool> begins;
     std::string_view text = reading.text;
     bool next = true;
     while (!text.empty()) {
-        const bool space = take_letter(text) == ' ';
+        const char32_t code = take_letter(text);
+        if (is_place_mark(code, reading.letters, begins.size())) continue;
+        const bool space = code == ' ';
         if (!space) begins.push_back(next);
         next = space;
     }
@@ -119,7 +126,8 @@ bool is_upper(char32_t code) { return (code >= 'A' && code <= 'Z') || (code >= 0
 
 bool same_letters(std::string_view a, std::string_view b) {
     std::vector<char32_t> one = bare_letters_of(a), other = bare_letters_of(b);
-    std::erase(other, U'^');
+    for (auto* letters : {&one, &other}) std::erase(*letters, U'^');
+    if (b.find('_') == b.npos) std::erase(one, U'_');  // an index
     std::transform(one.begin(), one.end(), one.begin(), plain_raised);
     std::transform(other.begin(), other.end(), other.begin(), plain_raised);
     return one == other;
@@ -187,9 +195,10 @@ std::string with_letters(const std::string& text, const FormReading& reading) {
     std::size_t at = 0;
     for (std::string_view rest = text; !rest.empty();) {
         const char32_t code = take_letter(rest);
-        const bool kept = code == ' ' || at >= reading.letters.size() || code == kMinus || plain_raised(code) != code;
+        const bool mark = is_place_mark(code, reading.letters, at);
+        const bool kept = code == ' ' || mark || at >= reading.letters.size() || code == kMinus || plain_raised(code) != code;
         append_letter(out, kept ? code : reading.letters[at].code);
-        at += code == ' ' ? 0 : 1;
+        at += code == ' ' || mark ? 0 : 1;
     }
     return out;
 }

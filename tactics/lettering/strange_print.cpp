@@ -203,17 +203,18 @@ bool is_of_mixed_case(const FormReading& reading) {
 }
 
 std::optional<std::string> with_its_gaps(const FormReading& reading, const std::string& one, const std::string& other) {
-    constexpr double kWider = 1.6, kSpace = 0.15;  // times as wide as all others; em
-    const auto tells = [&](const std::string& text, double wider, double space) {
+    constexpr double kWider = 1.6, kSpace = 0.15, kClear = 2;  // times as wide as all others; em; pixels, as letters lie between them
+    const auto tells = [&](const std::string& text, bool clearly) {
         const Gaps gaps = gaps_of(reading, text, nullptr);
-        return gaps.told && gaps.narrowest > wider * gaps.widest && gaps.narrowest >= space * reading.em;
+        if (!gaps.told || gaps.narrowest <= gaps.widest) return false;
+        return !clearly || gaps.narrowest >= std::max({kWider * gaps.widest, gaps.widest + kClear, kSpace * reading.em});
     };
     const auto has_spaces = [](const std::string& text) { return text.find(' ') != text.npos; };
     if (has_spaces(one) != has_spaces(other)) {
         const std::string& spaced = has_spaces(one) ? one : other;
-        return tells(spaced, kWider, kSpace) ? std::optional(spaced) : std::nullopt;
+        return tells(spaced, true) ? std::optional(spaced) : std::nullopt;
     }
-    const bool is_one = tells(one, 1, 0), is_other = tells(other, 1, 0);
+    const bool is_one = tells(one, false), is_other = tells(other, false);
     if (is_one == is_other) return std::nullopt;
     return is_one ? one : other;
 }
