@@ -20,6 +20,7 @@
 #include <string_view>
 
 #include "tactics/error.h"
+#include "tactics/text/formula_letters.h"
 #include "tactics/text/utf8.h"
 
 #if defined(__has_feature)
@@ -254,16 +255,6 @@ Face open_file(FT_Library library, const FontFile& file) {
     if (file.path.empty() || FT_New_Face(library, file.path.c_str(), file.index, &loaded) != 0) return {};
     Face face(loaded);
     return FT_IS_SCALABLE(loaded) && loaded->units_per_EM > 0 ? std::move(face) : Face();
-}
-
-// The code of the italic letter that a font for formulas has for it (Unicode, Mathematical Alphanumeric Symbols); the same for
-// what formulas do not slant: all but Latin and small Greek letters.
-char32_t slanted(char32_t code) {
-    if (code >= 'A' && code <= 'Z') return 0x1D434 + (code - 'A');
-    if (code == 'h') return 0x210E;  // older than the others
-    if (code >= 'a' && code <= 'z') return 0x1D44E + (code - 'a');
-    if (code >= 0x3B1 && code <= 0x3C9) return 0x1D6FC + (code - 0x3B1);
-    return code;
 }
 
 using Codes = std::vector<char32_t>;

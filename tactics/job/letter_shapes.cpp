@@ -12,6 +12,7 @@
 
 #include "tactics/job/loose_shapes.h"
 #include "tactics/job/shape_set.h"
+#include "tactics/text/formula_letters.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -62,15 +63,6 @@ const FontLetter* letter_in(const std::vector<FontLetter>& choices, char script)
     for (const FontLetter& one : choices)
         if (!is_alphabetic(one.code) || script_of(one.code) == script) return &one;
     return choices.empty() ? nullptr : &choices.front();
-}
-
-// Letters of formulae have codes of their own for each look: 𝑥 is x.
-char32_t plain_code(char32_t code) {
-    constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
-    if (code >= 0x1D400 && code <= 0x1D6A3) return static_cast<unsigned char>(kAlphabet[(code - 0x1D400) % 52]);
-    if (code >= 0x1D7CE && code <= 0x1D7FF) return '0' + (code - 0x1D7CE) % 10;
-    if (code >= 0x1D6FC && code <= 0x1D714) return 0x3B1 + (code - 0x1D6FC);
-    return code == 0x210E ? U'h' : code;
 }
 
 class ShapeReading {

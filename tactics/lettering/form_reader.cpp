@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tactics/lettering/alike_letters.h"
+#include "tactics/text/formula_letters.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -33,7 +34,8 @@ bool may_be_off_line(char32_t code) {
 }
 
 struct Choice {
-    char32_t code;
+    char32_t code;  // of the plain letter
+    bool slanted;
     double likeness;
     double size;  // pixels for an em
     const LetterForm* form;
@@ -158,7 +160,7 @@ private:
         if (std::abs(small - wanted) > kOffPixels + 0.08 * wanted) return;
         if (!ink_) ink_.emplace(strip_, first, last, box);
         const double likeness = ink_->likeness(font_.drawn(code), kMayBe);
-        if (likeness >= kMayBe) span.choices.push_back({code, likeness, size, &form});
+        if (likeness >= kMayBe) span.choices.push_back({plain_code(code), plain_code(code) != code, likeness, size, &form});
     }
 
     // Those that most letters speak for.
@@ -251,6 +253,7 @@ private:
             if (worth > best) {
                 best = worth;
                 letter.code = choice.code;
+                letter.slanted = choice.slanted;
                 letter.likeness = choice.likeness;
                 letter.place = *place;
             }

@@ -27,6 +27,7 @@ struct FormLetter {
     char32_t code = 0;  ///< 0: like no letter of the font
     double likeness = 0;
     double margin = 1;     ///< by so much it is more likely than what is not alike and could stand there
+    bool slanted = false;  ///< as formulas have it
     bool touches = false;  ///< its ink is that of letters which touch, and is as high as all of them
     bool pair = false;     ///< in small print it may be two letters that touch: "rn" for m
     Place place = Place::on_line;

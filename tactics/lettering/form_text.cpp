@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "tactics/lettering/form_reader.h"
+#include "tactics/text/formula_letters.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -53,7 +54,7 @@ std::string text_of(const FormReading& reading, FormFont& font) {
     PlacedText text;
     double end = 0;
     for (const FormLetter& letter : reading.letters) {
-        const LetterForm& form = font.form(letter.code);
+        const LetterForm& form = font.form(letter.slanted ? slanted(letter.code) : letter.code);
         if (form.empty()) continue;
         const double em = letter.place == FormLetter::Place::on_line ? reading.em : letter.box.height() / form.height();
         const double start = letter.box.left - form.left() * em;

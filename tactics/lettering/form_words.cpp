@@ -45,7 +45,7 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
     for (const FormWords& one : words)
         if (one.agreed && one.settled && !one.reading.either && !is_of_either_case(one.reading)) picture.know(one);
     const auto read_again = [&](std::size_t i) {
-        if (is_lone(i) || words[i].reading.either || !words[i].sized) words[i] = picture.read(i);
+        if (is_lone(i) || words[i].reading.either || !words[i].sized || words[i].text.empty()) words[i] = picture.read(i);
         words[i].sized = words[i].font >= 0 && picture.knows(words[i]) && (!is_lone(i) || is_alone_alike(words[i].reading));
     };
     picture.bend();

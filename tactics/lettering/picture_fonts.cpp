@@ -7,6 +7,7 @@
 
 #include "tactics/lettering/meant_letters.h"
 #include "tactics/lettering/strange_print.h"
+#include "tactics/text/formula_letters.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -133,7 +134,7 @@ void PictureFonts::know(const FormWords& words) {
     Widths widths{words.reading.em};
     for (const FormLetter& letter : words.reading.letters) {
         const LetterForm& form = fonts_[font].form(letter.code);
-        if (form.empty() || letter.touches || letter.place != FormLetter::Place::on_line) continue;
+        if (form.empty() || letter.touches || letter.slanted || letter.place != FormLetter::Place::on_line) continue;
         widths.is += letter.box.width();
         widths.of += form.width();
     }
@@ -162,7 +163,8 @@ void PictureFonts::bend() {
 bool PictureFonts::add_formulas() {
     const std::vector<std::size_t> chosen = chosen_;
     for (const std::size_t font : chosen)
-        if (base_[font] == font && formulas_[font]) add(font, std::exchange(formulas_[font], {})(letters_of_figures()));
+        if (base_[font] == font && formulas_[font])
+            add(font, with_slanted(font, std::exchange(formulas_[font], {})(letters_of_figures())));
     return chosen_.size() > chosen.size();
 }
 
@@ -272,6 +274,14 @@ void PictureFonts::add_bent(std::size_t font, double em) {
     em = std::round(10 * em) / 10;
     if (!bends_.insert({font, em}).second) return;
     add(font, bent_[font](letters_of_figures(), em));
+}
+
+FontShapes PictureFonts::with_slanted(std::size_t font, FontShapes formula) {
+    if (formula.empty()) return {};
+    FontShapes all = fonts_[font].shapes();
+    for (auto& [code, shape] : formula)
+        if (slanted(code) != code) all[slanted(code)] = std::move(shape);
+    return all;
 }
 
 void PictureFonts::add(std::size_t font, FontShapes shapes) {

@@ -55,6 +55,9 @@ private:
 
     void add_bent(std::size_t font, double em);
 
+    // Its letters with those of formulas.
+    FontShapes with_slanted(std::size_t font, FontShapes formula);
+
     // In another form, of the same sizes.
     void add(std::size_t font, FontShapes shapes);
 

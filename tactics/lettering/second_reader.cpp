@@ -120,7 +120,8 @@ void doubt(const Image& grey, ReadLine& one) {
     one.tell = one.words.sure;
     const WordCount count = words_in(one.line);
     one.words.sure = one.words.sure && one.words.sureness >= kSure && one.line.letters.size() >= kLetters &&
-                     count.least == count.most && !names_letter_in_formula(one.words.text) && !is_cut(grey, one.line, kRoomOfWords);
+                     count.least == count.most && !names_letter_in_formula(one.words.text) &&
+                     !is_cut(grey, one.line, kRoomOfWords);
 }
 
 bool has_ink_of(const PixelBox& box, const std::vector<Held>& lines) {

@@ -203,7 +203,8 @@ bool is_of_mixed_case(const FormReading& reading) {
 }
 
 std::optional<std::string> with_its_gaps(const FormReading& reading, const std::string& one, const std::string& other) {
-    constexpr double kWider = 1.6, kSpace = 0.15, kClear = 2;  // times as wide as all others; em; pixels, as letters lie between them
+    constexpr double kWider = 1.6, kSpace = 0.15,
+                     kClear = 2;  // times as wide as all others; em; pixels, as letters lie between them
     const auto tells = [&](const std::string& text, bool clearly) {
         const Gaps gaps = gaps_of(reading, text, nullptr);
         if (!gaps.told || gaps.narrowest <= gaps.widest) return false;

@@ -221,6 +221,47 @@ TEST(PictureFonts, AFormulaIsReadInTheFontOfTheWords) {
     EXPECT_EQ(text(PrintFont{plain, {}, {}, [&](const auto&) { return formula; }}), "L");
 }
 
+// Most lines of formulas have upright letters, too.
+TEST(PictureFonts, ALineMayHaveLettersOfFormulasAndOthers) {
+    const FontShapes plain = strokes(0.1, 0.5);
+    FontShapes formula = plain;
+    formula[U'L'] = {0.6, {box(0.4, 0, 0.5, 0.7), box(0.05, 0, 0.5, 0.1)}};
+    formula[U'H'] = {0.7, {box(0.05, 0, 0.15, 0.7), box(0.5, 0, 0.6, 0.7), box(0.05, 0.6, 0.6, 0.7)}};
+    FontShapes both = plain;
+    both[U'L'] = formula[U'L'];
+    const PrintFont font{plain, {}, {}, [&](const auto&) { return formula; }};
+    const std::vector<FormWords> words =
+        read_lines({written(plain, U"1010", 30), written(both, U"LH7", 30)}, {{"1010", true}, {}}, font);
+    EXPECT_EQ(words[1].text, "LH7");
+    EXPECT_TRUE(words[1].sized);
+}
+
+TEST(FormText, SaysWhatIsRaisedAndLowered) {
+    FormFont font(strokes(0.1, 0.5));
+    const auto text = [&](const std::vector<std::pair<char32_t, FormLetter::Place>>& letters) {
+        FormReading reading;
+        reading.em = 30;
+        double left = 20;
+        for (const auto& [code, place] : letters) {
+            FormLetter letter;
+            letter.code = code;
+            letter.place = place;
+            const double em = place == FormLetter::Place::on_line ? reading.em : 0.7 * reading.em;
+            const LetterForm& form = font.form(code);
+            letter.box = {left, 10, left + form.width() * em, 10 + form.height() * em};
+            left += form.advance() * em;
+            reading.letters.push_back(letter);
+        }
+        return text_of(reading, font);
+    };
+    using enum FormLetter::Place;
+    EXPECT_EQ(text({{U'H', on_line}, {U'n', raised}}), "H^n");
+    EXPECT_EQ(text({{U'H', on_line}, {U'1', raised}, {U'0', raised}}), "H\u00b9\u2070");
+    EXPECT_EQ(text({{U'H', on_line}, {U'i', lowered}, {U'n', lowered}, {U'L', on_line}}), "H_inL");
+    EXPECT_TRUE(same_letters("H_in", "Hin"));
+    EXPECT_FALSE(same_letters("Hin", "H_in")) << "an underscore that was not seen";
+}
+
 // In another size than the words have.
 TEST(PictureFonts, LinesThatBearEachOtherOutTellTheirSize) {
     const FontShapes font = strokes(0.1, 0.5);
