@@ -233,10 +233,11 @@ std::vector<FontPair> likely_fonts() {
                                          "Courier", "DejaVu Serif", "DejaVu Sans Mono", "Latin Modern Sans"})
             fonts.push_back({file_for(family + style), style.empty() ? file_for(family + ":italic") : FontFile()});
         fonts.push_back({file_for("Latin Modern Roman" + style), style.empty() ? file_for("Latin Modern Math") : FontFile()});
+        if (style != ":italic") continue;
+        // TeX has fonts of their own for small print, such as exponents and indices.
+        for (const std::string name : {"Latin Modern Math", "LM Roman 7", "LM Roman 8", "LM Roman 12"})
+            fonts.push_back({file_for(name), file_for("Latin Modern Math")});
     }
-    // TeX has fonts of their own for small print, such as exponents and indices.
-    for (const std::string name : {"Latin Modern Math", "LM Roman 7", "LM Roman 8", "LM Roman 12"})
-        fonts.push_back({file_for(name), file_for("Latin Modern Math")});
     const Pattern outlines(FcPatternCreate());
     FcPatternAddBool(outlines.get(), FC_OUTLINE, FcTrue);
     const ObjectSet facts(FcObjectSetBuild(FC_FILE, FC_INDEX, nullptr));
