@@ -116,6 +116,19 @@ TEST(Agreement, AnMBeyondDoubtNeedsNoSurerReader) {
     EXPECT_FALSE(sure(12, 0.95, 80, false)) << "the size of no other words";
 }
 
+TEST(Agreement, ALineInLettersOfItsFontNeedsNoOtherReader) {
+    const auto sure = [](double em, double likeness, bool sized) {
+        FormWords words = line_of(U"Leave", "Leave", likeness);
+        words.reading.em = em;
+        words.sized = sized;
+        return believe(words, {"Leave.^?", 30, false, false}).sure;
+    };
+    EXPECT_TRUE(sure(15, 0.96, true));
+    EXPECT_FALSE(sure(15, 0.92, true));
+    EXPECT_FALSE(sure(12, 0.96, true)) << "too few pixels";
+    EXPECT_FALSE(sure(15, 0.96, false)) << "of a size of its own";
+}
+
 TEST(Agreement, InPrintOfFewPixelsBothReadersMustSayIt) {
     FormWords words = line_of(U"88", "88");
     words.reading.em = 10;

@@ -208,6 +208,19 @@ TEST(Lettering, SamplesOfALegendAreNoEqualsSign) {
     }
 }
 
+// As diagrams of messages have it: its head reaches the row of the words' feet.
+TEST(Lettering, ADottedArrowBelowWordsTakesNothingFromThem) {
+    Image image = make_image(200, 60, 1, 0, 255);
+    const auto box = [&](int left, int top, int right, int bottom) {
+        for (int y = top; y < bottom; ++y) std::fill(image.row(y) + left, image.row(y) + right, std::uint8_t{0});
+    };
+    for (int i = 0; i < 6; ++i) box(60 + 9 * i, 18, 62 + 9 * i, 30), box(60 + 9 * i, 28, 66 + 9 * i, 30);
+    box(40, 29, 45, 38), box(47, 29, 52, 38);  // the halves of its head
+    for (int x = 54; x < 130; x += 4) box(x, 33, x + 2, 34);
+    const auto lines = find_lettering(image);
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const LetteringLine& line) { return line.letters.size() == 6; }));
+}
+
 TEST(Lettering, TicksBelowALineAreNoneOfIt) {
     Image image = make_image(160, 60, 1, 0, 255);
     write_blocks(image, 20, 20, "xxxxx", 0);

@@ -12,70 +12,12 @@
 #include "tactics/lettering/pale_ink.h"
 #include "tactics/lettering/read_line.h"
 #include "tactics/text/utf8.h"
+#include "tests/tactics/lettering/stroke_font.h"
 
 namespace tactics::strange_print_test {
 namespace {
 
-std::vector<Point> box(double left, double bottom, double right, double top) {
-    return {{left, bottom}, {left, top}, {right, top}, {right, bottom}};
-}
-
-FontShape ring(double width, double height, double thick) {
-    return {width + 0.1,
-            {box(0.05, 0, 0.05 + width, thick), box(0.05, height - thick, 0.05 + width, height),
-             box(0.05, 0, 0.05 + thick, height), box(0.05 + width - thick, 0, 0.05 + width, height)}};
-}
-
-// Letters of straight strokes so thick, small ones so high: L, T, H, O, o, n, i, 0 and 1, and a 7 of so many times their height.
-FontShapes strokes(double thick, double low, double seven = 1) {
-    return {{U'L', {0.6, {box(0.05, 0, 0.05 + thick, 0.7), box(0.05, 0, 0.5, thick)}}},
-            {U'T', {0.6, {box(0.05, 0.7 - thick, 0.55, 0.7), box(0.3 - thick / 2, 0, 0.3 + thick / 2, 0.7)}}},
-            {U'H', {0.7, {box(0.05, 0, 0.05 + thick, 0.7), box(0.6 - thick, 0, 0.6, 0.7), box(0.05, 0.33, 0.6, 0.33 + thick)}}},
-            {U'O', ring(0.6, 0.7, thick)},
-            {U'o', ring(0.4, low, thick)},
-            {U'0', ring(0.4, 0.7, thick)},
-            {U'n', {0.5, {box(0.05, 0, 0.05 + thick, low), box(0.45 - thick, 0, 0.45, low), box(0.05, low - thick, 0.45, low)}}},
-            {U'i', {0.25, {box(0.1, 0, 0.1 + thick, low), box(0.1, 0.6, 0.1 + thick, 0.7)}}},
-            {U'1', {0.5, {box(0.22, 0, 0.22 + thick, 0.7), box(0.08, 0, 0.4, thick), box(0.1, 0.55, 0.25, 0.6)}}},
-            {U'7',
-             {0.5 * seven,
-              {box(0.05 * seven, 0.6 * seven, 0.42 * seven, 0.7 * seven), box(0.3 * seven, 0, 0.42 * seven, 0.7 * seven)}}}};
-}
-
-// As a program does that fades edges: each pixel by parts of it, whose middles are within a box.
-Image written(const FontShapes& font, std::u32string_view text, double em, double closer = 0) {
-    Image image = make_image(320, 60, 1, 0, 255);
-    constexpr int kParts = 4;
-    double left = 20.3;
-    for (const char32_t code : text) {
-        if (code == U' ') {
-            left += 0.35 * em;
-            continue;
-        }
-        for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x) {
-                int inside = 0;
-                for (int part = 0; part < kParts * kParts; ++part) {
-                    const double px = (x + (part % kParts + 0.5) / kParts - left) / em,
-                                 py = (40.6 - y - (part / kParts + 0.5) / kParts) / em;
-                    const auto& rings = font.at(code).rings;
-                    inside += std::any_of(rings.begin(), rings.end(), [&](const auto& one) {
-                        return px > one[0].x && px < one[2].x && py > one[0].y && py < one[2].y;
-                    });
-                }
-                std::uint8_t& pixel = image.row(y)[x];
-                pixel = static_cast<std::uint8_t>(std::min<int>(pixel, 255 - 255 * inside / (kParts * kParts)));
-            }
-        left += (font.at(code).advance - closer) * em;
-    }
-    return image;
-}
-
-LetteringLine line_in(const Image& image) {
-    const auto lines = find_lettering(image);
-    EXPECT_EQ(lines.size(), 1u);
-    return lines.empty() ? LetteringLine() : lines[0];
-}
+using namespace stroke_font;
 
 // Written in a thinner font, whose small letters are lower, than the one that is known.
 std::optional<FormReading> borne_out(std::u32string_view text, const std::string& told, double low = 0.46) {
@@ -189,6 +131,37 @@ TEST(StrangePrint, NoWordBeginsWithAnLAndAnotherConsonant) {
     EXPECT_TRUE(settled(U"lb", "lb"));
 }
 
+// A line of small print; I and l look the same.
+FormWords settled_line(std::u32string_view codes, const std::string& told) {
+    FormWords words;
+    for (const char32_t code : codes) {
+        FormLetter letter;
+        letter.code = code;
+        if (code == U'l') letter.alike = {U'I'};
+        if (code == U'I') letter.alike = {U'l'};
+        words.reading.letters.push_back(letter);
+        append_letter(words.reading.text, code);
+    }
+    words.reading.em = 15;
+    settle(words, {told, true});
+    return words;
+}
+
+TEST(StrangePrint, ACapitalMayBeginAJoinedWord) {
+    EXPECT_FALSE(settled_line(U"sizelnFeet", "sizelnFeet").settled) << "sizeInFeet";
+    EXPECT_TRUE(settled_line(U"camelCase", "camelCase").settled);
+    EXPECT_TRUE(settled_line(U"isMammal", "isMammal").settled);
+    EXPECT_TRUE(settled_line(U"scale", "scale").settled);
+}
+
+TEST(StrangePrint, AnotherReaderTellsTheLettersBeforeItErrs) {
+    const FormWords words = settled_line(U"Isitraining?", "Is it raining.^?");
+    EXPECT_TRUE(words.settled);
+    EXPECT_EQ(words.reading.letters[0].code, U'I');
+    EXPECT_FALSE(settled_line(U"Isitraining?", "^ it raining?").settled);
+    EXPECT_FALSE(settled_line(U"Inx", "Inx?").settled) << "or ln";
+}
+
 TEST(StrangePrint, ALoneFigureIsAsHighAsOthers) {
     const FontShapes strange = strokes(0.1, 0.46), known = strokes(0.12, 0.5, 0.85);
     const Image numbers = written(strange, U"1010", 30), seven = written(strange, U"7", 30), small = written(strange, U"7", 22);
@@ -202,140 +175,6 @@ TEST(StrangePrint, ALoneFigureIsAsHighAsOthers) {
     EXPECT_EQ(words[1].text, "7");
     EXPECT_TRUE(words[1].sized) << "as high as the other figures, though not of their em in the known font";
     EXPECT_FALSE(words[2].sized);
-}
-
-std::vector<FormWords> read_lines(const std::vector<Image>& images, const std::vector<OtherReading>& others,
-                                  const PrintFont& font) {
-    std::vector<InkStrip> strips;
-    for (const Image& image : images) strips.emplace_back(image, line_in(image));
-    return read_in_fonts(strips, others, [&](const auto&, const auto& goes_on) { goes_on(font); });
-}
-
-TEST(PictureFonts, AFormulaIsReadInTheFontOfTheWords) {
-    const FontShapes plain = strokes(0.1, 0.5);
-    FontShapes formula = plain;
-    formula[U'L'] = {0.6, {box(0.4, 0, 0.5, 0.7), box(0.05, 0, 0.5, 0.1)}};  // another form of it
-    const std::vector<Image> images{written(plain, U"1010", 30), written(formula, U"L", 30)};
-    const auto text = [&](const PrintFont& font) { return read_lines(images, {{"1010", true}, {}}, font)[1].text; };
-    EXPECT_EQ(text(PrintFont{plain}), "");
-    EXPECT_EQ(text(PrintFont{plain, {}, {}, [&](const auto&) { return formula; }}), "L");
-}
-
-// Most lines of formulas have upright letters, too.
-TEST(PictureFonts, ALineMayHaveLettersOfFormulasAndOthers) {
-    const FontShapes plain = strokes(0.1, 0.5);
-    FontShapes formula = plain;
-    formula[U'L'] = {0.6, {box(0.4, 0, 0.5, 0.7), box(0.05, 0, 0.5, 0.1)}};
-    formula[U'H'] = {0.7, {box(0.05, 0, 0.15, 0.7), box(0.5, 0, 0.6, 0.7), box(0.05, 0.6, 0.6, 0.7)}};
-    FontShapes both = plain;
-    both[U'L'] = formula[U'L'];
-    const PrintFont font{plain, {}, {}, [&](const auto&) { return formula; }};
-    const std::vector<FormWords> words =
-        read_lines({written(plain, U"1010", 30), written(both, U"LH7", 30)}, {{"1010", true}, {}}, font);
-    EXPECT_EQ(words[1].text, "LH7");
-    EXPECT_TRUE(words[1].sized);
-}
-
-TEST(FormText, SaysWhatIsRaisedAndLowered) {
-    FormFont font(strokes(0.1, 0.5));
-    const auto text = [&](const std::vector<std::pair<char32_t, FormLetter::Place>>& letters) {
-        FormReading reading;
-        reading.em = 30;
-        double left = 20;
-        for (const auto& [code, place] : letters) {
-            FormLetter letter;
-            letter.code = code;
-            letter.place = place;
-            const double em = place == FormLetter::Place::on_line ? reading.em : 0.7 * reading.em;
-            const LetterForm& form = font.form(code);
-            letter.box = {left, 10, left + form.width() * em, 10 + form.height() * em};
-            left += form.advance() * em;
-            reading.letters.push_back(letter);
-        }
-        return text_of(reading, font);
-    };
-    using enum FormLetter::Place;
-    EXPECT_EQ(text({{U'H', on_line}, {U'n', raised}}), "H^n");
-    EXPECT_EQ(text({{U'H', on_line}, {U'1', raised}, {U'0', raised}}), "H\u00b9\u2070");
-    EXPECT_EQ(text({{U'H', on_line}, {U'i', lowered}, {U'n', lowered}, {U'L', on_line}}), "H_inL");
-    EXPECT_TRUE(same_letters("H_in", "Hin"));
-    EXPECT_FALSE(same_letters("Hin", "H_in")) << "an underscore that was not seen";
-}
-
-// In another size than the words have.
-TEST(PictureFonts, LinesThatBearEachOtherOutTellTheirSize) {
-    const FontShapes font = strokes(0.1, 0.5);
-    std::vector<Image> images{written(font, U"1010", 30), written(font, U"HL", 22)};
-    std::vector<OtherReading> others{{"1010", true}, {}};
-    EXPECT_FALSE(read_lines(images, others, PrintFont{font})[1].sized);
-    images.push_back(written(font, U"Tn7", 22));
-    others.push_back({});
-    const std::vector<FormWords> words = read_lines(images, others, PrintFont{font});
-    EXPECT_TRUE(words[1].sized);
-    EXPECT_EQ(words[1].text, "HL");
-    EXPECT_EQ(words[2].text, "Tn7");
-}
-
-TEST(PictureFonts, ShortPrintTellsAFontWhereNoWordDoes) {
-    const FontShapes font = strokes(0.1, 0.5);
-    const std::vector<Image> images{written(font, U"17", 30), written(font, U"HT", 30), written(font, U"L", 30)};
-    const std::vector<FormWords> words = read_lines(images, {{}, {}, {}}, PrintFont{font});
-    ASSERT_EQ(words.size(), 3u);
-    EXPECT_EQ(words[0].text, "17");
-    EXPECT_TRUE(words[0].sized && words[2].sized);
-    const std::vector<FormWords> few = read_lines({images[2]}, {{}}, PrintFont{font});
-    EXPECT_EQ(few[0].text, "");
-}
-
-// Programs stretch letters upwards to whole pixels, and leave their widths.
-TEST(PictureFonts, LettersAreBentToTheSizeThatTheirWidthsTell) {
-    const FontShapes font = strokes(0.1, 0.5);
-    FontShapes stretched = font;
-    for (auto& [code, shape] : stretched)
-        for (auto& ring : shape.rings)
-            for (Point& corner : ring) corner.y *= 1.07;
-    std::vector<double> sizes;
-    PrintFont print{font};
-    print.bent = [&](const std::vector<char32_t>&, double em) {
-        sizes.push_back(em);
-        return stretched;
-    };
-    const std::vector<FormWords> words = read_lines({written(stretched, U"1H10", 18)}, {{"1H10", true}}, print);
-    ASSERT_EQ(sizes.size(), 1u);
-    EXPECT_NEAR(sizes[0], 18, 0.3);
-    EXPECT_GT(words[0].reading.mean, 0.93);
-}
-
-// Corners of a triangle are named as formulas have it.
-TEST(PictureFonts, ShortPrintMayBeOfFormulas) {
-    const FontShapes plain = strokes(0.1, 0.5);
-    FontShapes formula = plain;
-    formula[U'L'] = {0.6, {box(0.4, 0, 0.5, 0.7), box(0.05, 0, 0.5, 0.1)}};
-    formula[U'T'] = {0.6, {box(0.05, 0, 0.55, 0.1), box(0.25, 0, 0.35, 0.7)}};
-    formula[U'H'] = {0.7, {box(0.05, 0, 0.15, 0.7), box(0.5, 0, 0.6, 0.7), box(0.05, 0.6, 0.6, 0.7)}};
-    const std::vector<Image> images{written(formula, U"L", 30), written(formula, U"T", 30), written(formula, U"H", 30)};
-    const auto texts = [&](const PrintFont& font) {
-        std::string all;
-        for (const FormWords& words : read_lines(images, {{}, {}, {}}, font)) all += words.sized ? words.text : "?";
-        return all;
-    };
-    EXPECT_EQ(texts(PrintFont{plain}), "???");
-    EXPECT_EQ(texts(PrintFont{plain, {}, {}, [&](const auto&) { return formula; }}), "LTH");
-}
-
-// Dashes of a curve may be as high as figures, and are many more.
-TEST(PictureFonts, DashesTellNoFont) {
-    const FontShapes font = strokes(0.1, 0.5);
-    std::vector<Image> images;
-    for (int i = 0; i < 14; ++i) {
-        Image& dash = images.emplace_back(make_image(320, 60, 1, 0, 255));
-        for (int y = 20; y < 40; ++y)
-            for (int x = 0; x < 4; ++x) dash.row(y)[30 + x + (y - 20) * (i + 2) / 16] = 0;
-    }
-    for (const char32_t letter : {U'7', U'H', U'T', U'L'}) images.push_back(written(font, std::u32string(1, letter), 30));
-    const std::vector<FormWords> words = read_lines(images, std::vector<OtherReading>(images.size()), PrintFont{font});
-    ASSERT_EQ(words.size(), 18u);
-    EXPECT_EQ(words[14].text + words[15].text + words[16].text + words[17].text, "7HTL");
 }
 
 TEST(StrangePrint, ALoneFigureOfNoFontOfTheWordsIsLeftToItsAxis) {

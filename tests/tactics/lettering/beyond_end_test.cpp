@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What touches a line of print may be one of its letters; a line that only leads to it is none.
+#include "tactics/lettering/beyond_end.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace tactics::beyond_end_test {
+namespace {
+
+// Three letters as an L is, 14 pixels high, that end at x = 64, on a foot at y = 34.
+Image three_letters() {
+    Image image = make_image(120, 60, 1, 0, 255);
+    for (const int left : {30, 42, 54})
+        for (int y = 20; y < 34; ++y)
+            for (int x = left; x < left + (y < 32 ? 2 : 10); ++x) image.row(y)[x] = 0;
+    return image;
+}
+
+bool is_cut_off(const Image& image) {
+    for (const LetteringLine& line : find_lettering(image))
+        if (line.letters.size() == 3) return is_cut(image, line, 0.3);
+    ADD_FAILURE() << "the letters were not found";
+    return false;
+}
+
+// From there down to the right, two pixels down for each to the side.
+void tick(Image& image, int left, int top, int rows) {
+    for (int i = 0; i < rows; ++i) image.row(top + i)[left + i / 2] = 0;
+}
+
+TEST(BeyondEnd, NothingIsThere) { EXPECT_FALSE(is_cut_off(three_letters())); }
+
+TEST(BeyondEnd, WhatEndsAtTheMiddleMayHaveALetter) {
+    for (const int row : {27, 33}) {  // nor does it pass the corner where it is level with the foot
+        Image image = three_letters();
+        std::fill(image.row(row) + 67, image.row(row) + 115, std::uint8_t{0});
+        EXPECT_TRUE(is_cut_off(image)) << row;
+    }
+}
+
+TEST(BeyondEnd, ALineThatLeadsToACornerIsNone) {
+    Image image = three_letters();
+    tick(image, 67, 32, 16);
+    EXPECT_FALSE(is_cut_off(image));
+    Image above = three_letters();
+    tick(above, 61, 8, 14);
+    EXPECT_FALSE(is_cut_off(above));
+}
+
+}  // namespace
+}  // namespace tactics::beyond_end_test

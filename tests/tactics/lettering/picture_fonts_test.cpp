@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fonts and sizes that a picture's print tells, and what lines say in them.
+#include "tactics/lettering/picture_fonts.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tactics/lettering/form_words.h"
+#include "tactics/lettering/meant_letters.h"
+#include "tests/tactics/lettering/stroke_font.h"
+
+namespace tactics::picture_fonts_test {
+namespace {
+
+using namespace stroke_font;
+
+std::vector<FormWords> read_lines(const std::vector<Image>& images, const std::vector<OtherReading>& others,
+                                  const PrintFont& font) {
+    std::vector<InkStrip> strips;
+    for (const Image& image : images) strips.emplace_back(image, line_in(image));
+    return read_in_fonts(strips, others, [&](const auto&, const auto& goes_on) { goes_on(font); });
+}
+
+TEST(PictureFonts, AFormulaIsReadInTheFontOfTheWords) {
+    const FontShapes plain = strokes(0.1, 0.5);
+    FontShapes formula = plain;
+    formula[U'L'] = {0.6, {box(0.4, 0, 0.5, 0.7), box(0.05, 0, 0.5, 0.1)}};  // another form of it
+    const std::vector<Image> images{written(plain, U"1010", 30), written(formula, U"L", 30)};
+    const auto text = [&](const PrintFont& font) { return read_lines(images, {{"1010", true}, {}}, font)[1].text; };
+    EXPECT_EQ(text(PrintFont{plain}), "");
+    EXPECT_EQ(text(PrintFont{plain, {}, {}, [&](const auto&) { return formula; }}), "L");
+}
+
+// Most lines of formulas have upright letters, too.
+TEST(PictureFonts, ALineMayHaveLettersOfFormulasAndOthers) {
+    const FontShapes plain = strokes(0.1, 0.5);
+    FontShapes formula = plain;
+    formula[U'L'] = {0.6, {box(0.4, 0, 0.5, 0.7), box(0.05, 0, 0.5, 0.1)}};
+    formula[U'H'] = {0.7, {box(0.05, 0, 0.15, 0.7), box(0.5, 0, 0.6, 0.7), box(0.05, 0.6, 0.6, 0.7)}};
+    FontShapes both = plain;
+    both[U'L'] = formula[U'L'];
+    const PrintFont font{plain, {}, {}, [&](const auto&) { return formula; }};
+    const std::vector<FormWords> words =
+        read_lines({written(plain, U"1010", 30), written(both, U"LH7", 30)}, {{"1010", true}, {}}, font);
+    EXPECT_EQ(words[1].text, "LH7");
+    EXPECT_TRUE(words[1].sized);
+}
+
+TEST(FormText, SaysWhatIsRaisedAndLowered) {
+    FormFont font(strokes(0.1, 0.5));
+    const auto text = [&](const std::vector<std::pair<char32_t, FormLetter::Place>>& letters) {
+        FormReading reading;
+        reading.em = 30;
+        double left = 20;
+        for (const auto& [code, place] : letters) {
+            FormLetter letter;
+            letter.code = code;
+            letter.place = place;
+            const double em = place == FormLetter::Place::on_line ? reading.em : 0.7 * reading.em;
+            const LetterForm& form = font.form(code);
+            letter.box = {left, 10, left + form.width() * em, 10 + form.height() * em};
+            left += form.advance() * em;
+            reading.letters.push_back(letter);
+        }
+        return text_of(reading, font);
+    };
+    using enum FormLetter::Place;
+    EXPECT_EQ(text({{U'H', on_line}, {U'n', raised}}), "H^n");
+    EXPECT_EQ(text({{U'H', on_line}, {U'1', raised}, {U'0', raised}}), "H\u00b9\u2070");
+    EXPECT_EQ(text({{U'H', on_line}, {U'i', lowered}, {U'n', lowered}, {U'L', on_line}}), "H_inL");
+    EXPECT_TRUE(same_letters("H_in", "Hin"));
+    EXPECT_FALSE(same_letters("Hin", "H_in")) << "an underscore that was not seen";
+}
+
+// In another size than the words have.
+TEST(PictureFonts, LinesThatBearEachOtherOutTellTheirSize) {
+    const FontShapes font = strokes(0.1, 0.5);
+    std::vector<Image> images{written(font, U"1010", 30), written(font, U"HL", 22)};
+    std::vector<OtherReading> others{{"1010", true}, {}};
+    EXPECT_FALSE(read_lines(images, others, PrintFont{font})[1].sized);
+    images.push_back(written(font, U"Tn7", 22));
+    others.push_back({});
+    const std::vector<FormWords> words = read_lines(images, others, PrintFont{font});
+    EXPECT_TRUE(words[1].sized);
+    EXPECT_EQ(words[1].text, "HL");
+    EXPECT_EQ(words[2].text, "Tn7");
+}
+
+TEST(PictureFonts, ShortPrintTellsAFontWhereNoWordDoes) {
+    const FontShapes font = strokes(0.1, 0.5);
+    const std::vector<Image> images{written(font, U"17", 30), written(font, U"HT", 30), written(font, U"L", 30)};
+    const std::vector<FormWords> words = read_lines(images, {{}, {}, {}}, PrintFont{font});
+    ASSERT_EQ(words.size(), 3u);
+    EXPECT_EQ(words[0].text, "17");
+    EXPECT_TRUE(words[0].sized && words[2].sized);
+    const std::vector<FormWords> few = read_lines({images[2]}, {{}}, PrintFont{font});
+    EXPECT_EQ(few[0].text, "");
+}
+
+// Programs stretch letters upwards to whole pixels, and leave their widths.
+TEST(PictureFonts, LettersAreBentToTheSizeThatTheirWidthsTell) {
+    const FontShapes font = strokes(0.1, 0.5);
+    FontShapes stretched = font;
+    for (auto& [code, shape] : stretched)
+        for (auto& ring : shape.rings)
+            for (Point& corner : ring) corner.y *= 1.07;
+    std::vector<double> sizes;
+    PrintFont print{font};
+    print.bent = [&](const std::vector<char32_t>&, double em) {
+        sizes.push_back(em);
+        return stretched;
+    };
+    const std::vector<FormWords> words = read_lines({written(stretched, U"1H10", 18)}, {{"1H10", true}}, print);
+    ASSERT_EQ(sizes.size(), 1u);
+    EXPECT_NEAR(sizes[0], 18, 0.3);
+    EXPECT_GT(words[0].reading.mean, 0.93);
+}
+
+// Corners of a triangle are named as formulas have it.
+TEST(PictureFonts, ShortPrintMayBeOfFormulas) {
+    const FontShapes plain = strokes(0.1, 0.5);
+    FontShapes formula = plain;
+    formula[U'L'] = {0.6, {box(0.4, 0, 0.5, 0.7), box(0.05, 0, 0.5, 0.1)}};
+    formula[U'T'] = {0.6, {box(0.05, 0, 0.55, 0.1), box(0.25, 0, 0.35, 0.7)}};
+    formula[U'H'] = {0.7, {box(0.05, 0, 0.15, 0.7), box(0.5, 0, 0.6, 0.7), box(0.05, 0.6, 0.6, 0.7)}};
+    const std::vector<Image> images{written(formula, U"L", 30), written(formula, U"T", 30), written(formula, U"H", 30)};
+    const auto texts = [&](const PrintFont& font) {
+        std::string all;
+        for (const FormWords& words : read_lines(images, {{}, {}, {}}, font)) all += words.sized ? words.text : "?";
+        return all;
+    };
+    EXPECT_EQ(texts(PrintFont{plain}), "???");
+    EXPECT_EQ(texts(PrintFont{plain, {}, {}, [&](const auto&) { return formula; }}), "LTH");
+}
+
+// Dashes of a curve may be as high as figures, and are many more.
+TEST(PictureFonts, DashesTellNoFont) {
+    const FontShapes font = strokes(0.1, 0.5);
+    std::vector<Image> images;
+    for (int i = 0; i < 14; ++i) {
+        Image& dash = images.emplace_back(make_image(320, 60, 1, 0, 255));
+        for (int y = 20; y < 40; ++y)
+            for (int x = 0; x < 4; ++x) dash.row(y)[30 + x + (y - 20) * (i + 2) / 16] = 0;
+    }
+    for (const char32_t letter : {U'7', U'H', U'T', U'L'}) images.push_back(written(font, std::u32string(1, letter), 30));
+    const std::vector<FormWords> words = read_lines(images, std::vector<OtherReading>(images.size()), PrintFont{font});
+    ASSERT_EQ(words.size(), 18u);
+    EXPECT_EQ(words[14].text + words[15].text + words[16].text + words[17].text, "7HTL");
+}
+
+}  // namespace
+}  // namespace tactics::picture_fonts_test
