@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactics/drawing.h"
+
 namespace tactics {
 
 namespace {
