@@ -131,6 +131,8 @@ bool is_no_pair(const FormWords& words, const ReadWords& other) {
     constexpr std::u32string_view kLikeTwo = U"mdOJjnwh";
     constexpr double kClear = 0.86, kCertain = 0.9;  // of such a letter; two are like it with 0.8
     const bool tiny = words.reading.em < kTinyPrint;
+    // A unit above an axis, which the other reader is often not shown.
+    if (words.sized && is_degrees(words.text)) return true;
     // S and 8, or B and 8, are told apart by one reader no longer.
     if (tiny && (!words.agreed || is_all_thin(words.reading))) return false;
     bool any = false, two = false, clear = true, certain = !tiny || words.sized;
@@ -242,6 +244,8 @@ Belief believe(const FormWords& words, const ReadWords& other) {
     if (reading.em < kSmallPrint) belief.sure = belief.sure && !belief.open;
     return belief;
 }
+
+bool is_degrees(std::string_view text) { return text == "\u00b0C" || text == "\u00b0F"; }
 
 bool has_letter_for_figure(std::string_view text) {
     constexpr std::string_view kAlike = "OoIl|", kOfNumbers = "0123456789.,OoIl|";

@@ -243,7 +243,8 @@ void join_at_signs(std::vector<Held>& lines) {
         }
     // A sign that is left alone is none, or is not known to be one.
     for (Held& one : lines)
-        if (is_sign(one.form.text) || one.form.text.starts_with("\u00b0") || is_pale_minus(one.form.text))
+        if (is_sign(one.form.text) || (one.form.text.starts_with("\u00b0") && !is_degrees(one.form.text)) ||
+            is_pale_minus(one.form.text))
             one.read.words.sure = false;
 }
 

@@ -129,6 +129,17 @@ TEST(Agreement, ALineInLettersOfItsFontNeedsNoOtherReader) {
     EXPECT_FALSE(sure(15, 0.96, false)) << "of a size of its own";
 }
 
+TEST(Agreement, DegreesOfFewPixelsAreTheirOwnWitness) {
+    FormWords words = line_of(U"\u00b0C", "\u00b0C", 0.9);
+    words.reading.em = 12;
+    EXPECT_TRUE(believe(words, {"", 0, false, false}).sure);
+    words.sized = false;
+    EXPECT_FALSE(believe(words, {"", 0, false, false}).sure);
+    FormWords other = line_of(U"BC", "BC", 0.9);
+    other.reading.em = 12;
+    EXPECT_FALSE(believe(other, {"", 0, false, false}).sure);
+}
+
 TEST(Agreement, InPrintOfFewPixelsBothReadersMustSayIt) {
     FormWords words = line_of(U"88", "88");
     words.reading.em = 10;
