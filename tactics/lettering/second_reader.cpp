@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -45,6 +47,19 @@ bool is_dashed_line(const std::vector<InkPiece>& pieces) {
            });
 }
 
+// How much paler than a line's ink something may be that is no ground. Print on a coloured ground is not much darker than that.
+int paler_ink(const Image& grey, const PixelBox& box, int level, bool light) {
+    constexpr int kPaler = 40;  // grey levels; a setting
+    std::array<int, 256> count{};
+    int all = 0;
+    for (int y = box.top; y < box.bottom; ++y)
+        for (int x = box.left; x < box.right; ++x)
+            if (const int value = grey.row(y)[x]; (value < level) == light) ++count[static_cast<std::size_t>(value)], ++all;
+    int middle = 0;
+    for (int seen = count[0]; 2 * seen < all; seen += count[static_cast<std::size_t>(middle)]) ++middle;
+    return std::min(kPaler, std::abs(middle - level) / 2);
+}
+
 // Something stands among its letters or below them that is none of them and ends there, such as the low line of "X_1", which is
 // thin, and paler than they are.
 bool has_strange_ink(const Image& grey, const LetteringLine& line) {
@@ -53,8 +68,8 @@ bool has_strange_ink(const Image& grey, const LetteringLine& line) {
     (line.upwards ? box.right : box.bottom) += below;
     box.right = std::min(box.right, grey.width);
     box.bottom = std::min(box.bottom, grey.height);
-    constexpr int kPaler = 40;  // grey levels; a setting
-    const int level = line.light ? line.level - kPaler : line.level + kPaler;
+    const int paler = paler_ink(grey, box, line.level, line.light);
+    const int level = line.light ? line.level - paler : line.level + paler;
     Image part = make_image(box.width(), box.height(), 1, 0, 255);
     for (int y = box.top; y < box.bottom; ++y)
         for (int x = box.left; x < box.right; ++x)

@@ -10,6 +10,7 @@
 
 #include "tactics/lettering/form_words.h"
 #include "tactics/lettering/meant_letters.h"
+#include "tactics/lettering/read_line.h"
 #include "tests/tactics/lettering/stroke_font.h"
 
 namespace tactics::picture_fonts_test {
@@ -98,6 +99,24 @@ TEST(PictureFonts, ShortPrintTellsAFontWhereNoWordDoes) {
     EXPECT_TRUE(words[0].sized && words[2].sized);
     const std::vector<FormWords> few = read_lines({images[2]}, {{}}, PrintFont{font});
     EXPECT_EQ(few[0].text, "");
+}
+
+// As the shares of a pie are: what is within its rings is no paler ink.
+TEST(PictureFonts, PrintOnAColourIsAsSureAsOnWhite) {
+    const FontShapes font = strokes(0.1, 0.5);
+    for (const int ground : {255, 100}) {
+        Image image = written(font, U"1H10", 30);
+        for (std::uint8_t& pixel : image.pixels) pixel = static_cast<std::uint8_t>(pixel * ground / 255);
+        LetteringLine line = line_in(image);
+        line.level = ground == 255 ? 128 : 64;  // the nearest level to the middle may be either of two
+        ReadLine read{line, print_of(image, line)};
+        read.words.text = "1H10";
+        read.words.sureness = 96;
+        read.words.sure = read.alike = read.counted = true;
+        std::vector<ReadLine> lines{read};
+        ASSERT_TRUE(hold_against_fonts(image, lines, {}, [&](const auto&, const auto& goes_on) { goes_on(PrintFont{font}); }));
+        EXPECT_TRUE(lines.at(0).words.sure) << ground;
+    }
 }
 
 // Programs stretch letters upwards to whole pixels, and leave their widths.
