@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "tactics/drawing.h"
 
@@ -39,7 +41,7 @@ public:
             first = std::min(first, row);
             last = row;
         }
-        if (nearest > reach || (part == 1 && passes_corner(first, last, reach))) return false;
+        if (nearest > reach || (part == 1 && (passes_corner(first, last, reach) || passes_straight()))) return false;
         return farthest > nearest + 1 || thickest > thinnest + 1;
     }
 
@@ -55,6 +57,22 @@ private:
             return false;
         };
         return (last < kCorner * across() && goes_on(-1)) || (first >= (1 - kCorner) * across() && goes_on(across()));
+    }
+
+    // A line at any slope, such as an arrow beside its label, that goes on above and below.
+    bool passes_straight() const {
+        constexpr int kBeyond = 2;  // pixels
+        std::vector<int> steps;
+        for (int row = -kBeyond; row < across() + kBeyond; ++row) {
+            int step = 1;
+            while (step <= 2 * across() && !has_ink(row, step)) ++step;
+            if (step > 2 * across()) return false;
+            steps.push_back(step);
+        }
+        const double slope = (steps.back() - steps.front()) / static_cast<double>(steps.size() - 1);
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            if (std::abs(steps[i] - steps.front() - slope * static_cast<double>(i)) > 1) return false;
+        return true;
     }
 
     int along() const { return line_.upwards ? line_.box.height() : line_.box.width(); }

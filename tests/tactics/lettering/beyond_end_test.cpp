@@ -41,6 +41,16 @@ TEST(BeyondEnd, WhatEndsAtTheMiddleMayHaveALetter) {
     }
 }
 
+TEST(BeyondEnd, ALineThatPassesIsNoneAtAnySlope) {
+    for (const bool bent : {false, true}) {
+        Image image = three_letters();
+        for (int y = 2; y < 58; ++y)
+            for (int x = 0; x < 2; ++x) image.row(y)[66 + (y - 2) / 5 + x] = 0;
+        if (bent) std::fill(image.row(27) + 68, image.row(27) + 72, std::uint8_t{0});  // a letter may touch it
+        EXPECT_EQ(is_cut_off(image), bent);
+    }
+}
+
 TEST(BeyondEnd, ALineThatLeadsToACornerIsNone) {
     Image image = three_letters();
     tick(image, 67, 32, 16);
