@@ -193,9 +193,11 @@ public:
         drop_splinters(grey_, found_);
         drop_halves(grey_, found_);
         // Best first; what has ink where a better one stands is the same lettering at a worse level, or the frame around it.
-        // Words before lone letters and dotted arrows, then the clear ones, then the small ones: large things side by side look like letters, too.
+        // Words before lone letters and dotted arrows, then the clear ones, then the small ones: large things side by side look
+        // like letters, too.
         const auto key = [](const FoundLine& one) {
-            return std::tuple(one.line.letters.size() < 2 || is_dotted(one.line), one.rank / kClearer, one.line.letter_height, one.rank);
+            return std::tuple(one.line.letters.size() < 2 || is_dotted(one.line), one.rank / kClearer, one.line.letter_height,
+                              one.rank);
         };
         std::stable_sort(found_.begin(), found_.end(), [&](const FoundLine& a, const FoundLine& b) { return key(a) < key(b); });
         FoundBoxes taken(grey_.width, grey_.height), of_words(grey_.width, grey_.height);
