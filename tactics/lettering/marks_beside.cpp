@@ -14,7 +14,7 @@ namespace {
 // Settings. A solid letter, such as an l, is narrow; letters that touch are wide, but in a line of such.
 constexpr double kSolid = 0.85, kNarrowLetter = 0.5;               // of what is between its ink; of its longer side
 constexpr double kApart = 0.25, kFrameApart = 0.4, kWideMark = 2;  // of the height of the line's tallest letter
-constexpr int kLeastSide = 5;                                      // pixels
+constexpr int kLeastSide = 5, kTellingSide = 8;                    // pixels
 
 // A box with straight sides that is empty, or painted paler than its border. A zero of square letters is narrower.
 bool is_frame(const InkPiece& piece) {
@@ -41,7 +41,8 @@ bool is_solid(const InkPiece& piece) {
         for (const int x : {run.left, run.right})
             for (const int y : {run.y, run.y + 1}) corners.push_back({1.0 * x, 1.0 * y});
     }
-    return ink >= kSolid * area_of(hull_of(std::move(corners)));
+    if (ink < kSolid * area_of(hull_of(std::move(corners)))) return false;
+    return side >= kTellingSide || mark_shape(piece).band >= kSolid;  // of few pixels, an n is nearly as solid
 }
 
 }  // namespace

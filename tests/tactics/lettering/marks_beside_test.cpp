@@ -88,6 +88,10 @@ TEST(MarksBeside, LettersAreNone) {
     Line near;  // a filled letter of a word
     near.letter(10), near.box(20, 12, 30, 24, true), near.letter(32);
     EXPECT_EQ(parts_of(near), (Parts{{0, 1, 2}}));
+    Line small;  // an n of few pixels
+    small.letter(10), small.box(26, 18, 31, 20, true), small.box(26, 20, 28, 24, true), small.box(29, 20, 31, 24, true);
+    small.letter(38);
+    EXPECT_EQ(parts_of(small), (Parts{{0, 1, 2}}));
     Line marks;  // of a plot
     for (const int left : {10, 30, 50, 70}) marks.disc(left, 12, 10);
     EXPECT_EQ(parts_of(marks), (Parts{{0, 1, 2, 3}}));
