@@ -59,20 +59,27 @@ private:
         return (last < kCorner * across() && goes_on(-1)) || (first >= (1 - kCorner) * across() && goes_on(across()));
     }
 
-    // A line at any slope, such as an arrow beside its label, that goes on above and below.
+    // A line at any slope, such as an arrow beside its label, that goes on above and below and touches no letter behind it. A
+    // letter by itself may be the last of a word that is hidden.
     bool passes_straight() const {
         constexpr int kBeyond = 2;  // pixels
+        if (line_.letters.size() < 2) return false;
         std::vector<int> steps;
+        int thinnest = kThick, thickest = 0;
         for (int row = -kBeyond; row < across() + kBeyond; ++row) {
             int step = 1;
             while (step <= 2 * across() && !has_ink(row, step)) ++step;
             if (step > 2 * across()) return false;
+            int end = step;
+            while (end < step + kThick && has_ink(row, end)) ++end;
+            thinnest = std::min(thinnest, end - step);
+            thickest = std::max(thickest, end - step);
             steps.push_back(step);
         }
         const double slope = (steps.back() - steps.front()) / static_cast<double>(steps.size() - 1);
         for (std::size_t i = 0; i < steps.size(); ++i)
             if (std::abs(steps[i] - steps.front() - slope * static_cast<double>(i)) > 1) return false;
-        return true;
+        return thickest <= thinnest + 1;
     }
 
     int along() const { return line_.upwards ? line_.box.height() : line_.box.width(); }
