@@ -276,11 +276,11 @@ void PictureFonts::add_bent(std::size_t font, double em) {
     add(font, bent_[font](letters_of_figures(), em));
 }
 
-FontShapes PictureFonts::with_slanted(std::size_t font, FontShapes formula) {
+FontShapes PictureFonts::with_slanted(std::size_t font, const FontShapes& formula) {
     if (formula.empty()) return {};
     FontShapes all = fonts_[font].shapes();
-    for (auto& [code, shape] : formula)
-        if (slanted(code) != code) all[slanted(code)] = std::move(shape);
+    for (const auto& [code, shape] : formula)
+        if (slanted(code) != code) all[slanted(code)] = shape;
     return all;
 }
 

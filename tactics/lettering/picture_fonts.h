@@ -56,7 +56,7 @@ private:
     void add_bent(std::size_t font, double em);
 
     // Its letters with those of formulas.
-    FontShapes with_slanted(std::size_t font, FontShapes formula);
+    FontShapes with_slanted(std::size_t font, const FontShapes& formula);
 
     // In another form, of the same sizes.
     void add(std::size_t font, FontShapes shapes);
