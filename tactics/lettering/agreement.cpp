@@ -61,10 +61,7 @@ bool bears_out(const FormReading& reading, std::string_view text) {
             continue;
         }
         if (letter.place != FormLetter::Place::on_line) return false;  // which the text does not say
-        const auto is = [&](char32_t code) {
-            return code == letter.code || std::find(letter.alike.begin(), letter.alike.end(), code) != letter.alike.end();
-        };
-        while (at < letters.size() && !is(letters[at])) pass();
+        while (at < letters.size() && !letter.may_be(letters[at])) pass();
         if (at == letters.size()) return false;
         letter_found = letter_found || is_of_words(letter.code);
         ++at;

@@ -29,14 +29,11 @@ public:
         if (is_out(std::max(1, line_.letter_height / 8))) return true;
         int nearest = reach + 2, farthest = 0, thinnest = kThick, thickest = 0, first = across(), last = -1;
         for (int row = 0; row < part * across(); ++row) {
-            int step = 1;
-            while (step < reach + 2 && !has_ink(row, step)) ++step;
+            const auto [step, thick] = first_ink(row, reach + 2);
             nearest = std::min(nearest, step);
             farthest = std::max(farthest, step);
-            int end = step;
-            while (end < step + kThick && has_ink(row, end)) ++end;
-            thinnest = std::min(thinnest, end - step);
-            thickest = std::max(thickest, end - step);
+            thinnest = std::min(thinnest, thick);
+            thickest = std::max(thickest, thick);
             if (step > reach) continue;
             first = std::min(first, row);
             last = row;
@@ -47,6 +44,18 @@ public:
 
 private:
     static constexpr int kThick = 6;  // pixels
+
+    struct Ink {
+        int step, thick;  // pixels from the end; the latter kThick at most
+    };
+    // `most`: no farther off than that.
+    Ink first_ink(int row, int most) const {
+        int step = 1;
+        while (step < most && !has_ink(row, step)) ++step;
+        int end = step;
+        while (end < step + kThick && has_ink(row, end)) ++end;
+        return {step, end - step};
+    }
 
     // Of a line that leads to it, such as the tick of a pie, the end may be level with the top or the foot of its letters.
     bool passes_corner(int first, int last, int reach) const {
@@ -67,13 +76,10 @@ private:
         std::vector<int> steps;
         int thinnest = kThick, thickest = 0;
         for (int row = -kBeyond; row < across() + kBeyond; ++row) {
-            int step = 1;
-            while (step <= 2 * across() && !has_ink(row, step)) ++step;
+            const auto [step, thick] = first_ink(row, 2 * across() + 1);
             if (step > 2 * across()) return false;
-            int end = step;
-            while (end < step + kThick && has_ink(row, end)) ++end;
-            thinnest = std::min(thinnest, end - step);
-            thickest = std::max(thickest, end - step);
+            thinnest = std::min(thinnest, thick);
+            thickest = std::max(thickest, thick);
             steps.push_back(step);
         }
         const double slope = (steps.back() - steps.front()) / static_cast<double>(steps.size() - 1);

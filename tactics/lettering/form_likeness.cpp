@@ -15,11 +15,8 @@ double likeness_to(const InkStrip& strip, FormFont& font, std::string_view text,
     if (codes.empty() || strip.units() == 0) return 0;
     if (codes.size() != strip.units()) {
         const FormReading reading = read_by_forms(strip, font, {}, guess, true);
-        const bool same =
-            reading.letters.size() == codes.size() &&
-            std::equal(codes.begin(), codes.end(), reading.letters.begin(), [](char32_t code, const FormLetter& letter) {
-                return letter.code == code || std::find(letter.alike.begin(), letter.alike.end(), code) != letter.alike.end();
-            });
+        const bool same = std::equal(codes.begin(), codes.end(), reading.letters.begin(), reading.letters.end(),
+                                     [](char32_t code, const FormLetter& letter) { return letter.may_be(code); });
         em = reading.em;
         return same ? reading.mean : 0;
     }

@@ -2,6 +2,7 @@
 // A line of lettering read by holding the letters of a font against it.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,8 @@ struct FormLetter {
     Place place = Place::on_line;
     std::vector<char32_t> alike;  ///< others that it may be as well, by its looks, its size and where it stands
     InkBox box;
+
+    bool may_be(char32_t other) const { return code == other || std::find(alike.begin(), alike.end(), other) != alike.end(); }
 };
 
 struct FormReading {

@@ -100,10 +100,7 @@ bool may_be_of_joined_words(const std::vector<FormLetter>& letters, const std::v
 // So many letters from the beginning may be what another reader has.
 std::size_t letters_in_step(const std::vector<FormLetter>& letters, const std::vector<char32_t>& told) {
     std::size_t count = 0;
-    const auto may_be = [&](const FormLetter& letter, char32_t code) {
-        return letter.code == code || std::find(letter.alike.begin(), letter.alike.end(), code) != letter.alike.end();
-    };
-    while (count < std::min(letters.size(), told.size()) && may_be(letters[count], told[count])) ++count;
+    while (count < std::min(letters.size(), told.size()) && letters[count].may_be(told[count])) ++count;
     return count;
 }
 
