@@ -12,8 +12,9 @@ build_packages=(
     libboost-dev rapidjson-dev libpappl-dev
 )
 # What tactics uses at run time if it is there: without these programs print stays in the lines and PDF is refused, and without the
-# font figures that TeX has set keep most of their words as lines.
-run_packages=(tesseract-ocr tesseract-ocr-eng poppler-utils fonts-lmodern)
+# fonts figures in Helvetica, Arial, Times and Courier, and those that TeX has set, keep many of their words as lines.
+run_packages=(tesseract-ocr tesseract-ocr-eng poppler-utils
+              fonts-dejavu-extra fonts-lmodern fonts-liberation2 fonts-urw-base35)
 # What the tests are built from, and the independent programs that they check our files with.
 test_packages=(libgtest-dev libgeos-dev qpdf ghostscript librsvg2-bin imagemagick libtiff-tools
                umockdev libumockdev-dev libxml2-utils admesh python3-jsonschema man-db speech-dispatcher libspeechd2 espeak-ng libasound2

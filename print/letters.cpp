@@ -230,7 +230,7 @@ std::vector<FontPair> likely_fonts() {
     std::vector<FontPair> fonts;
     for (const std::string style : {"", ":bold", ":italic", ":bold:italic"}) {
         for (const std::string family : {"DejaVu Sans", "Helvetica", "Times", "sans-serif", "serif", "monospace", "Arial",
-                                         "Courier", "DejaVu Serif", "DejaVu Sans Mono", "Latin Modern Sans"})
+                                         "Times New Roman", "Courier", "DejaVu Serif", "DejaVu Sans Mono", "Latin Modern Sans"})
             fonts.push_back({file_for(family + style), style.empty() ? file_for(family + ":italic") : FontFile()});
         fonts.push_back({file_for("Latin Modern Roman" + style), style.empty() ? file_for("Latin Modern Math") : FontFile()});
         if (style != ":italic") continue;

@@ -31,8 +31,8 @@ embossers and height maps.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tactics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "tactile graphics from pictures\n${does}")
-# Without them print, or that of TeX, stays in the lines, and PDF and rare formats are refused with a word on what to install.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "tactics-formats ${same}, tesseract-ocr, tesseract-ocr-eng, poppler-utils, fonts-lmodern")
+# Without them print, or that in common fonts, stays in the lines, and PDF and rare formats are refused with a word on what to install.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "tactics-formats ${same}, tesseract-ocr, tesseract-ocr-eng, poppler-utils, fonts-dejavu-extra, fonts-lmodern, fonts-liberation2, fonts-urw-base35")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS
   "tactics-cups, speech-dispatcher | espeak-ng, libspeechd2, libbrlapi0.8, libasound2, cups-client")
 

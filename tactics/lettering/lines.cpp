@@ -384,7 +384,10 @@ std::vector<LetteringLine> find_lettering(const Image& grey, std::vector<Letteri
                                           std::vector<LetteringLine>* low) {
     std::vector<LetteringLine> lines = Finder(grey).run(climbing, low);
     drop_tick_ends(lines);
-    for (LetteringLine& line : lines) add_pale_ink(grey, line);
+    for (LetteringLine& line : lines) {
+        add_pale_ink(grey, line);
+        line = whole_if_broken(grey, std::move(line));
+    }
     if (climbing != nullptr)
         for (LetteringLine& line : *climbing) add_pale_ink(grey, line);
     return lines;

@@ -15,4 +15,7 @@ void add_pale_ink(const Image& grey, LetteringLine& line);
 /// letters best. Its marks are among the letters then. As it is, if pale ink leads out of it.
 LetteringLine joined_by_pale_ink(const Image& grey, const LetteringLine& line);
 
+/// That, if it has far fewer pieces so: print whose thin strokes are all paler than half. Else the line as it is.
+LetteringLine whole_if_broken(const Image& grey, LetteringLine line);
+
 }  // namespace tactics
