@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
+#include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "tactics/drawing.h"
@@ -11,10 +15,6 @@
 namespace tactics {
 
 namespace {
-
-bool is_ink(const Image& grey, const LetteringLine& line, int x, int y) {
-    return x >= 0 && y >= 0 && x < grey.width && y < grey.height && (grey.row(y)[x] < line.level) != line.light;
-}
 
 // What stands beyond one end of a line, row by row across it, from the end outwards.
 class BeyondEnd {
@@ -42,12 +42,85 @@ public:
         return farthest > nearest + 1 || thickest > thinnest + 1;
     }
 
+    // A letter that touches a straight line which passes: it sticks out of that, and reaches as far up and down as some letter
+    // here.
+    bool hides_letter() const {
+        const int most = 3 * line_.letter_height;
+        const auto line = line_past(most);
+        if (!line) return false;
+        int first = across(), last = -1;
+        Out nearest{0, most};
+        for (int row = -1; row <= across(); ++row) {
+            const int step = first_ink(row, most).step;
+            if (step > line->at(row) - kOut) continue;
+            first = std::min(first, row);
+            last = row;
+            if (step < nearest.step) nearest = {row, step};
+        }
+        const auto is_as_high = [&](const InkPiece& one) {
+            const int top = line_.upwards ? one.box.left - line_.box.left : one.box.top - line_.box.top;
+            const int foot = line_.upwards ? one.box.right - line_.box.left : one.box.bottom - line_.box.top;
+            return std::abs(top - first) <= 1 && std::abs(foot - 1 - last) <= 1;
+        };
+        return nearest.step <= line_.letter_height && !is_shaft(nearest, most) &&
+               std::any_of(line_.letters.begin(), line_.letters.end(), is_as_high) && leads_to(nearest, *line, most);
+    }
+
 private:
     static constexpr int kThick = 6;  // pixels
 
     struct Ink {
         int step, thick;  // pixels from the end; the latter kThick at most
     };
+    // Where a straight line is that passes, row by row.
+    struct Straight {
+        double step, slope;
+        double at(int row) const { return step + slope * row; }
+    };
+    struct Out {
+        int row, step;
+    };
+    static constexpr int kPast = 3, kOut = 2;  // pixels: above and below the letters; out of the line
+
+    // As it is above the letters, it is below them.
+    std::optional<Straight> line_past(int most) const {
+        constexpr int kRows = 4;
+        const auto seen = [&](int row) { return first_ink(row, most).step; };
+        const int end = across() - 1 + kPast, above = seen(-kPast), below = seen(end);
+        if (above >= most || below >= most) return std::nullopt;
+        const double slope = static_cast<double>(below - above) / (end + kPast);
+        const Straight line{above + slope * kPast, slope};
+        for (int row = kPast; row < kPast + kRows; ++row)
+            if (std::abs(seen(-row) - line.at(-row)) > 1 || std::abs(seen(end - kPast + row) - line.at(end - kPast + row)) > 1)
+                return std::nullopt;
+        return line;
+    }
+
+    // Of an arrow: at half the height something sticks out of what is behind it.
+    bool is_shaft(const Out& nearest, int most) const {
+        constexpr double kOut = 0.35, kOffMiddle = 0.2;  // of the height
+        for (int row = -1; row <= across(); ++row)
+            if (first_ink(row, most).step <= nearest.step + kOut * line_.letter_height &&
+                std::abs(row - 0.5 * (across() - 1)) > std::max(1.5, kOffMiddle * across()))
+                return false;
+        return true;
+    }
+
+    // Its ink goes on to that line.
+    bool leads_to(const Out& from, const Straight& line, int most) const {
+        std::set<std::pair<int, int>> seen{{from.row, from.step}};
+        std::vector<std::pair<int, int>> open(seen.begin(), seen.end());
+        while (!open.empty()) {
+            const auto [row, step] = open.back();
+            open.pop_back();
+            if (step >= line.at(row)) return true;
+            for (int r = std::max(-1, row - 1); r <= std::min(across(), row + 1); ++r)
+                for (int s = std::max(1, step - 1); s <= std::min(most, step + 1); ++s)
+                    if (has_ink(r, s) && seen.insert({r, s}).second) open.emplace_back(r, s);
+        }
+        return false;
+    }
+
     // `most`: no farther off than that.
     Ink first_ink(int row, int most) const {
         int step = 1;
@@ -112,7 +185,8 @@ private:
 }  // namespace
 
 bool is_cut(const Image& grey, const LetteringLine& line, double near) {
-    return BeyondEnd(grey, line, true).is_cut(near) || BeyondEnd(grey, line, false).is_cut(near);
+    const BeyondEnd before(grey, line, true), after(grey, line, false);
+    return before.is_cut(near) || after.is_cut(near) || before.hides_letter() || after.hides_letter();
 }
 
 bool may_hide_sign(const Image& grey, const LetteringLine& line) {

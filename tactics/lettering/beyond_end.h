@@ -8,7 +8,8 @@
 namespace tactics {
 
 /// Nearer to an end than that share of the height of its letters there is what may be one of them: a letter that touches what is
-/// drawn and is part of that now, or one that the picture cuts off.
+/// drawn and is part of that now, or one that the picture cuts off; or no farther off than words are, such a letter sticks out of
+/// a line that passes: the 5 of "5 kg" at the side of a box.
 bool is_cut(const Image& grey, const LetteringLine& line, double near);
 
 /// Something is where a sign of degrees would stand behind its last figure.

@@ -19,6 +19,7 @@ struct FormWords {
     FormReading reading;
     std::string text;      ///< with the letter that is meant where several look the same; empty: it is not of this font
     bool settled = false;  ///< it is clear which one is meant
+    bool thin = false;     ///< its spaces are those of formulas
     bool sized = false;    ///< other words of the picture are in that font and of that size without a doubt
     bool agreed = false;   ///< the other reader has the same text
     bool strange = false;  ///< it is of no font that is known: letters of several bear out what the other reader says

@@ -60,6 +60,9 @@ FormReading read_by_forms(const InkStrip& strip, FormFont& font, const std::vect
 /// The text of its letters, with spaces where the font leaves room for one, and with superscripts and subscripts.
 std::string text_of(const FormReading& reading, FormFont& font);
 
+/// It has spaces, and none is as wide as those between words.
+bool has_thin_spaces(const FormReading& reading, FormFont& font);
+
 /// The similarity of the line to those letters in that font, 0 to 1; 0 if the letters differ. `em` receives their size.
 double likeness_to(const InkStrip& strip, FormFont& font, std::string_view text, double& em);
 

@@ -67,6 +67,8 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
         for (std::size_t i = 0; i < strips.size(); ++i)
             if (!words[i].sized) read_again(i);
     }
+    if (picture.choose_by_formulas())
+        for (std::size_t i = 0; i < strips.size(); ++i) read_again(i);
     for (std::size_t i = 0; i < strips.size(); ++i) picture.bear_out_in_any(i, words[i]);
     const FigureHeights heights(words);
     for (std::size_t i = 0; i < strips.size(); ++i) {

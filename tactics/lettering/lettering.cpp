@@ -158,83 +158,10 @@ void believe_lone_letters(std::vector<ReadLine>& all) {
     }
 }
 
-// Right behind or before it in its row, no farther off than a word is in monospaced print.
-bool stands_right_beside(const LetteringLine& one, const LetteringLine& other) {
-    constexpr double kOneHeight = 0.35, kOneFoot = 0.2,
-                     kGap = 1.2;  // of the height; small letters stand beside figures. Settings
-    if (one.upwards || other.upwards || one.light != other.light) return false;
-    const double height = std::max(one.letter_height, other.letter_height);
-    const int gap = std::max(one.box.left, other.box.left) - std::min(one.box.right, other.box.right);
-    return std::abs(one.letter_height - other.letter_height) <= kOneHeight * height &&
-           std::abs(one.box.bottom - other.box.bottom) <= kOneFoot * height + 1 && gap > 0 && gap <= kGap * height;
-}
-
-// A label of which a part is only told is told as a whole: "effect" of "random effect" would name something else, as would "6" of
-// "6 cm". Figures stand beside each other along a scale.
-void doubt_parts(std::vector<ReadLine>& all, const std::vector<bool>& told) {
-    const auto is_of_label = [](const ReadLine& one) {
-        return std::any_of(one.words.text.begin(), one.words.text.end(),
-                           [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '='; });
-    };
-    for (bool more = true; more;) {
-        more = false;
-        for (ReadLine& one : all) {
-            for (std::size_t i = 0; i < all.size() && one.words.sure; ++i)
-                if (!all[i].words.sure && (told[i] || all[i].tell) && is_words(all[i].line) && is_of_label(all[i]) &&
-                    stands_right_beside(one.line, all[i].line)) {
-                    one.words.sure = false;
-                    one.tell = more = true;
-                }
-        }
-    }
-}
-
 void doubt_by_text(std::vector<ReadLine>& all) {
     for (ReadLine& one : all)
         if (one.words.sure && (has_letter_for_figure(one.words.text) || begins_in_formula(one.words.text) ||
                                ends_word_with_capital_i(one.words.text))) {
-            one.words.sure = false;
-            one.tell = true;
-        }
-}
-
-// A line that is drawn runs through it from above to below, where there is none of its ink: a letter or a point may be hidden.
-bool is_parted(const Image& grey, const LetteringLine& line) {
-    const int beyond = std::max(2, line.letter_height / 4);
-    const PixelBox& box = line.box;
-    const int begin = line.upwards ? box.top : box.left, end = line.upwards ? box.bottom : box.right;
-    const int top = std::max(0, (line.upwards ? box.left : box.top) - beyond);
-    const int bottom = std::min(line.upwards ? grey.width : grey.height, (line.upwards ? box.right : box.bottom) + beyond);
-    std::vector<bool> own(static_cast<std::size_t>(end - begin), false);
-    for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
-        for (const InkPiece& piece : *pieces) {
-            const int from = line.upwards ? piece.box.top : piece.box.left,
-                      to = line.upwards ? piece.box.bottom : piece.box.right;
-            std::fill(own.begin() + (std::clamp(from, begin, end) - begin), own.begin() + (std::clamp(to, begin, end) - begin),
-                      true);
-        }
-    const auto is_ink = [&](int along, int across) {
-        const std::uint8_t value = line.upwards ? grey.row(along)[across] : grey.row(across)[along];
-        return (value < line.level) != line.light;
-    };
-    for (int from = begin; from < end;) {
-        int to = from;
-        while (to < end && !own[static_cast<std::size_t>(to - begin)]) ++to;
-        bool through = to > from;
-        for (int across = top; across < bottom && through; ++across) {
-            through = false;
-            for (int along = from; along < to && !through; ++along) through = is_ink(along, across);
-        }
-        if (through) return true;
-        from = to + 1;
-    }
-    return false;
-}
-
-// A frame that runs through "10.5" leaves "10 5".
-void doubt_parted(const Image& grey, std::vector<ReadLine>& all) {
-    for (ReadLine& one : all)
-        if (one.words.sure && is_parted(grey, one.line)) {
             one.words.sure = false;
             one.tell = true;
         }
@@ -271,7 +198,7 @@ Lettering read_upright(const Image& grey, std::string_view language, double leas
         unread[i] = !mark && (unread[i] || small[i] != SmallPrint::none);
         certain[i] = certain[i] || small[i] == SmallPrint::out;
     }
-    doubt_parts(all, unread);
+    doubt_parts(grey, all, unread);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i].words.sure && !all[i].tell && !unread[i]) continue;
         // Two marks of a plot are read as two letters, but seldom three as three.

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "tactics/image.h"
 #include "tactics/lettering/ink.h"
 
 namespace tactics {
@@ -19,5 +20,10 @@ struct LetteringLine {
     std::vector<InkPiece> marks;    ///< dots, minus signs and other small ink among them
     std::vector<InkPiece> raised;   ///< smaller letters above the line at its end: an exponent
 };
+
+/// Ink of that line, or as dark, is at this pixel. Outside of the picture there is none.
+inline bool is_ink(const Image& grey, const LetteringLine& line, int x, int y) {
+    return x >= 0 && y >= 0 && x < grey.width && y < grey.height && (grey.row(y)[x] < line.level) != line.light;
+}
 
 }  // namespace tactics

@@ -10,6 +10,7 @@ namespace tactics {
 
 namespace {
 
+constexpr char32_t kGreek = 0x370;    // with what follows, such as signs of formulas
 constexpr double kSureAccent = 0.88;  // likeness of a letter with one. A setting
 
 bool is_accented_i(char32_t code) { return (code >= 0xCC && code <= 0xCF) || (code >= 0xEC && code <= 0xEF); }
@@ -128,6 +129,17 @@ bool same_letters(std::string_view a, std::string_view b) {
     std::transform(one.begin(), one.end(), one.begin(), plain_raised);
     std::transform(other.begin(), other.end(), other.begin(), plain_raised);
     return one == other;
+}
+
+bool same_but_for_signs(std::string_view a, std::string_view b) {
+    constexpr std::size_t kLetters = 3;  // that both say
+    const std::vector<char32_t> one = bare_letters_of(a), other = bare_letters_of(b);
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
+        if (one[i] != other[i] && one[i] < kGreek) return false;
+        same += one[i] == other[i] ? 1 : 0;
+    }
+    return one.size() == other.size() && same >= kLetters;
 }
 
 void settle(FormWords& words, const OtherReading& other) {

@@ -16,6 +16,9 @@ bool is_upper(char32_t code);
 /// Spaces, dashes and what is small do not matter.
 bool same_letters(std::string_view a, std::string_view b);
 
+/// The other reader knows neither Greek letters nor signs of formulas: it says "P(cos 6, sin @)".
+bool same_but_for_signs(std::string_view a, std::string_view other);
+
 /// Puts in the letters that are meant, by those beside them and by the other reading, and says whether it is clear which they
 /// are.
 void settle(FormWords& words, const OtherReading& other);

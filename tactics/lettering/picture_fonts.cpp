@@ -59,6 +59,15 @@ bool are_as_wide(const FontShapes& one, const FontShapes& other) {
                       [](const auto& a, const auto& b) { return a.first == b.first && a.second.advance == b.second.advance; });
 }
 
+bool is_without_doubt(const FormReading& reading) {
+    return !reading.text.empty() && reading.mean >= kFitsAlone && reading.least >= kLeastLone;
+}
+
+bool says_letters(std::string_view text) {
+    constexpr std::ptrdiff_t kLetters = 3;
+    return std::count_if(text.begin(), text.end(), [](unsigned char c) { return is_lower(c) || is_upper(c); }) >= kLetters;
+}
+
 void keep_gaps(FormWords& words, const std::string& other) {
     if (const auto text = with_its_gaps(words.reading, words.text, with_letters(other, words.reading)))
         words.text = *text;
@@ -84,7 +93,7 @@ bool PictureFonts::choose(const PrintFonts& fonts) {
     sizes_.resize(fonts_.size());
     widths_.resize(fonts_.size());
     choose_by_words(lines);
-    if (chosen_.empty()) choose_by_looks(lines);
+    if (chosen_.empty()) choose_by_looks();
     return !fonts_.empty();
 }
 
@@ -101,8 +110,10 @@ FormWords PictureFonts::read(std::size_t line) {
     if (best.reading.text.empty()) return best;
     settle(best, others_[line]);
     best.text = text_of(best.reading, fonts_[font]);
-    best.agreed = others_[line].alike && same_letters(best.text, others_[line].text);
-    if (best.agreed && best.text != others_[line].text && best.reading.mean < kFitsAlone) keep_gaps(best, others_[line].text);
+    best.thin = has_thin_spaces(best.reading, fonts_[font]);
+    const std::string& other = others_[line].text;
+    best.agreed = others_[line].alike && (same_letters(best.text, other) || same_but_for_signs(best.text, other));
+    if (best.agreed && best.text != other && best.reading.mean < kFitsAlone) keep_gaps(best, other);
     return best;
 }
 
@@ -215,6 +226,26 @@ bool PictureFonts::choose_by_letters(const std::vector<std::size_t>& lines) {
     return true;
 }
 
+bool PictureFonts::choose_by_formulas() {
+    if (!chosen_.empty()) return false;
+    const std::vector<std::size_t> lines = telling_lines([&](std::size_t i) { return says_letters(others_[i].text); });
+    for (std::size_t f = 0; f < formulas_.size() && !lines.empty(); ++f) {
+        FontShapes shapes = formulas_[f] ? with_slanted(f, formulas_[f](letters_of_figures())) : FontShapes{};
+        if (shapes.empty()) continue;
+        FormFont font{FontShapes(shapes)};
+        for (const std::size_t i : lines) {
+            const FormReading reading = read_by_forms(strips_[i], font, {}, others_[i].text);
+            if (!is_without_doubt(reading)) continue;
+            chosen_.push_back(f);
+            formulas_[f] = {};
+            add(f, std::move(shapes));
+            sizes_[f].push_back(reading.em);
+            return true;
+        }
+    }
+    return false;
+}
+
 std::pair<double, double> PictureFonts::size_told_by(const std::vector<std::size_t>& samples, FormFont& font) const {
     std::vector<FormReading> readings;
     for (const std::size_t i : samples) {
@@ -323,17 +354,14 @@ void PictureFonts::choose_by_words(const std::vector<std::size_t>& lines) {
     }
 }
 
-void PictureFonts::choose_by_looks(std::vector<std::size_t> lines) {
-    constexpr std::size_t kMostLines = 4, kLetters = 4, kMostLetters = 24;
-    std::erase_if(lines, [&](std::size_t i) { return strips_[i].units() < kLetters || strips_[i].units() > kMostLetters; });
-    if (lines.size() > kMostLines) lines.resize(kMostLines);
+void PictureFonts::choose_by_looks() {
+    const std::vector<std::size_t> lines = telling_lines([&](std::size_t i) { return others_[i].alike; });
     for (std::size_t f = 0; f < fonts_.size() && !lines.empty(); ++f)
-        for (const std::size_t i : lines) {
-            const FormReading reading = read_by_forms(strips_[i], fonts_[f], {});
-            if (reading.text.empty() || reading.mean < kFitsAlone || reading.least < kLeastLone) continue;
-            chosen_.push_back(f);
-            return;
-        }
+        for (const std::size_t i : lines)
+            if (is_without_doubt(read_by_forms(strips_[i], fonts_[f], {}))) {
+                chosen_.push_back(f);
+                return;
+            }
 }
 
 std::vector<std::size_t> PictureFonts::samples_of(const std::vector<std::size_t>& lines) const {

@@ -44,6 +44,9 @@ public:
     /// bent to the pixels do.
     bool choose_by_letters(const std::vector<std::size_t>& lines);
 
+    /// Where neither words nor letters tell a font, one that reads a formula without doubt. False: there is none.
+    bool choose_by_formulas();
+
     /// The figure that a lone letter looks like most in the fonts that fit the words best, for an axis to bear it out.
     std::string figure_like(std::size_t line);
 
@@ -65,7 +68,17 @@ private:
     void choose_by_words(const std::vector<std::size_t>& lines);
 
     // If the other reading fits no font, a font that reads one of the lines without doubt disproves it.
-    void choose_by_looks(std::vector<std::size_t> lines);
+    void choose_by_looks();
+
+    // Some lines of so many letters that they tell a font.
+    template <typename Is>
+    std::vector<std::size_t> telling_lines(Is is) const {
+        constexpr std::size_t kMostLines = 4, kLetters = 4, kMostLetters = 24;
+        std::vector<std::size_t> lines;
+        for (std::size_t i = 0; i < strips_.size() && lines.size() < kMostLines; ++i)
+            if (strips_[i].units() >= kLetters && strips_[i].units() <= kMostLetters && is(i)) lines.push_back(i);
+        return lines;
+    }
 
     // Of short print, if letters of one size are told by it: how well they fit, and the size; else zeros.
     std::pair<double, double> size_told_by(const std::vector<std::size_t>& samples, FormFont& font) const;

@@ -11,26 +11,23 @@ namespace tactics {
 
 bool has_room_around(const Image& grey, const LetteringLine& line) {
     const int room = std::max(2, line.letter_height / 6);
-    const auto has_ink = [&](int x, int y) {
-        return x >= 0 && y >= 0 && x < grey.width && y < grey.height && (grey.row(y)[x] < line.level) != line.light;
-    };
     // More than a speck of a noisy scan.
     constexpr int kMostSpeck = 12;  // pixels
     const auto speck = static_cast<std::size_t>(std::min(room * room, kMostSpeck));
-    const auto is_ink = [&](int x, int y) {
-        if (!has_ink(x, y)) return false;
+    const auto goes_on = [&](int x, int y) {
+        if (!is_ink(grey, line, x, y)) return false;
         std::vector<std::pair<int, int>> piece{{x, y}};
         for (std::size_t i = 0; i < piece.size() && piece.size() <= speck; ++i)
             for (int v = piece[i].second - 1; v <= piece[i].second + 1; ++v)
                 for (int u = piece[i].first - 1; u <= piece[i].first + 1; ++u)
-                    if (has_ink(u, v) && std::find(piece.begin(), piece.end(), std::pair(u, v)) == piece.end())
+                    if (is_ink(grey, line, u, v) && std::find(piece.begin(), piece.end(), std::pair(u, v)) == piece.end())
                         piece.emplace_back(u, v);
         return piece.size() > speck;
     };
     for (int x = line.box.left - room; x < line.box.right + room; ++x)
-        if (is_ink(x, line.box.top - room) || is_ink(x, line.box.bottom - 1 + room)) return false;
+        if (goes_on(x, line.box.top - room) || goes_on(x, line.box.bottom - 1 + room)) return false;
     for (int y = line.box.top - room; y < line.box.bottom + room; ++y)
-        if (is_ink(line.box.left - room, y) || is_ink(line.box.right - 1 + room, y)) return false;
+        if (goes_on(line.box.left - room, y) || goes_on(line.box.right - 1 + room, y)) return false;
     return true;
 }
 

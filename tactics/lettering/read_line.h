@@ -65,4 +65,12 @@ std::vector<SmallPrint> small_print(const Image& grey, const std::vector<ReadLin
 /// its place says; and in tiny print one that was read for sure and is another is no longer sure, but told.
 void hold_against_axes(std::vector<ReadLine>& lines);
 
+/// A label of which a part is only told, or lost behind lines, is told as a whole: "effect" of "random effect" would name
+/// something else, as would "6" of "6 cm". Figures stand beside each other along a scale. `told`: by index, what is told although
+/// no reader made it out.
+void doubt_parts(const Image& grey, std::vector<ReadLine>& lines, const std::vector<bool>& told);
+
+/// A frame that runs through "10.5" leaves "10 5".
+void doubt_parted(const Image& grey, std::vector<ReadLine>& lines);
+
 }  // namespace tactics

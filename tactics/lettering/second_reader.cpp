@@ -109,7 +109,8 @@ Held held(const Image& grey, ReadLine read, FormWords form) {
     // Wide gaps and narrow ones tell.
     const auto parts = static_cast<std::size_t>(std::count(belief.text.begin(), belief.text.end(), ' ')) + 1;
     const WordCount count = words_in(read.line);
-    const bool parted = is_words(read.line) && (parts < count.least || parts > count.most);
+    const bool formula = form.sized && form.agreed && form.thin;
+    const bool parted = is_words(read.line) && !formula && (parts < count.least || parts > count.most);
     const bool same = parted && form.agreed && read.counted && read.words.sure;
     const auto told = same ? with_its_gaps(form.reading, belief.text, read.words.text) : std::nullopt;
     if (same) belief.text = told.value_or(read.words.text);
@@ -256,11 +257,13 @@ void join_at_signs(std::vector<Held>& lines) {
             put_together(lines[i], *next);
             lines.erase(next);
         }
-    // A sign that is left alone is none, or is not known to be one.
-    for (Held& one : lines)
+    // A sign that is left alone is none, or is not known to be one; and what closes a bracket may touch what is drawn.
+    for (Held& one : lines) {
+        if (one.open) one.read.words.sure = false;
         if (is_sign(one.form.text) || (one.form.text.starts_with("\u00b0") && !is_degrees(one.form.text)) ||
             is_pale_minus(one.form.text))
             one.read.words.sure = false;
+    }
 }
 
 }  // namespace

@@ -257,6 +257,22 @@ bool is_letter_of_font(const ReadLine& one) {
     return text.empty() && (is_digit(code) || (code | 32) - U'a' < 26 || code >= 0xC0) && !may_be_drawn(code);
 }
 
+// A bar may be drawn, and so may a ring; as high as a capital that is known, it may be an I all the same. In front of a sign of
+// degrees a number may touch what is drawn.
+bool is_bar_or_ring_of_font(const ReadLine& one, const KnownPrint& known) {
+    constexpr double kSure = 90;  // a setting
+    const bool bar = one.words.text == "I";
+    if (one.line.letters.size() != 1 || one.words.sureness < kSure || (!bar && one.words.text != "\u00b0")) return false;
+    return !bar || std::any_of(known.begin(), known.end(), [&](const LetteringLine* line) {
+        return line->upwards == one.line.upwards && std::abs(line->letter_height - one.line.letter_height) <= 1;
+    });
+}
+
+std::string letters_and_figures_of(std::string text) {
+    std::erase_if(text, [](unsigned char c) { return std::isalnum(c) == 0; });
+    return text;
+}
+
 // Two readings of several letters agree in half of them or more: "no" and "ho".
 bool is_half_read(const ReadLine& one) {
     const auto is_word = [](const std::string& text) {
@@ -290,6 +306,14 @@ bool says_something(const std::string& text) {
     return count >= 3 && said.size() >= 2;
 }
 
+// Several letters of a word that were read alike twice, whatever else was: "Ber" of "Berlin", through which a border runs.
+bool is_begun_word(const ReadLine& one) {
+    constexpr std::size_t kLetters = 3;
+    if (one.readings.size() < 2) return false;
+    const std::string first = letters_and_figures_of(one.readings[0]), second = letters_and_figures_of(one.readings[1]);
+    return first == second && first.size() >= kLetters && one.line.letters.size() >= kLetters && says_something(first);
+}
+
 }  // namespace
 
 std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& lines) {
@@ -305,7 +329,8 @@ std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& l
             continue;
         }
         if (!is_doubtful(one)) continue;
-        const bool alone = (is_letter_of_font(one) && !drawn.is_repeated(i)) || is_climbing_figure(i, lines, known);
+        const bool letter = is_letter_of_font(one) || is_bar_or_ring_of_font(one, known);
+        const bool alone = (letter && !drawn.is_repeated(i)) || is_climbing_figure(i, lines, known);
         if (alone && has_room_around(grey, one.line)) {
             unread[i] = true;
             continue;
@@ -314,7 +339,7 @@ std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& l
         if (!one.likely) {
             if (!has_letters(one, known, any_known) || (!any_known && one.line.light)) continue;
             // What touches a line may be a part of what is drawn.
-            const bool read = any_known && in_line_with_print(one.line, known) && is_half_read(one);
+            const bool read = any_known && ((in_line_with_print(one.line, known) && is_half_read(one)) || is_begun_word(one));
             if (!read && !has_room_around(grey, one.line)) continue;
             ++count;
         }

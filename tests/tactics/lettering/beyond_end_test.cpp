@@ -60,5 +60,35 @@ TEST(BeyondEnd, ALineThatLeadsToACornerIsNone) {
     EXPECT_FALSE(is_cut_off(above));
 }
 
+// A line from above to below 24 pixels behind the letters, and what sticks out of it: to the left edge there, in those rows.
+Image with_line_behind(int out, int top, int bottom) {
+    Image image = three_letters();
+    for (int y = 2; y < 58; ++y) std::fill(image.row(y) + 88, image.row(y) + 90, std::uint8_t{0});
+    for (int y = top; y < bottom; ++y) std::fill(image.row(y) + out, image.row(y) + 88, std::uint8_t{0});
+    return image;
+}
+
+TEST(BeyondEnd, ALetterThatTouchesALineSticksOutOfIt) {
+    EXPECT_TRUE(is_cut_off(with_line_behind(76, 20, 34)));
+    EXPECT_FALSE(is_cut_off(with_line_behind(88, 20, 34))) << "a line alone";
+    EXPECT_FALSE(is_cut_off(with_line_behind(76, 23, 31))) << "what is not as high as a letter";
+    EXPECT_FALSE(is_cut_off(with_line_behind(82, 20, 34))) << "farther off than words are";
+}
+
+TEST(BeyondEnd, WhatStandsBeforeALineOrPointsAtItIsNone) {
+    Image apart = with_line_behind(76, 20, 34);
+    for (int y = 0; y < 60; ++y) std::fill(apart.row(y) + 84, apart.row(y) + 87, std::uint8_t{255});
+    EXPECT_FALSE(is_cut_off(apart));
+    Image arrow = with_line_behind(82, 20, 34);
+    for (int y = 26; y < 28; ++y) std::fill(arrow.row(y) + 74, arrow.row(y) + 82, std::uint8_t{0});  // its shaft
+    EXPECT_FALSE(is_cut_off(arrow));
+    Image bent = with_line_behind(76, 20, 34);
+    for (int y = 36; y < 58; ++y) {
+        std::fill(bent.row(y) + 88, bent.row(y) + 90, std::uint8_t{255});
+        bent.row(y)[90 + (y - 36)] = 0;
+    }
+    EXPECT_FALSE(is_cut_off(bent)) << "the corner of a shape";
+}
+
 }  // namespace
 }  // namespace tactics::beyond_end_test

@@ -50,6 +50,39 @@ TEST(PictureFonts, ALineMayHaveLettersOfFormulasAndOthers) {
     EXPECT_TRUE(words[1].sized);
 }
 
+// A figure of geometry may have no words at all.
+TEST(PictureFonts, AFormulaTellsItsFontWhereNoWordDoes) {
+    const FontShapes plain = strokes(0.1, 0.5);
+    FontShapes formula = plain;
+    formula[U'L'] = {0.6, {box(0.4, 0, 0.5, 0.7), box(0.05, 0, 0.5, 0.1)}};
+    const std::vector<Image> images{written(formula, U"TL7Hn", 30), written(formula, U"L", 30)};
+    const auto text = [&](const PrintFont& font, const std::string& other) {
+        return read_lines(images, {{other, false}, {}}, font)[1].text;
+    };
+    const PrintFont font{plain, {}, {}, [&](const auto&) { return formula; }};
+    EXPECT_EQ(text(font, "TJ7Hn"), "L");
+    EXPECT_EQ(text(font, "7.11"), "") << "no letters were read";
+    EXPECT_EQ(text(PrintFont{plain}, "TJ7Hn"), "");
+}
+
+TEST(FormText, KnowsTheSpacesOfFormulas) {
+    FormFont font(strokes(0.1, 0.5));
+    const auto is_thin = [&](double gap) {  // em
+        FormReading reading;
+        reading.em = 30;
+        for (const double left : {20.0, 20 + 30 * (0.6 + gap)}) {
+            FormLetter letter;
+            letter.code = U'L';
+            letter.box = {left, 0, left + 13.5, 21};
+            reading.letters.push_back(letter);
+        }
+        return has_thin_spaces(reading, font);
+    };
+    EXPECT_FALSE(is_thin(0));
+    EXPECT_TRUE(is_thin(0.167));
+    EXPECT_FALSE(is_thin(0.28));
+}
+
 TEST(FormText, SaysWhatIsRaisedAndLowered) {
     FormFont font(strokes(0.1, 0.5));
     const auto text = [&](const std::vector<std::pair<char32_t, FormLetter::Place>>& letters) {

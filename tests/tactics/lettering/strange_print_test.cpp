@@ -229,5 +229,41 @@ TEST(PaleInk, HalvesOfARingAreOneLetter) {
     EXPECT_EQ(letters_of("()", true), 2u) << "read twice alike";
 }
 
+// Two rings, the right sides of which come apart.
+TEST(PaleInk, ALineInPiecesIsMadeWhole) {
+    Image image = make_image(80, 40, 1, 0, 255);
+    const auto fill = [&](int left, int top, int right, int bottom, std::uint8_t value) {
+        for (int y = top; y < bottom; ++y) std::fill(image.row(y) + left, image.row(y) + right, value);
+    };
+    for (const int left : {20, 40}) {
+        fill(left, 10, left + 2, 26, 0);
+        fill(left + 10, 10, left + 12, 15, 0);
+        fill(left + 10, 20, left + 12, 26, 0);
+        fill(left + 2, 10, left + 10, 11, 170);
+        fill(left + 2, 25, left + 10, 26, 170);
+        fill(left + 10, 15, left + 11, 20, 170);
+    }
+    LetteringLine line;
+    line.level = 128;
+    line.box = {20, 10, 52, 26};
+    line.letter_height = 14;
+    for (InkPiece& piece : pieces_of(image, 128, false, 60))
+        (piece.box.height() > 10 ? line.letters : line.marks).push_back(std::move(piece));
+    ASSERT_EQ(line.marks.size(), 4u);
+    const LetteringLine whole = whole_if_broken(image, line);
+    EXPECT_EQ(whole.letters.size(), 2u);
+    EXPECT_TRUE(whole.marks.empty());
+    EXPECT_EQ(whole.letter_height, 16);
+    line.marks.resize(2);  // points of two letters
+    EXPECT_EQ(whole_if_broken(image, line).marks.size(), 2u);
+}
+
+TEST(StrangePrint, AnotherReaderKnowsNoSigns) {
+    EXPECT_TRUE(same_but_for_signs("P(cos θ, sinθ)", "P(cos 6, sin @)"));
+    EXPECT_FALSE(same_but_for_signs("P(cos θ, sinθ)", "P(cas 6, sin @)"));
+    EXPECT_FALSE(same_but_for_signs("cosθ", "cos")) << "of another length";
+    EXPECT_FALSE(same_but_for_signs("2πr", "2ar")) << "too few that both say";
+}
+
 }  // namespace
 }  // namespace tactics::strange_print_test

@@ -25,14 +25,15 @@ protected:
                 if (const double r = std::hypot(u + 0.5 - x, v + 0.5 - y); r >= inner && r <= outer) picture.row(v)[u] = 0;
     }
     // Lines of several letters are read, or none; the last one only as `half` says.
-    std::vector<PixelBox> told(bool some_are_read, const std::vector<std::string>& half = {}) {
+    std::vector<PixelBox> told(bool some_are_read, const std::vector<std::string>& half = {}, const std::string& said = {}) {
         std::vector<ReadLine> lines;
         std::vector<LetteringLine> found = find_lettering(picture);
         for (LetteringLine& line : found) {
             ReadLine one{std::move(line), {}};
-            const bool last = &line == &found.back() && !half.empty();
+            const bool last = &line == &found.back() && (!half.empty() || !said.empty());
             one.words.sure = some_are_read && is_words(one.line) && !last;
             if (last) one.readings = half;
+            if (last && !said.empty()) one.words = print_of(picture, one.line), one.words.text = said, one.words.sureness = 95;
             lines.push_back(std::move(one));
         }
         const std::vector<bool> unread = unread_print(picture, lines);
@@ -176,6 +177,26 @@ TEST_F(UnreadPrint, WhatIsReadByHalfMayTouchALine) {
     EXPECT_FALSE(has(told(true, {"24", "AB"}), 201, 151));
     EXPECT_FALSE(has(told(true, {"24", "242"}), 201, 151));
     EXPECT_FALSE(has(told(true, {"|4", "|4"}), 201, 151)) << "lines are read so";
+}
+
+// "Ber" of "Berlin", through which a border runs.
+TEST_F(UnreadPrint, AWordThatIsBegunMayTouchALineAnywhere) {
+    draw(20, 20, two), draw(34, 20, four);
+    draw(200, 150, two), draw(214, 150, four), draw(228, 150, two);
+    for (int y = 120; y < 190; ++y) picture.row(y)[239] = 0;
+    EXPECT_TRUE(has(told(true, {"Ber °", "Ber ©"}), 201, 151));
+    EXPECT_FALSE(has(told(true, {"Ber", "Bar"}), 201, 151));
+    EXPECT_FALSE(has(told(true, {"OIO", "OIO"}), 201, 151)) << "marks are read so";
+}
+
+TEST_F(UnreadPrint, ABarAsHighAsPrintMayBeAnI) {
+    draw(20, 20, two), draw(34, 20, four);
+    draw(200, 150, {"#", "#", "#", "#", "#", "#", "#"});
+    EXPECT_TRUE(has(told(true, {}, "I"), 201, 151));
+    EXPECT_TRUE(has(told(true, {}, "°"), 201, 151));
+    EXPECT_FALSE(has(told(true, {}, "|"), 201, 151));
+    draw(200, 150, {"#", "#", "#", "#", "#", "#", "#", "#", "#"});
+    EXPECT_FALSE(has(told(true, {}, "I"), 201, 151)) << "higher than print";
 }
 
 }  // namespace

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// A label of which a part is hidden by what is drawn is told as a whole.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tactics/lettering/read_line.h"
+
+namespace tactics::lost_parts_test {
+namespace {
+
+// A label of three letters as an L is, 14 pixels high, from x = 30, which was read for sure, and two stems behind it.
+class LostParts : public ::testing::Test {
+protected:
+    LostParts() {
+        for (const int left : {30, 42, 54}) stem(left, 20, 34), fill(left, 32, left + 10, 34);
+    }
+    void fill(int left, int top, int right, int bottom) {
+        for (int y = top; y < bottom; ++y) std::fill(picture.row(y) + left, picture.row(y) + right, std::uint8_t{0});
+    }
+    void stem(int left, int top, int bottom) { fill(left, top, left + 2, bottom); }
+    // Of the line at the left, given what the other is read as, and whether that is told.
+    bool is_sure(const std::string& text, const std::string& other, bool told) {
+        std::vector<ReadLine> lines;
+        for (LetteringLine& line : find_lettering(picture)) {
+            if (!is_words(line)) continue;
+            ReadLine one{std::move(line), {}};
+            one.words.sure = one.line.box.left < 40;
+            one.words.text = one.words.sure ? text : other;
+            lines.push_back(std::move(one));
+        }
+        EXPECT_EQ(lines.size(), 2u);
+        doubt_parts(picture, lines, std::vector<bool>(lines.size(), told));
+        const auto label = std::find_if(lines.begin(), lines.end(), [](const ReadLine& one) { return one.line.box.left < 40; });
+        EXPECT_NE(label->words.sure, label->tell);
+        return label->words.sure;
+    }
+    Image picture = make_image(160, 60, 1, 0, 255);
+};
+
+TEST_F(LostParts, WhatGoesOnBehindALineIsOfTheLabel) {
+    stem(84, 20, 34), stem(89, 20, 34);
+    EXPECT_TRUE(is_sure("Mount", "", false)) << "nothing is between";
+    fill(72, 4, 74, 56);  // what a letter touches
+    EXPECT_FALSE(is_sure("Mount", "", false));
+    EXPECT_TRUE(is_sure("12", "", false)) << "a scale";
+}
+
+TEST_F(LostParts, WhatIsNotAsHighIsNone) {
+    stem(84, 22, 31), stem(89, 22, 31);
+    fill(72, 4, 74, 56);
+    EXPECT_TRUE(is_sure("Mount", "", false));
+}
+
+TEST_F(LostParts, APartThatIsToldMayStandFartherOffBehindALine) {
+    stem(84, 20, 34), stem(89, 20, 34);  // 20 pixels behind it
+    EXPECT_TRUE(is_sure("vir", "ll", true));
+    fill(72, 4, 74, 56);
+    EXPECT_FALSE(is_sure("vir", "ll", true));
+}
+
+}  // namespace
+}  // namespace tactics::lost_parts_test
