@@ -37,6 +37,8 @@ constexpr double kPaper = 0.7, kPaperFew = 0.87, kPaperSoft = 0.33;
 // Very few colours on white: small icons, soft all over as their borders are, and shaded ones. 45 of 100 of the latter are told
 // by it, 33 without, and hardly any photograph.
 constexpr double kVeryFew = 0.92, kIconSoft = 0.4;
+// A dense grid leaves no plain parts either, and hardly another colour than its own and the ground's.
+constexpr double kNearlyAll = 0.97;
 // Pale maps of streets and blocks are all soft. This line takes one photograph more of 100 for a map.
 constexpr double kPaleClear = 0.17;
 constexpr double kFewOfGrain = 0.01;  // a level; colours that grain has spread are gathered wider, in photographs, too
@@ -82,8 +84,8 @@ Choice choose_recipe(const Image& picture) {
         few && traits.soft <= (traits.darkest ? kDarkSoft : kFewSoft) && (traits.lightest || traits.darkest || colourful);
     const bool panels =
         traits.paper >= kPaper && traits.few >= kPaperFew + kFewOfGrain * traits.noise && traits.soft <= kPaperSoft;
-    const bool icon = traits.lightest && traits.few >= kVeryFew + kFewOfGrain * traits.noise && traits.ground >= kFewGround &&
-                      traits.soft <= kIconSoft;
+    const double least = (traits.soft <= kIconSoft ? kVeryFew : kNearlyAll) + kFewOfGrain * traits.noise;
+    const bool icon = traits.lightest && traits.few >= least && traits.ground >= kFewGround;
     const bool pale = few && colourful && traits.clear >= kPaleClear;
     const bool drawn = parts || lines || panels || icon;
     if (traits.noise <= kMapNoise && traits.soft <= kMapSoft && traits.ground <= kMapGround &&

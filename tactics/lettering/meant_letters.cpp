@@ -65,6 +65,15 @@ bool is_no_beginning(char32_t first, char32_t next, char32_t third) {
     return first == 'l' && is_lower(next) && next < 0x80 && is_lower(third) && kGoOn.find(next) == kGoOn.npos;
 }
 
+// Words of two letters are "If", "In", "Is" and "It"; others that begin so are "lb", "ln" and "lx". Before a bracket it is "ln",
+// too.
+bool is_no_short_word(char32_t first, char32_t next, char32_t behind) {
+    constexpr std::u32string_view kWords = U"fnst";
+    const bool word = kWords.find(next) != kWords.npos;
+    if (!is_lower(next) || is_lower(behind) || is_upper(behind)) return false;
+    return first == 'I' ? !word || (next == 'n' && behind == '(') : word && next != 'n';
+}
+
 // In a text it stands before that letter, which is raised or lowered, and is none itself.
 bool is_place_mark(char32_t code, const std::vector<FormLetter>& letters, std::size_t at) {
     return (code == '^' || code == '_') && at < letters.size() && letters[at].code != code;
@@ -80,7 +89,7 @@ std::vector<bool> beginnings_of(const FormReading& reading) {
         if (is_place_mark(code, reading.letters, begins.size())) continue;
         const bool space = code == ' ';
         if (!space) begins.push_back(next);
-        next = space;
+        next = space || code == '(' || code == '[' || code == '"';
     }
     begins.resize(reading.letters.size(), false);
     return begins;
@@ -188,7 +197,8 @@ void settle(FormWords& words, const OtherReading& other) {
         else if (is_either(letter.code) && !begins[i] && may_be_of_joined_words(letters, begins, i))
             words.settled = false;
         else if (said != 0 && begins[i] && is_either(said) && in(U'I') && in(U'l') &&
-                 is_no_beginning(said, code_at(i + 1), code_at(i + 2)))
+                 (is_no_beginning(said, code_at(i + 1), code_at(i + 2)) ||
+                  is_no_short_word(said, code_at(i + 1), code_at(i + 2))))
             words.settled = false;
         else if (said != 0)
             letter.code = said;

@@ -68,6 +68,17 @@ bool says_letters(std::string_view text) {
     return std::count_if(text.begin(), text.end(), [](unsigned char c) { return is_lower(c) || is_upper(c); }) >= kLetters;
 }
 
+// What it may say: of "SO" another font would be told than of "S0".
+std::vector<std::string> texts_of(const std::string& text) {
+    constexpr std::size_t kShort = 3;
+    std::vector<std::string> texts{text};
+    const bool small = std::any_of(text.begin(), text.end(), [](unsigned char c) { return is_lower(c); });
+    if (small || text.size() > kShort || text.find('O') == text.npos) return texts;
+    texts.push_back(text);
+    std::replace(texts.back().begin(), texts.back().end(), 'O', '0');
+    return texts;
+}
+
 void keep_gaps(FormWords& words, const std::string& other) {
     if (const auto text = with_its_gaps(words.reading, words.text, with_letters(other, words.reading)))
         words.text = *text;
@@ -328,7 +339,8 @@ void PictureFonts::choose_by_words(const std::vector<std::size_t>& lines) {
     for (std::size_t f = 0; f < fonts_.size(); ++f)
         for (std::size_t i = 0; i < lines.size(); ++i) {
             double em = 0;
-            fit[f][i] = likeness_to(strips_[lines[i]], fonts_[f], others_[lines[i]].text, em);
+            for (const std::string& text : texts_of(others_[lines[i]].text))
+                fit[f][i] = std::max(fit[f][i], likeness_to(strips_[lines[i]], fonts_[f], text, em));
             weight[f] += fit[f][i] * static_cast<double>(strips_[lines[i]].units());
         }
     by_fit_.resize(fonts_.size());

@@ -195,6 +195,19 @@ TEST(Choice, OfPaleLinesBesideDarkOnesIsDiagram) {
     EXPECT_EQ(choose_recipe(chart(false)).recipe, "line-art");
 }
 
+// As plots of logarithms have: hardly any place is plain, or an edge.
+TEST(Choice, OfADenseGridIsDiagram) {
+    const Image chart = pictures::drawn(kLook, 360, [](int x, int y) {
+        if (x < 60 || x >= 460 || y < 40 || y >= 310) return 255;
+        if (x == 60 || y == 309 || std::abs(y - 300 + 0.6 * (x - 60)) < 1.5) return 0;
+        const int near = std::min(x % 7, y % 5);
+        return near == 0 ? 176 : near == 1 ? 215 : 255;
+    });
+    const Choice choice = choose_recipe(chart);
+    EXPECT_EQ(choice.recipe, "diagram") << choice.reason.english();
+    EXPECT_GT(traits_of(chart).soft, 0.4);
+}
+
 // Half of it is the panel's grey, and the lines of its grid are hardly lighter.
 TEST(Choice, OfAChartOnAPanelIsDiagram) {
     const Image chart = coloured(kLook, 360, [](double x, double y) -> std::array<double, 3> {

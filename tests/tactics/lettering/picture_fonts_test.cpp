@@ -50,6 +50,22 @@ TEST(PictureFonts, ALineMayHaveLettersOfFormulasAndOthers) {
     EXPECT_TRUE(words[1].sized);
 }
 
+// The narrow font has an O like the 0 of the wide one; another reader takes that for it.
+TEST(PictureFonts, AFigureThatIsReadAsALetterTellsItsFont) {
+    const FontShapes wide = strokes(0.1, 0.5);
+    FontShapes narrow = wide;
+    narrow[U'H'] = {0.7, {box(0.05, 0, 0.15, 0.7), box(0.5, 0, 0.6, 0.7), box(0.05, 0.28, 0.6, 0.38)}};
+    narrow[U'O'] = wide.at(U'0');
+    std::vector<InkStrip> strips;
+    const Image image = written(wide, U"H0", 30);
+    strips.emplace_back(image, line_in(image));
+    const std::vector<OtherReading> others{{"HO", true}};
+    const auto words = read_in_fonts(strips, others, [&](const auto&, const auto& goes_on) {
+        if (goes_on(PrintFont{narrow})) goes_on(PrintFont{wide});
+    });
+    EXPECT_EQ(words[0].text, "H0");
+}
+
 // A figure of geometry may have no words at all.
 TEST(PictureFonts, AFormulaTellsItsFontWhereNoWordDoes) {
     const FontShapes plain = strokes(0.1, 0.5);

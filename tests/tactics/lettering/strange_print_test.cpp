@@ -129,6 +129,11 @@ TEST(StrangePrint, NoWordBeginsWithAnLAndAnotherConsonant) {
     EXPECT_TRUE(settled(U"lyre", "lyre"));
     EXPECT_TRUE(settled(U"llama", "llama"));
     EXPECT_TRUE(settled(U"lb", "lb"));
+    EXPECT_FALSE(settled(U"(lb)", "(Ib)"));
+    EXPECT_FALSE(settled(U"lt", "lt")) << "It";
+    EXPECT_TRUE(settled(U"ln", "In"));
+    EXPECT_TRUE(settled(U"ln", "ln"));
+    EXPECT_FALSE(settled(U"ln(2)", "In(2)"));
 }
 
 // A line of small print; I and l look the same.
