@@ -29,6 +29,9 @@ constexpr double kSureWords = 88;    // of 100: leaves and stones are read as wo
 constexpr double kTinyPrint = 13;    // pixels for an em, in which nothing tells a word that ends with m from one with rn
 constexpr double kSpeckPrint = 9.5;  // pixels for an em, in which the gaps of 3, 6 and 9 close, and 6 and 8 are alike
 constexpr double kBearsOut = 0.72;   // of a letter
+// What two letters that touch look like with a likeness of 0.8, and how like one of these must be.
+constexpr std::u32string_view kLikeTwo = U"mdOJjnwh";
+constexpr double kClear = 0.86;
 
 bool is_of_words(char32_t code) { return ((code | 32) >= 'a' && (code | 32) <= 'z') || code >= 0xC0; }
 bool is_word_letter(char32_t code) {
@@ -125,8 +128,7 @@ bool is_plain(const std::string& text, const std::string& other, bool agreed) {
 
 // Letters of small print that touch look like one, unless they are far more like themselves: rn and m, cl and d, Cl and O.
 bool is_no_pair(const FormWords& words, const ReadWords& other) {
-    constexpr std::u32string_view kLikeTwo = U"mdOJjnwh";
-    constexpr double kClear = 0.86, kCertain = 0.9;  // of such a letter; two are like it with 0.8
+    constexpr double kCertain = 0.9;  // of such a letter
     const bool tiny = words.reading.em < kTinyPrint;
     // A unit above an axis, which the other reader is often not shown.
     if (words.sized && is_degrees(words.text)) return true;
@@ -143,6 +145,13 @@ bool is_no_pair(const FormWords& words, const ReadWords& other) {
     if (any && tiny && words.text.size() > 2 && words.text.back() == 'm') return false;
     if (!words.agreed) return !any || (!tiny && words.sized && kAlone.holds(words.reading) && certain && clear);
     return !any || !two || (clear && (certain || other.sureness >= kSureWords));
+}
+
+// Two letters that touch may look like one, which the other reader denies: "germanium" and "germanmm".
+bool may_be_pair(const FormWords& words, const ReadWords& other) {
+    if (words.agreed || other.text.empty()) return false;
+    return std::any_of(words.reading.letters.begin(), words.reading.letters.end(),
+                       [](const FormLetter& one) { return kLikeTwo.find(one.code) != kLikeTwo.npos && one.likeness < kClear; });
 }
 
 // In print of so few pixels two readers say the same wrong figure.
@@ -235,8 +244,8 @@ Belief believe(const FormWords& words, const ReadWords& other) {
     if (reading.em < kTinyPrint && figure && !kBothSay.holds(reading)) belief.sure = false;
     if (reading.em < kSmallPrint)
         belief.sure = belief.sure && is_plain(words.text, other.text, words.agreed) && is_no_pair(words, other);
-    belief.sure = belief.sure && !may_be_other_figure(reading) && !is_of_mixed_case(reading) && !breaks_off(words.text) &&
-                  !may_be_figures(words.text, reading.mean < kOfItself.mean);
+    belief.sure = belief.sure && !may_be_pair(words, other) && !may_be_other_figure(reading) && !is_of_mixed_case(reading) &&
+                  !breaks_off(words.text) && !may_be_figures(words.text, reading.mean < kOfItself.mean);
     belief.open = belief.sure && !has_pairs(words.text);
     if (reading.em < kSmallPrint) belief.sure = belief.sure && !belief.open;
     return belief;

@@ -6,6 +6,7 @@ namespace tactics {
 
 bool is_accented(char32_t code);
 bool is_raised_figure(char32_t code);
+bool is_lowered_figure(char32_t code);
 /// A stem, with or without a dot or an accent.
 bool is_thin(char32_t code);
 /// They differ by their height alone, which a pixel more or less does not tell. A 0 is seldom an o.

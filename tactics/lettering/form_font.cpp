@@ -69,7 +69,7 @@ const std::vector<char32_t>& letters_of_figures() {
         for (char32_t code = 0xC0; code <= 0xFF; ++code) codes.push_back(code);
         for (const char32_t code :
              U"\u00b0\u00b1\u00b2\u00b3\u00b9\u00bd\u00bc\u00be\u20ac\u00a3\u00a7\u2212\u2032\u2033\u2026"
-             U"\u2264\u2265\u2248\u2260\u221e\u221a\u2211\u2202\u2220\u2030\u2190\u2192"
+             U"\u2264\u2265\u2248\u2260\u221e\u221a\u2211\u2202\u2220\u2030\u2190\u2192\u2080\u2081\u2082\u2083\u2084"
              U"\u03b1\u03b2\u03b3\u03b4\u03b5\u03b6\u03b7\u03b8\u03bb\u03bc\u03be\u03c0\u03c1\u03c3\u03c4"
              U"\u03c6\u03c8\u03c9\u0393\u0394\u0398\u039b\u039e\u03a0\u03a3\u03a6\u03a8\u03a9")
             if (code != 0) codes.push_back(code);

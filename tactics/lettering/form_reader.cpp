@@ -23,6 +23,7 @@ constexpr double kKnownBonus = 1.03;  // of the value in a size that other words
 constexpr double kNeutral = 0.5;      // likeness that speaks neither for nor against a letter
 constexpr double kOffLine = 0.05;     // by so much must a raised letter be more likely than one on the line
 constexpr double kLow = 0.65;         // of the height of a line: an underscore begins below
+constexpr double kHighEnough = 14;    // pixels of a line that has lowered figures
 constexpr double kOffPixels = 1.3;    // a point of less than a pixel lies on two
 constexpr std::size_t kMostSizes = 6, kMostFeet = 5, kMostUnits = 120, kMostLetterPieces = 4;
 
@@ -119,13 +120,19 @@ private:
             for (const char32_t code : guessed_) add(code, unit, unit, span);
         else
             for (const auto& [code, shape] : font_.shapes())
-                if (code != '_' || lies_low(span.box)) add(code, unit, unit, span);
+                if (may_be_here(code, span.box)) add(code, unit, unit, span);
         for (const char32_t code : joined_) add(code, unit, unit, span);
         for (const char32_t code : pairs_)
             if (std::find(joined_.begin(), joined_.end(), code) == joined_.end()) add(code, unit, unit, span);
     }
 
-    // A hyphen of another size is none.
+    // A hyphen of another size is no underscore. A lowered figure follows something, and in few pixels looks like what stands on
+    // the line.
+    bool may_be_here(char32_t code, const InkBox& box) const {
+        if (code == '_') return lies_low(box);
+        return !is_lowered_figure(code) || (count_ > 1 && strip_.measure(0, count_ - 1).height() >= kHighEnough);
+    }
+
     bool lies_low(const InkBox& box) const {
         const InkBox line = strip_.measure(0, count_ - 1);
         return box.top > line.top + kLow * line.height();

@@ -11,6 +11,10 @@
 
 namespace tactics {
 
+/// The likeness of a line to letters of a font that needs no other witness, and by how much of an em sizes may differ that are
+/// one. Settings.
+inline constexpr double kFitsAlone = 0.92, kSameSize = 0.06;
+
 /// Lines of a picture and what another reader made of them; both outlive it.
 class PictureFonts {
 public:

@@ -17,17 +17,19 @@ PixelBox around_all(std::initializer_list<const std::vector<InkPiece>*> kinds, P
     return box;
 }
 
-// The number of the mark that may be a tick. Longer lines are text, which may be broken at a hyphen.
+// The number of the mark that may be a tick. Longer lines may be text that is broken at a hyphen, which stands closer.
 std::optional<std::size_t> last_stroke(const LetteringLine& line) {
-    constexpr std::size_t kMostLetters = 6;                                      // "100000"
+    constexpr std::size_t kFewLetters = 6;                                       // "100000"
+    constexpr double kApart = 0.25;                                              // of the height of letters
     constexpr double kLong = 1.5, kThin = 0.3, kHighest = 0.25, kLowest = 0.75;  // of its thickness; of the height of letters
-    if (line.upwards || line.marks.empty() || line.letters.size() > kMostLetters) return std::nullopt;
+    if (line.upwards || line.marks.empty()) return std::nullopt;
     const auto last = std::max_element(line.marks.begin(), line.marks.end(),
                                        [](const InkPiece& a, const InkPiece& b) { return a.box.right < b.box.right; });
     const PixelBox letters = around_all({&line.letters, &line.raised}, line.letters.front().box);
     const PixelBox& box = last->box;
     const double middle = (box.top + box.bottom) / 2.0 - letters.top;
-    if (box.left < letters.right || box.width() < kLong * box.height() || box.height() > kThin * letters.height() ||
+    const double apart = line.letters.size() > kFewLetters ? kApart * letters.height() : 0;
+    if (box.left < letters.right + apart || box.width() < kLong * box.height() || box.height() > kThin * letters.height() ||
         middle < kHighest * letters.height() || middle > kLowest * letters.height())
         return std::nullopt;
     return static_cast<std::size_t>(last - line.marks.begin());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ticks of an upright axis right behind its numbers, where they look like dashes.
+// Ticks of an upright axis right behind its numbers or names, where they look like dashes.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace tactics {
 
-/// Short lines that end with a level stroke at their middle height lose it if another one has such a stroke in the same columns.
+/// Lines that end with a level stroke at their middle height lose it if another one has such a stroke in the same columns.
 void drop_tick_ends(std::vector<LetteringLine>& lines);
 
 }  // namespace tactics

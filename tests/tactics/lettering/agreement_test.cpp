@@ -52,6 +52,16 @@ TEST(Agreement, InSmallPrintTwoLettersThatTouchAreNotTakenForOne) {
     EXPECT_FALSE(is_sure_in_small(U"Com", "Com", "Com")) << "Corn";
 }
 
+TEST(Agreement, LettersThatTouchAreNotTakenForOneAgainstTheOtherReader) {
+    const auto is_sure = [](double likeness) {
+        FormWords words = line_of(U"germanmm", "germanmm");
+        words.reading.letters[6].likeness = words.reading.least = likeness;
+        return believe(words, {"germanium", 70, true, false}).sure;
+    };
+    EXPECT_FALSE(is_sure(0.78));
+    EXPECT_TRUE(is_sure(0.9));
+}
+
 TEST(Agreement, InSmallPrintSignsInFiguresAreNotGuessed) {
     EXPECT_TRUE(is_sure_in_small(U"0.25", "0.25", "0.25"));
     EXPECT_TRUE(is_sure_in_small(U"0.125", "0.125", "0.125"));

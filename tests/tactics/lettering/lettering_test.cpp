@@ -271,21 +271,6 @@ TEST(Lettering, WordsOnAGroundAreNoHolesOfALetter) {
     }));
 }
 
-// Numbers of an axis, right before its ticks.
-TEST(Lettering, TicksInAColumnBehindNumbersAreNoDashes) {
-    const auto dashes = [](int second) {
-        Image image = make_image(160, 100, 1, 0, 255);
-        for (const int y : {20, 60}) write_blocks(image, 20, y, "xx", 0);
-        fill(image, {42, 25, 48, 27}, 0);
-        fill(image, {second, 65, second + 6, 67}, 0);
-        std::size_t count = 0;
-        for (const LetteringLine& line : find_lettering(image)) count += line.marks.size();
-        return count;
-    };
-    EXPECT_EQ(dashes(42), 0u);
-    EXPECT_EQ(dashes(45), 2u) << "two hyphens";
-}
-
 TEST(Lettering, OfOneOrTwoLettersMayClimb) {
     Image level = make_image(120, 40, 1, 0, 255);
     write_blocks(level, 20, 12, "xx", 0);

@@ -99,6 +99,30 @@ TEST(FormText, KnowsTheSpacesOfFormulas) {
     EXPECT_FALSE(is_thin(0.28));
 }
 
+// A 1 leaves much room beside it.
+TEST(PictureFonts, TheGapsOfAFigureAreThoseOfItsFont) {
+    FontShapes font = strokes(0.1, 0.5);
+    font[U'1'] = {0.6, {box(0.1, 0, 0.2, 0.7), box(0.04, 0.5, 0.2, 0.56)}};
+    FontShapes printed = strokes(0.13, 0.5);  // another font, of its kind
+    printed[U'1'] = font[U'1'];
+    const auto words = read_lines({written(printed, U"1000", 30), written(font, U"LTHH", 30)}, {{"1 000", true}, {"LTHH", true}},
+                                  PrintFont{font});
+    EXPECT_LT(words[0].reading.mean, 0.92);
+    EXPECT_EQ(words[0].text, "1000");
+}
+
+// Fonts have lowered figures as letters of their own, too.
+TEST(PictureFonts, ALoweredFigureFollowsALetterOfItsSize) {
+    FontShapes font = strokes(0.1, 0.5);
+    font[0x2081] = {0.3, {box(0.1, -0.15, 0.18, 0.27), box(0.04, -0.15, 0.24, -0.09)}};
+    const auto text = [&](std::u32string_view second, double em) {
+        return read_lines({written(font, U"1010", em), written(font, second, em)}, {{"1010", true}, {}}, PrintFont{font})[1].text;
+    };
+    EXPECT_EQ(text(U"L\u2081", 30), "L₁");
+    EXPECT_EQ(text(U"\u2081", 30), "") << "alone";
+    EXPECT_NE(text(U"L\u2081", 12), "L₁") << "of few pixels";
+}
+
 TEST(FormText, SaysWhatIsRaisedAndLowered) {
     FormFont font(strokes(0.1, 0.5));
     const auto text = [&](const std::vector<std::pair<char32_t, FormLetter::Place>>& letters) {
