@@ -96,6 +96,32 @@ void drop_frames(std::vector<FoundLine>& found) {
     });
 }
 
+namespace {
+
+// What lines enclose is light, and beyond them it is light again.
+bool is_enclosed(const Image& grey, const LetteringLine& line) {
+    constexpr int kLarge = 40;                       // pixels of height: few light letters are as high
+    constexpr double kBeyond = 0.25, kGround = 0.3;  // of the height; share of dark ground there
+    if (!line.light || line.letter_height < kLarge) return false;
+    const int beyond = static_cast<int>(kBeyond * line.letter_height);
+    const PixelBox& box = line.box;
+    int all = 0, dark = 0;
+    const auto look = [&](int x, int y) {
+        if (x < 0 || y < 0 || x >= grey.width || y >= grey.height) return;
+        ++all;
+        dark += is_ink(grey, line, x, y) ? 0 : 1;
+    };
+    for (int x = box.left; x < box.right; ++x) look(x, box.top - beyond), look(x, box.bottom - 1 + beyond);
+    for (int y = box.top; y < box.bottom; ++y) look(box.left - beyond, y), look(box.right - 1 + beyond, y);
+    return dark < kGround * all;
+}
+
+}  // namespace
+
+void drop_enclosed(const Image& grey, std::vector<FoundLine>& found) {
+    std::erase_if(found, [&](const FoundLine& one) { return is_enclosed(grey, one.line); });
+}
+
 // The holes of "80" are half as high as their letters and more; lettering in a frame is less. Those
 // of a word, and of a letter by itself, may be smaller, as in an A, but what is around them is thin, unlike boxes with light
 // letters in them, and dark right to its edge, unlike the ground in a frame.

@@ -20,6 +20,9 @@ inline constexpr int kClearer = 24;
 /// Boxes with words in them stand in line, too: their grounds look like letters of the other shade. The words themselves stay.
 void drop_frames(std::vector<FoundLine>& found);
 
+/// What lines enclose looks like large light letters, which would take the place of what is printed there.
+void drop_enclosed(const Image& grey, std::vector<FoundLine>& found);
+
 /// The holes of letters stand in line, too.
 void drop_holes(const Image& grey, std::vector<FoundLine>& found);
 

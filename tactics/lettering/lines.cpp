@@ -189,6 +189,7 @@ public:
         for (const bool light : {false, true})
             for (const int level : kLevels) look(level, light);
         drop_frames(found_);
+        drop_enclosed(grey_, found_);
         drop_holes(grey_, found_);
         drop_splinters(grey_, found_);
         drop_halves(grey_, found_);

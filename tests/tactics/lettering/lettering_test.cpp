@@ -92,6 +92,21 @@ TEST(Lettering, HolesOfLettersAreNoLetters) {
     EXPECT_EQ(lines[0].letters.size(), 2u);
 }
 
+// Two slanted boxes that stand in line; a letter stands right above the corner of one.
+TEST(Lettering, WhatLinesEncloseTakesNoLettersPlace) {
+    Image image = make_image(260, 120, 1, 0, 255);
+    for (const int left : {20, 100}) {
+        for (int i = 0; i < 60; ++i) fill(image, {left + 60 - i, 30 + i, left + 64 - i, 31 + i}, 0);
+        for (int i = 0; i < 60; ++i) fill(image, {left + 124 - i, 30 + i, left + 128 - i, 31 + i}, 0);
+        fill(image, {left + 60, 28, left + 128, 32}, 0);
+        fill(image, {0, 88, 260, 92}, 0);
+    }
+    write_blocks(image, 106, 38, "x", 0);
+    const auto lines = find_lettering(image);
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const LetteringLine& one) { return one.box.left == 106; }));
+    EXPECT_TRUE(std::none_of(lines.begin(), lines.end(), [](const LetteringLine& one) { return one.light; }));
+}
+
 // A ring on a dark ground, paler above and below, comes apart into two bars where only the darkest counts.
 TEST(Lettering, SplintersOfALetterAreNoWord) {
     Image image = make_image(80, 60, 1, 0, 200);
