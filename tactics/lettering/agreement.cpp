@@ -172,38 +172,19 @@ Belief believe_strange(const FormWords& words, const ReadWords& other) {
     belief.sure = words.settled && ((other.sure && other.sureness >= least) || (figure && kBothSay.holds(reading))) &&
                   !may_be_figures(words.text, true) && !breaks_off(words.text) && !is_of_mixed_case(reading) &&
                   !is_of_either_case(reading);
-    belief.open = belief.sure && !has_pairs(words.text);
     if (reading.em >= kSmallPrint) return belief;
     // There a hyphen is hardly narrower than a dash.
     const bool dash = std::any_of(reading.letters.begin(), reading.letters.end(),
                                   [](const FormLetter& one) { return one.code == '-' || one.code == kEnDash; });
-    belief.sure = belief.sure && !belief.open && !dash && is_plain(words.text, other.text, true) && is_no_pair(words, other);
+    belief.sure = belief.sure && !dash && is_plain(words.text, other.text, true) && is_no_pair(words, other);
     return belief;
 }
 
-}  // namespace
-
-bool has_pairs(std::string_view text) {
-    int open = 0;
-    bool ever = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool opens = text[i] == '(' || text[i] == '[', closes = text[i] == ')' || text[i] == ']';
-        if (closes && open == 0) {
-            const bool listed = !ever && i > 0 && (i == 1 || (i == 2 && (text[0] & 0x80) != 0));
-            if (!listed) return false;
-        } else
-            open += (opens ? 1 : 0) - (closes ? 1 : 0);
-        ever = ever || opens;
-    }
-    return open == 0;
-}
-
-Belief believe(const FormWords& words, const ReadWords& other) {
+Belief believe_letters(const FormWords& words, const ReadWords& other) {
     const FormReading& reading = words.reading;
     if (words.text.empty()) {
         const bool borne_out = other.sureness >= kSureWords && bears_out(reading, other.text);
         Belief belief{other.text, other.sureness, other.sure && borne_out && !breaks_off(other.text), other.sure};
-        belief.open = belief.sure && !has_pairs(belief.text);
         return belief;
     }
     Belief belief{words.text, 100 * reading.mean, false, false};
@@ -246,8 +227,30 @@ Belief believe(const FormWords& words, const ReadWords& other) {
         belief.sure = belief.sure && is_plain(words.text, other.text, words.agreed) && is_no_pair(words, other);
     belief.sure = belief.sure && !may_be_pair(words, other) && !may_be_other_figure(reading) && !is_of_mixed_case(reading) &&
                   !breaks_off(words.text) && !may_be_figures(words.text, reading.mean < kOfItself.mean);
-    belief.open = belief.sure && !has_pairs(words.text);
-    if (reading.em < kSmallPrint) belief.sure = belief.sure && !belief.open;
+    return belief;
+}
+
+}  // namespace
+
+bool has_pairs(std::string_view text) {
+    int open = 0;
+    bool ever = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool opens = text[i] == '(' || text[i] == '[', closes = text[i] == ')' || text[i] == ']';
+        if (closes && open == 0) {
+            const bool listed = !ever && i > 0 && (i == 1 || (i == 2 && (text[0] & 0x80) != 0));
+            if (!listed) return false;
+        } else
+            open += (opens ? 1 : 0) - (closes ? 1 : 0);
+        ever = ever || opens;
+    }
+    return open == 0;
+}
+
+Belief believe(const FormWords& words, const ReadWords& other) {
+    Belief belief = believe_letters(words, other);
+    belief.open = belief.sure && !has_pairs(belief.text);
+    belief.sure = belief.sure && !belief.open;
     return belief;
 }
 

@@ -24,7 +24,7 @@ struct Belief {
     bool tell = false;  ///< or a person should look at it
     /// It is not sure only since its print is so small that one reader does not do: numbers of an axis may bear it out.
     bool nearly = false;
-    /// One of its brackets has no partner, which may stand in what goes on after a gap. In small print it is not sure by itself.
+    /// It is not sure only since one of its brackets has no partner, which may stand in what goes on after a gap.
     bool open = false;
 };
 

@@ -98,9 +98,9 @@ private:
 
     // Of an arrow: at half the height something sticks out of what is behind it.
     bool is_shaft(const Out& nearest, int most) const {
-        constexpr double kOut = 0.35, kOffMiddle = 0.2;  // of the height
+        constexpr double kShaft = 0.35, kOffMiddle = 0.2;  // of the height
         for (int row = -1; row <= across(); ++row)
-            if (first_ink(row, most).step <= nearest.step + kOut * line_.letter_height &&
+            if (first_ink(row, most).step <= nearest.step + kShaft * line_.letter_height &&
                 std::abs(row - 0.5 * (across() - 1)) > std::max(1.5, kOffMiddle * across()))
                 return false;
         return true;

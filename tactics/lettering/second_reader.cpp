@@ -123,7 +123,7 @@ Held held(const Image& grey, ReadLine read, FormWords form) {
     constexpr double kCapital = 0.7;  // em
     const bool large = read.line.letter_height >= kLeastPrint || (form.sized && kCapital * form.reading.em >= kLeastPrint);
     read.words.sure = belief.sure && !cut && !lost && large;
-    read.tell = belief.tell || belief.sure;
+    read.tell = belief.tell || belief.sure || belief.open;
     read.nearly = belief.nearly && !cut && !lost && large;
     return {std::move(read), std::move(form), belief.open && !cut && !lost && large};
 }
@@ -242,7 +242,7 @@ void put_together(Held& a, const Held& b) {
     a.form.text = one.words.text;
     a.form.reading.foot = foot - (one.line.upwards ? one.line.box.left : one.line.box.top);
     a.open = (a.open || b.open) && !has_pairs(one.words.text);
-    one.words.sure = !a.open || a.form.reading.em >= kSmallPrint;
+    one.words.sure = !a.open;
 }
 
 void join_at_signs(std::vector<Held>& lines) {
@@ -257,13 +257,11 @@ void join_at_signs(std::vector<Held>& lines) {
             put_together(lines[i], *next);
             lines.erase(next);
         }
-    // A sign that is left alone is none, or is not known to be one; and what closes a bracket may touch what is drawn.
-    for (Held& one : lines) {
-        if (one.open) one.read.words.sure = false;
+    // A sign that is left alone is none, or is not known to be one.
+    for (Held& one : lines)
         if (is_sign(one.form.text) || (one.form.text.starts_with("\u00b0") && !is_degrees(one.form.text)) ||
             is_pale_minus(one.form.text))
             one.read.words.sure = false;
-    }
 }
 
 }  // namespace
