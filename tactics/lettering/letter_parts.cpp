@@ -2,9 +2,13 @@
 #include "tactics/lettering/letter_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <set>
 #include <tuple>
+#include <vector>
 
 #include "tactics/lettering/found_boxes.h"
 
@@ -98,6 +102,13 @@ void drop_frames(std::vector<FoundLine>& found) {
 
 namespace {
 
+std::uint8_t middle_tone(std::vector<std::uint8_t>& values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 // What lines enclose is light, and beyond them it is light again.
 bool is_enclosed(const Image& grey, const LetteringLine& line) {
     constexpr int kLarge = 40;                       // pixels of height: few light letters are as high
@@ -117,6 +128,36 @@ bool is_enclosed(const Image& grey, const LetteringLine& line) {
 }
 
 }  // namespace
+
+int off_middle(const Image& grey, const LetteringLine& line) {
+    std::vector<std::uint8_t> ground;
+    int deepest = line.light ? 0 : 255;
+    for (const InkPiece& piece : line.letters)
+        for (const InkRun& run : piece.runs)
+            for (int x = run.left; x < run.right; ++x) {
+                const int value = grey.row(run.y)[x];
+                deepest = line.light ? std::max(deepest, value) : std::min(deepest, value);
+            }
+    const PixelBox& box = line.box;
+    std::size_t ring = 0;
+    const auto add = [&](int x, int y) {
+        if (x < 0 || y < 0 || x >= grey.width || y >= grey.height) return;
+        const std::uint8_t value = grey.row(y)[x];
+        ++ring;
+        if ((value < line.level) == line.light) ground.push_back(value);  // an axis may run beside them
+    };
+    for (int x = box.left - 2; x < box.right + 2; ++x) add(x, box.top - 2), add(x, box.bottom + 1);
+    for (int y = box.top - 2; y < box.bottom + 2; ++y) add(box.left - 2, y), add(box.right + 1, y);
+    constexpr double kOpen = 0.45;  // of the ring around it: with an axis or two beside it is half
+    if (ground.empty() || static_cast<double>(ground.size()) < kOpen * static_cast<double>(ring)) return 256;
+    const int middle = middle_tone(ground);
+    constexpr int kLeastContrast = 40;  // grey levels; print fainter than that is a watermark
+    if (std::abs(middle - deepest) < kLeastContrast || (middle > deepest) == line.light) return 256;
+    // Strokes of less than a pixel lie across two, both paler than half, and letters would come apart.
+    constexpr int kThinStrokes = 10;  // pixels of height of such letters; a setting, as these shares
+    const double share = line.letter_height <= kThinStrokes ? 0.4 : 0.5;
+    return static_cast<int>(std::abs(middle + share * (deepest - middle) - line.level));
+}
 
 void drop_enclosed(const Image& grey, std::vector<FoundLine>& found) {
     std::erase_if(found, [&](const FoundLine& one) { return is_enclosed(grey, one.line); });

@@ -20,6 +20,9 @@ inline constexpr int kClearer = 24;
 /// Boxes with words in them stand in line, too: their grounds look like letters of the other shade. The words themselves stay.
 void drop_frames(std::vector<FoundLine>& found);
 
+/// The distance of the line's level from the middle between letters and their ground, which is best; 256 if they hardly differ.
+int off_middle(const Image& grey, const LetteringLine& line);
+
 /// What lines enclose looks like large light letters, which would take the place of what is printed there.
 void drop_enclosed(const Image& grey, std::vector<FoundLine>& found);
 

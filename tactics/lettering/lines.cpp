@@ -111,44 +111,6 @@ std::vector<Group> group(const std::vector<PixelBox>& boxes, const std::vector<b
     return groups;
 }
 
-std::uint8_t middle_tone(std::vector<std::uint8_t>& values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-// The distance of the level from the middle between letters and their background; 256 if they hardly differ.
-int off_middle(const Image& grey, const LetteringLine& line) {
-    std::vector<std::uint8_t> ground;
-    int deepest = line.light ? 0 : 255;
-    for (const InkPiece& piece : line.letters)
-        for (const InkRun& run : piece.runs)
-            for (int x = run.left; x < run.right; ++x) {
-                const int value = grey.row(run.y)[x];
-                deepest = line.light ? std::max(deepest, value) : std::min(deepest, value);
-            }
-    const PixelBox& box = line.box;
-    std::size_t ring = 0;
-    const auto add = [&](int x, int y) {
-        if (x < 0 || y < 0 || x >= grey.width || y >= grey.height) return;
-        const std::uint8_t value = grey.row(y)[x];
-        ++ring;
-        if ((value < line.level) == line.light) ground.push_back(value);  // an axis may run beside them
-    };
-    for (int x = box.left - 2; x < box.right + 2; ++x) add(x, box.top - 2), add(x, box.bottom + 1);
-    for (int y = box.top - 2; y < box.bottom + 2; ++y) add(box.left - 2, y), add(box.right + 1, y);
-    constexpr double kOpen = 0.45;  // of the ring around it: with an axis or two beside it is half
-    if (ground.empty() || static_cast<double>(ground.size()) < kOpen * static_cast<double>(ring)) return 256;
-    const int middle = middle_tone(ground);
-    constexpr int kLeastContrast = 40;  // grey levels; print fainter than that is a watermark
-    if (std::abs(middle - deepest) < kLeastContrast || (middle > deepest) == line.light) return 256;
-    // Strokes of less than a pixel lie across two, both paler than half, and letters would come apart.
-    constexpr int kThinStrokes = 10;  // pixels of height of such letters; a setting, as these shares
-    const double share = line.letter_height <= kThinStrokes ? 0.4 : 0.5;
-    return static_cast<int>(std::abs(middle + share * (deepest - middle) - line.level));
-}
-
 // Smaller, and its foot above the middle of the letters that it follows: "10" with a small "2" above.
 bool is_raised(const PixelBox& letter, int top, int bottom) {
     const int height = bottom - top;
@@ -243,15 +205,22 @@ private:
         const SeenPieces climbing_pieces{pieces, turned_boxes};
         std::vector<bool> climbs(pieces.size(), false);
         std::vector<std::size_t> in_row(pieces.size(), 0);  // letters of the line to the right that it is in
-        for (const Group& one : group(upright, climbs))
+        std::vector<bool> apart(pieces.size(), false);      // at an end of that
+        for (const Group& one : group(upright, climbs)) {
             for (const std::size_t letter : one.letters) in_row[letter] = one.letters.size();
+            mark_ends(upright, one.letters, apart);
+        }
         for (const Group& one : group(turned_boxes, climbs)) {
             // Rows of a text stand above each other, too. What climbs has letters that are nearly alone in their rows, but for
-            // some that happen to stand beside another word.
+            // some that happen to stand beside another word, such as the name of an axis beside its numbers.
             constexpr std::size_t kLeastLetters = 3;
-            const auto alone = static_cast<std::size_t>(
-                std::count_if(one.letters.begin(), one.letters.end(), [&](std::size_t letter) { return in_row[letter] <= 2; }));
-            if (10 * alone < 7 * one.letters.size()) continue;
+            std::size_t alone = 0, beside = 0;
+            for (const std::size_t letter : one.letters)
+                if (in_row[letter] <= 2)
+                    ++alone;
+                else
+                    beside += apart[letter] ? 1 : 0;
+            if (2 * alone < one.letters.size() || 10 * (alone + beside) < 7 * one.letters.size()) continue;
             const bool is_short = one.letters.size() < kLeastLetters;
             if (!is_short && are_rows(turned_boxes, one, in_row)) continue;
             if (is_short && alone < one.letters.size()) continue;
@@ -267,6 +236,17 @@ private:
         for (const Group& one : groups)
             for (auto& part : parts_at_marks(pieces, upright, one.letters))
                 add(level_pieces, {std::move(part)}, level, light, false, found_);
+    }
+
+    // The first and the last letter of a row, as far from the next as words are.
+    static void mark_ends(const std::vector<PixelBox>& boxes, const std::vector<std::size_t>& row, std::vector<bool>& apart) {
+        constexpr double kApart = 0.35;  // of the height
+        const auto are_apart = [&](std::size_t a, std::size_t b) {
+            return boxes[b].left - boxes[a].right > kApart * std::max(boxes[a].height(), boxes[b].height());
+        };
+        if (row.size() < 2) return;
+        apart[row.front()] = are_apart(row.front(), row[1]);
+        apart[row.back()] = are_apart(row[row.size() - 2], row.back());
     }
 
     static int tallest(const std::vector<PixelBox>& boxes, const Group& group) {
