@@ -158,14 +158,19 @@ LetteringLine joined_by_pale_ink(const Image& grey, const LetteringLine& line) {
 
 LetteringLine whole_if_broken(const Image& grey, LetteringLine line) {
     constexpr std::size_t kMarks = 3;  // a single letter in several pieces has as many
+    constexpr int kWidest = 2;         // times the height: in a soft scan pale ink joins all letters of a word
     const std::size_t pieces = line.letters.size() + line.marks.size();
     if (line.marks.size() < kMarks || 2 * line.marks.size() < line.letters.size()) return line;
     LetteringLine whole = joined_by_pale_ink(grey, line);
     if (!whole.marks.empty() || 5 * whole.letters.size() > 3 * pieces) return line;
     whole.letter_height = 0;
-    for (const InkPiece& piece : whole.letters)
+    int widest = 0;
+    for (const InkPiece& piece : whole.letters) {
+        const int along = line.upwards ? piece.box.height() : piece.box.width();
         whole.letter_height = std::max(whole.letter_height, line.upwards ? piece.box.width() : piece.box.height());
-    return whole;
+        widest = std::max(widest, along);
+    }
+    return widest <= kWidest * whole.letter_height ? whole : line;
 }
 
 }  // namespace tactics

@@ -259,6 +259,12 @@ TEST(PaleInk, ALineInPiecesIsMadeWhole) {
     EXPECT_EQ(whole.letters.size(), 2u);
     EXPECT_TRUE(whole.marks.empty());
     EXPECT_EQ(whole.letter_height, 16);
+    fill(32, 12, 40, 13, 170);  // from ring to ring, and to what follows
+    fill(52, 12, 58, 13, 170);
+    EXPECT_EQ(whole_if_broken(image, line).letters.size(), 2u);
+    EXPECT_EQ(whole_if_broken(image, line).marks.size(), 4u) << "a whole word is no letter";
+    fill(32, 12, 40, 13, 255);
+    fill(52, 12, 58, 13, 255);
     line.marks.resize(2);  // points of two letters
     EXPECT_EQ(whole_if_broken(image, line).marks.size(), 2u);
 }
