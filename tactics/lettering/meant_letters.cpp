@@ -145,7 +145,8 @@ bool same_but_for_signs(std::string_view a, std::string_view b) {
     const std::vector<char32_t> one = bare_letters_of(a), other = bare_letters_of(b);
     std::size_t same = 0;
     for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i) {
-        if (one[i] != other[i] && one[i] < kGreek) return false;
+        const bool within_number = is_digit(other[i]) && i + 1 < one.size() && is_digit(one[i + 1]);
+        if (one[i] != other[i] && (one[i] < kGreek || within_number)) return false;
         same += one[i] == other[i] ? 1 : 0;
     }
     return one.size() == other.size() && same >= kLetters;

@@ -16,7 +16,7 @@ bool is_upper(char32_t code);
 /// Spaces, dashes and what is small do not matter.
 bool same_letters(std::string_view a, std::string_view b);
 
-/// The other reader knows neither Greek letters nor signs of formulas: it says "P(cos 6, sin @)".
+/// The other reader knows neither Greek letters nor signs of formulas: it says "P(cos 6, sin @)". Within a number are none.
 bool same_but_for_signs(std::string_view a, std::string_view other);
 
 /// Puts in the letters that are meant, by those beside them and by the other reading, and says whether it is clear which they

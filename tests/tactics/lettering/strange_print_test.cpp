@@ -274,6 +274,7 @@ TEST(StrangePrint, AnotherReaderKnowsNoSigns) {
     EXPECT_FALSE(same_but_for_signs("P(cos θ, sinθ)", "P(cas 6, sin @)"));
     EXPECT_FALSE(same_but_for_signs("cosθ", "cos")) << "of another length";
     EXPECT_FALSE(same_but_for_signs("2πr", "2ar")) << "too few that both say";
+    EXPECT_FALSE(same_but_for_signs("1θ00", "1000")) << "a zero with a point in it";
 }
 
 }  // namespace
