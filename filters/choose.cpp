@@ -85,9 +85,9 @@ Choice choose_recipe(const Image& picture) {
     const bool panels =
         traits.paper >= kPaper && traits.few >= kPaperFew + kFewOfGrain * traits.noise && traits.soft <= kPaperSoft;
     const double least = (traits.soft <= kIconSoft ? kVeryFew : kNearlyAll) + kFewOfGrain * traits.noise;
-    const bool icon = traits.lightest && traits.few >= least && traits.ground >= kFewGround;
+    const bool bare = traits.lightest && traits.few >= least && traits.ground >= kFewGround;
     const bool pale = few && colourful && traits.clear >= kPaleClear;
-    const bool drawn = parts || lines || panels || icon;
+    const bool drawn = parts || lines || panels || bare;
     if (traits.noise <= kMapNoise && traits.soft <= kMapSoft && traits.ground <= kMapGround &&
         is_coloured_map(map_traits_of(picture)))
         return {"borders", phrase("a map in plain colours: {0}", seen)};

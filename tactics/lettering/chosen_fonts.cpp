@@ -107,10 +107,12 @@ bool PictureFonts::choose(const PrintFonts& fonts) {
 void PictureFonts::choose_by_words(const std::vector<std::size_t>& lines) {
     std::vector<double> weight(fonts_.size(), 0);
     std::vector<std::vector<double>> fit(fonts_.size(), std::vector<double>(lines.size(), 0));
+    std::vector<std::vector<std::string>> texts;
+    for (const std::size_t line : lines) texts.push_back(texts_of(others_[line].text));
     for (std::size_t f = 0; f < fonts_.size(); ++f)
         for (std::size_t i = 0; i < lines.size(); ++i) {
             double em = 0;
-            for (const std::string& text : texts_of(others_[lines[i]].text))
+            for (const std::string& text : texts[i])
                 fit[f][i] = std::max(fit[f][i], likeness_to(strips_[lines[i]], fonts_[f], text, em));
             weight[f] += fit[f][i] * static_cast<double>(strips_[lines[i]].units());
         }

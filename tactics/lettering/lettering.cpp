@@ -5,7 +5,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 
 #include "tactics/lettering/agreement.h"

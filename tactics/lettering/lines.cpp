@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 #include <tuple>
 
@@ -127,13 +126,13 @@ bool are_blocks(const LetteringLine& line) {
     return 2 * blocks > static_cast<std::ptrdiff_t>(line.letters.size());
 }
 
-// Pieces of ink as one reader sees them.
 // Of points rather than letters, as an arrow with its head is.
 bool is_dotted(const LetteringLine& line) {
     constexpr std::size_t kPoints = 3;  // for each letter
     return line.marks.size() > kPoints * line.letters.size();
 }
 
+// Pieces of ink as one reader sees them.
 struct SeenPieces {
     const std::vector<InkPiece>& pieces;
     const std::vector<PixelBox>& boxes;

@@ -13,8 +13,8 @@ namespace tactics {
 
 namespace {
 
-// Settings.
-constexpr double kFitsBoth = 0.8, kLeastOfBoth = 0.7;  // of words that two readers say
+// Settings, of words that two readers say.
+constexpr double kFitsBoth = 0.8, kLeastOfBoth = 0.7;
 
 bool is_figure(const std::string& text) { return text.find_first_not_of("0123456789.,") == text.npos; }
 
