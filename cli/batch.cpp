@@ -70,7 +70,7 @@ public:
         const std::lock_guard lock(mutex_);
         progress_.clear();
         int code = failures_.empty() ? 0 : static_cast<int>(request_.items.size() == 1 ? fault_ : Fault::failed);
-        if (code == 0 && breaks_rules_) code = kRuleBroken;
+        if (code == 0 && request_.strict && breaks_rules_) code = kRuleBroken;
         if (request_.items.size() > 1) sum_up();
         return failed_ ? static_cast<int>(Fault::failed) : code;
     }
@@ -114,7 +114,7 @@ private:
             fault_ = outcome.fault;
             progress_.say_line(phrase("tactics: {0}", outcome.error));
         } else {
-            breaks_rules_ = breaks_rules_ || (request_.strict && breaks_a_rule(outcome));
+            breaks_rules_ = breaks_rules_ || breaks_a_rule(outcome);
             if (needs_a_look(outcome)) doubts_.push_back({index, outcome.input});
             tell(outcome);
         }
@@ -218,7 +218,7 @@ int run_batch(const Request& request) {
     for (const BoundFile& file : binding.write()) {
         for (const auto& [output, with] : bound)
             if (output.path == file.path && file.error.empty() && file.missing.empty() && file.pages > 0)
-                keep_record(output, {with, 1, {}, request.strict && !account.breaks_rules()}, true);
+                keep_record(output, {with, 1, {}, !account.breaks_rules()}, true);
         account.take(file);
     }
     return account.close();

@@ -309,7 +309,6 @@ Request plan(const Given& given, const Disk& disk) {
     request.loudness = loudness_value(given);
     request.progress = progress_value(given);
     request.strict = given.has("--strict");
-    request.check_rules = request.strict || given.has("--verbose") || given.has("--json");
     if (given.has("--json")) request.answer = [](const Outcome& outcome) { return result_json(outcome) + "\n"; };
     plan_saving(request, given, disk);
     plan_standard_output(request);

@@ -163,6 +163,14 @@ void add_broken(Notes& lines, const Outcome& outcome) {
     }
 }
 
+// Places of one line of a batch, which names no rules.
+std::size_t softly_broken(const Outcome& outcome) {
+    std::size_t places = 0;
+    for (const Layout& layout : outcome.layouts)
+        for (const BrokenRule& rule : layout.broken) places += rule.hard ? 0 : rule.places;
+    return places;
+}
+
 Phrase left_over_words(const Outcome& outcome) {
     const std::vector<Phrase> names(outcome.left_over.begin(), outcome.left_over.end());
     return phrases(names.size(), "{1} is no page of it but named like one; if it is left of an earlier run, delete it",
@@ -215,6 +223,9 @@ Phrase result_line(const Outcome& outcome) {
 
 Phrase result_with_warnings(const Outcome& outcome) {
     Phrase line = result_line(outcome);
+    if (const std::size_t places = softly_broken(outcome); places > 0)
+        line = phrase("{0}; {1}", std::move(line),
+                      phrases(places, "{0} place breaks a rule that is not hard", "{0} places break rules that are not hard"));
     for (Note& note : further_words(outcome))
         if (note.asks()) line = phrase("{0}; {1}", std::move(line), std::move(note.words));
     return line;

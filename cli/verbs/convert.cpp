@@ -91,8 +91,8 @@ constexpr Flag kConvertFlags[] = {
      "do not wait until pages reach the disk: quicker for many files, but a power cut may lose pages reported as done", false,
      ""},
     {"--strict", "", "",
-     "exit code 3 if a page breaks a hard rule, as with tactics check --strict; the files are still written, and the broken "
-     "rules reported. Pages that --update skips are not checked",
+     "exit code 3 if a page breaks a hard rule, as with tactics check --strict; the files are still written. Broken rules are "
+     "reported with and without it",
      false, ""},
     {"--quiet", "-q", "", "say nothing but errors", false, ""},
     {"--warnings", "", "",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rules that pages break, for strict checking and for who asks.
+// The rules that pages break.
 #pragma once
 
 #include <cstddef>

@@ -27,7 +27,7 @@ Outcome make_one(const Item& item, const Wishes& wishes, const Many& many, const
         for (const Output& output : item.outputs) with.push_back(made_with(*many.settings, item, output));
     Outcome outcome = make_pages(Job{item, wishes}, {{}, many.gate, &taken});
     if (!outcome.error.empty()) return outcome;
-    const bool kept = wishes.check_rules && !breaks_a_rule(outcome);
+    const bool kept = !breaks_a_rule(outcome);
     for (std::size_t i = 0; i < with.size(); ++i)
         if (const std::size_t files = files_of(item.outputs[i], outcome); with[i] && files > 0 && !item.outputs[i].bound)
             keep_record(item.outputs[i], {std::move(*with[i]), files, {}, kept}, many.update || !item.outputs[i].folder.empty());

@@ -69,7 +69,7 @@ public:
             layout.mended = mended_.told;
             layout.detail = detail_;
             if (detail_) tell_once(explained(*detail_, *layout.sheet.medium));
-            if (job_.check_rules) layout.broken = rules_broken_by(pages.all, *layout.sheet.medium);
+            layout.broken = rules_broken_by(pages.all, *layout.sheet.medium);
             show(i, pages);
             encode(i, pages.all);
         }
@@ -96,7 +96,7 @@ private:
             layout.text_lines = lines_of_braille(made.pages);
             tell_once(to_act_on(note_of_unknown(made.unknown)));
             if (shows(i)) layout.shown = made.pages;
-            if (job_.check_rules) layout.broken = rules_broken_by(made.pages, *layout.sheet.medium);
+            layout.broken = rules_broken_by(made.pages, *layout.sheet.medium);
             encode(i, made.pages);
         }
         tell_once(to_act_on(cut_.note()));

@@ -49,7 +49,7 @@ struct Layout {
     std::vector<std::string> names;           ///< in reading order
     MendingTold mended;                       ///< changes made for the rules
     std::optional<DetailChoice> detail = {};  ///< the chosen amount of line, if the wishes leave it to the medium
-    std::vector<BrokenRule> broken;           ///< if the wishes ask for it (check_rules)
+    std::vector<BrokenRule> broken;           ///< of the medium, hard ones and others
     std::vector<Page> shown;  ///< the page with the whole drawing, then those of its key; only for an output without a
                               ///< path
 };

@@ -46,7 +46,6 @@ struct Wishes {
     bool fixed_dpi = false;                  ///< the user gave the resolution, so a bare page does not change it
     WordsWish words = WordsWish::automatic;  ///< what to do with print in pictures
     Keep keep = Keep::on_disk;               ///< how finished pages are kept
-    bool check_rules = false;                ///< report in the outcome which rules the pages break
     std::string save_recipe;                 ///< file to which the chosen recipe is written
 
     Settings settings_of(const Format& format) const;

@@ -167,10 +167,8 @@ TEST_F(TrimmedPages, LabelsInMmStandBesideWordsOfPrint) {
 
 // A thing in the white that is not drawn has its name beside the drawing, and no line leads into the margin.
 TEST_F(TrimmedPages, ALabelInTheWhiteKeepsTheRules) {
-    Wishes wishes;
     labels = {{0.02, 0.5, true, "Foobar here", "test"}, {0.98, 0.02, true, "Above", "test"}};
-    wishes.check_rules = true;
-    page_of(100, "white", wishes);
+    page_of(100, "white");
     EXPECT_LT(outcome.part.width, 0.9);
     for (const BrokenRule& rule : outcome.layouts.at(0).broken) EXPECT_FALSE(rule.hard) << rule.name;
 }
