@@ -2,8 +2,10 @@
 #include "tactics/lettering/beyond_end.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <set>
@@ -19,7 +21,9 @@ namespace {
 // What stands beyond one end of a line, row by row across it, from the end outwards.
 class BeyondEnd {
 public:
-    BeyondEnd(const Image& grey, const LetteringLine& line, bool before) : grey_(grey), line_(line), before_(before) {}
+    // With the line's veil, or without it.
+    BeyondEnd(const Image& grey, const LetteringLine& line, bool before, bool sees_veil)
+        : grey_(grey), line_(line), before_(before), sees_veil_(sees_veil) {}
 
     // Something that is none of the line stands right there and is no straight line across, or sticks out of such a line, or
     // the picture ends: a letter that touches what is drawn, and is part of that now, or one that is cut off. `part` of the
@@ -170,7 +174,8 @@ private:
     }
     bool has_ink(int row, int step) const {
         const Point p = at(row, step);
-        return is_ink(grey_, line_, static_cast<int>(p.x), static_cast<int>(p.y));
+        const int x = static_cast<int>(p.x), y = static_cast<int>(p.y);
+        return is_ink(grey_, line_, x, y) && (sees_veil_ || !is_veiled(line_, x, y));
     }
     bool is_out(int step) const {
         const Point p = at(0, step);
@@ -180,18 +185,76 @@ private:
     const Image& grey_;
     const LetteringLine& line_;
     bool before_;
+    bool sees_veil_;
 };
+
+// Alike, and side by side, as the dots of a line are.
+bool is_dashed_line(const std::vector<InkPiece>& pieces) {
+    constexpr std::size_t kDashes = 3;
+    const PixelBox& first = pieces.front().box;
+    return pieces.size() >= kDashes && std::all_of(pieces.begin(), pieces.end(), [&](const InkPiece& piece) {
+               return std::abs(piece.box.top - first.top) <= 1 && std::abs(piece.box.bottom - first.bottom) <= 1 &&
+                      std::abs(piece.box.width() - first.width()) <= 1;
+           });
+}
+
+// How much paler than a line's ink something may be that is no ground. Print on a coloured ground is not much darker than that.
+int paler_ink(const Image& grey, const PixelBox& box, int level, bool light) {
+    constexpr int kPaler = 40;  // grey levels; a setting
+    std::array<int, 256> count{};
+    int all = 0;
+    for (int y = box.top; y < box.bottom; ++y)
+        for (int x = box.left; x < box.right; ++x)
+            if (const int value = grey.row(y)[x]; (value < level) == light) ++count[static_cast<std::size_t>(value)], ++all;
+    int middle = 0;
+    for (int seen = count[0]; 2 * seen < all; seen += count[static_cast<std::size_t>(middle)]) ++middle;
+    return std::min(kPaler, std::abs(middle - level) / 2);
+}
 
 }  // namespace
 
 bool is_cut(const Image& grey, const LetteringLine& line, double near) {
-    const BeyondEnd before(grey, line, true), after(grey, line, false);
-    return before.is_cut(near) || after.is_cut(near) || before.hides_letter() || after.hides_letter();
+    const auto is_at = [&](bool before) {
+        return BeyondEnd(grey, line, before, false).is_cut(near) || BeyondEnd(grey, line, before, true).hides_letter();
+    };
+    return is_at(true) || is_at(false);
 }
 
 bool may_hide_sign(const Image& grey, const LetteringLine& line) {
     constexpr double kUpperPart = 0.5, kRoomOfSigns = 0.45;
-    return BeyondEnd(grey, line, false).is_cut(kRoomOfSigns, kUpperPart);
+    return BeyondEnd(grey, line, false, false).is_cut(kRoomOfSigns, kUpperPart);
+}
+
+bool has_strange_ink(const Image& grey, const LetteringLine& line) {
+    const int below = std::max(3, line.letter_height / 2);
+    PixelBox box = line.box;
+    (line.upwards ? box.right : box.bottom) += below;
+    box.right = std::min(box.right, grey.width);
+    box.bottom = std::min(box.bottom, grey.height);
+    const int paler = paler_ink(grey, box, line.level, line.light);
+    const int level = line.light ? line.level - paler : line.level + paler;
+    Image part = make_image(box.width(), box.height(), 1, 0, 255);
+    for (int y = box.top; y < box.bottom; ++y)
+        for (int x = box.left; x < box.right; ++x)
+            if ((grey.row(y)[x] < level) != line.light) part.row(y - box.top)[x - box.left] = 0;
+    const auto clear = [&](const std::vector<InkRun>& runs) {
+        for (const InkRun& run : runs) {
+            const int left = std::max(box.left, run.left - 1), right = std::min(box.right, run.right + 1);
+            for (int y = std::max(box.top, run.y - 1); y <= std::min(box.bottom - 1, run.y + 1) && left < right; ++y)
+                std::fill(part.row(y - box.top) + (left - box.left), part.row(y - box.top) + (right - box.left),
+                          std::uint8_t{255});
+        }
+    };
+    for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
+        for (const InkPiece& piece : *pieces) clear(piece.runs);
+    clear(line.veil);
+    std::vector<InkPiece> strange = pieces_of(part, 128, false, kMostInkHeight);
+    std::erase_if(strange, [&](const InkPiece& piece) {
+        const PixelBox& own = piece.box;
+        return own.left <= 0 || own.top <= 0 || own.right >= part.width || own.bottom >= part.height ||
+               own.width() + own.height() <= 2;
+    });
+    return !strange.empty() && !is_dashed_line(strange);
 }
 
 }  // namespace tactics

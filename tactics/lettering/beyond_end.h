@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands right beyond the ends of a line of print and is none of it.
+// What stands right beyond the ends of a line of print, or among its letters, and is none of it.
 #pragma once
 
 #include "tactics/image.h"
@@ -14,5 +14,9 @@ bool is_cut(const Image& grey, const LetteringLine& line, double near);
 
 /// Something is where a sign of degrees would stand behind its last figure.
 bool may_hide_sign(const Image& grey, const LetteringLine& line);
+
+/// Something stands among its letters or below them that is none of them and ends there, such as the low line of "X_1", which is
+/// thin, and paler than they are.
+bool has_strange_ink(const Image& grey, const LetteringLine& line);
 
 }  // namespace tactics

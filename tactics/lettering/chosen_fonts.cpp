@@ -96,7 +96,7 @@ bool PictureFonts::choose(const PrintFonts& fonts) {
     });
     std::vector<std::size_t> lines;
     for (std::size_t i = 0; i < strips_.size(); ++i)
-        if (others_[i].alike && strips_[i].units() > 1) lines.push_back(i);
+        if (others_[i].alike && strips_[i].units() > 1 && !strips_[i].has_veil()) lines.push_back(i);
     sizes_.resize(fonts_.size());
     widths_.resize(fonts_.size());
     choose_by_words(lines);

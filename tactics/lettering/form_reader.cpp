@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tactics/lettering/alike_letters.h"
+#include "tactics/lettering/veiled_letter.h"
 #include "tactics/text/formula_letters.h"
 #include "tactics/text/utf8.h"
 
@@ -75,6 +76,7 @@ public:
         FormReading best, second;
         for (const double em : sizes(known))
             for (const double foot : feet(em)) {
+                if (strip_.has_veil() && !is_readable({em, foot})) continue;
                 FormReading reading = read_at({em, foot});
                 if (is_known(em)) reading.value *= kKnownBonus;
                 const bool better = reading.value > best.value;
@@ -102,6 +104,7 @@ private:
     void look(std::size_t first, std::size_t last, Span& span) {
         span.box = strip_.measure(first, last);
         ink_.reset();
+        if (strip_.veiled(first, last)) return;
         if (first == last)
             look_at_one(first, span);
         else if (span.box.width() < 2.5 * span.box.height()) {
@@ -249,7 +252,10 @@ private:
         return unit > 0 || (place == FormLetter::Place::on_line && !is_raised_figure(code));
     }
 
-    FormLetter letter_of(std::size_t first, const Span& one, const Rule& rule) const {
+    FormLetter letter_of(std::size_t first, std::size_t last, const Rule& rule) const {
+        if (strip_.veiled(first, last) && (first == last || strip_.tied(first, last)))
+            return veiled_letter(strip_, first, last, font_, rule.em, rule.foot);
+        const Span& one = span(first, last);
         FormLetter letter;
         letter.box = one.box;
         double best = 0;
@@ -281,6 +287,20 @@ private:
         return letter;
     }
 
+    // What is seen whole is of letters. Those that are hidden in part take long to find.
+    bool is_readable(const Rule& rule) const {
+        std::vector<bool> read(count_, false);
+        for (std::size_t length = 1; length <= kMostLetterPieces; ++length)
+            for (std::size_t last = length - 1; last < count_; ++last) {
+                const std::size_t first = last + 1 - length;
+                const bool veiled = strip_.veiled(first, last);
+                if (veiled ? length == 1 : letter_of(first, last, rule).code != 0)
+                    std::fill(read.begin() + static_cast<std::ptrdiff_t>(first),
+                              read.begin() + static_cast<std::ptrdiff_t>(last) + 1, true);
+            }
+        return std::find(read.begin(), read.end(), false) == read.end();
+    }
+
     static double worth(const FormLetter& letter) {
         if (letter.code == 0) return -0.1 * letter.box.width();
         const double off = letter.place == FormLetter::Place::on_line ? 0 : kOffLine;
@@ -294,7 +314,7 @@ private:
         std::vector<FormLetter> last(count_ + 1);
         for (std::size_t end = 1; end <= count_; ++end) {
             for (std::size_t length = 1; length <= std::min(end, kMostLetterPieces); ++length) {
-                FormLetter letter = letter_of(end - length, span(end - length, end - 1), rule);
+                FormLetter letter = letter_of(end - length, end - 1, rule);
                 if (length > 1 && letter.code == 0) continue;
                 const double value = best[end - length] + worth(letter);
                 if (length > 1 && value <= best[end]) continue;

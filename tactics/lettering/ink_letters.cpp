@@ -91,7 +91,26 @@ InkStrip::InkStrip(const Image& grey, const LetteringLine& line) {
     owner_ = std::move(strip.owner);
     for (int& owner : owner_)
         if (owner >= 0) owner = static_cast<int>(unit_of[static_cast<std::size_t>(owner)]);
+    veil_ = std::move(strip.veiled);
     tie_units();
+    if (!veil_.empty()) veil_units();
+}
+
+void InkStrip::veil_units() {
+    veiled_.resize(units_.size());
+    for (std::size_t at = 0; at < owner_.size(); ++at)
+        if (owner_[at] >= 0 && veil_[at]) {
+            veiled_[static_cast<std::size_t>(owner_[at])] = true;
+            owner_[at] = -1;
+        }
+    constexpr int kBreak = 4;  // pixels that a stroke across a letter is wide at most, with its edges
+    for (std::size_t i = 0; i + 1 < units_.size(); ++i)
+        if (veiled_[i] && veiled_[i + 1] && units_[i + 1].left - units_[i].right <= kBreak) tied_[i] = true;
+}
+
+bool InkStrip::veiled(std::size_t first, std::size_t last) const {
+    return !veiled_.empty() && std::any_of(veiled_.begin() + static_cast<std::ptrdiff_t>(first),
+                                           veiled_.begin() + static_cast<std::ptrdiff_t>(last) + 1, [](bool one) { return one; });
 }
 
 void InkStrip::tie_units() {
@@ -181,6 +200,11 @@ LetterInk::LetterInk(const InkStrip& strip, std::size_t first, std::size_t last,
     in_columns_.resize(static_cast<std::size_t>(columns_));
     for (int y = 0; y < rows_; ++y)
         for (int x = 0; x < columns_; ++x) {
+            if (strip.is_veiled(left_ + x, top_ + y)) {
+                hidden_.resize(is_.size());
+                hidden_[at(x, y)] = true;
+                continue;
+            }
             const double is = is_[at(x, y)] = strip.dark(left_ + x, top_ + y, {first, last});
             all_ink_ += is;
             in_rows_[static_cast<std::size_t>(y)] += is * smoothed_share(x, columns_);
@@ -198,9 +222,10 @@ double LetterInk::likeness(const LetterForm& form, double least) {
     for (std::size_t x = 0; x < across_.size(); ++x)
         across_[x] = form.across((left_ + static_cast<int>(x) - box_.left) / box_.width());
     const bool speck = box_.height() <= kSpeck;
-    if (least > 0 && !speck && !may_be(form, least)) return 0;
+    if (least > 0 && !speck && hidden_.empty() && !may_be(form, least)) return 0;
     double all = wanted_apart(form);
     if (!(all > 0)) return 0;
+    if (!hidden_.empty()) seen_ = std::min(1.0, (all - all_ink_) / (area_ * form.ink_before(1, 1)));
     if (speck) {
         const double share = std::clamp(all_ink_ / (all - all_ink_), kLeastSpeck, 1.0);
         for (int y = 0; y < rows_; ++y)
@@ -251,7 +276,8 @@ double LetterInk::wanted_apart(const LetterForm& form) {
         corners(y + 1, below_);
         for (int x = 0; x < columns_; ++x) {
             const auto i = static_cast<std::size_t>(x);
-            const double wanted = below_[i + 1] - below_[i] - above_[i + 1] + above_[i];
+            const bool known = hidden_.empty() || !hidden_[at(x, y)];
+            const double wanted = known ? below_[i + 1] - below_[i] - above_[i + 1] + above_[i] : 0;
             const double is = is_[at(x, y)];
             all += wanted + is;
             apart_[framed(x, y)] = is - wanted;

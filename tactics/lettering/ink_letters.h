@@ -30,6 +30,9 @@ public:
     double ink() const { return std::accumulate(dark_.begin(), dark_.end(), 0.0); }
     /// It is a straight stroke, such as a dash of a curve; so may be an l.
     bool is_stroke() const;
+    bool has_veil() const { return !veil_.empty(); }
+    /// What is drawn touches one of those units and may hide parts of it.
+    bool veiled(std::size_t first, std::size_t last) const;
     /// From the ink of those units and its fading edges only.
     InkBox measure(std::size_t first, std::size_t last) const;
 
@@ -39,13 +42,19 @@ private:
         std::size_t first, last;
     };
     double dark(int x, int y, const Part& part) const;
+    bool is_veiled(int x, int y) const {
+        return !veil_.empty() && x >= 0 && y >= 0 && x < width_ && y < height_ &&
+               veil_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    }
     void tie_units();
+    void veil_units();
 
     int width_ = 0, height_ = 0;
     std::vector<float> dark_;
     std::vector<int> owner_;  // the unit that a pixel is of; -1: none
     std::vector<PixelBox> units_;
-    std::vector<bool> tied_;  // to the next one
+    std::vector<bool> tied_;           // to the next one
+    std::vector<bool> veil_, veiled_;  // pixels, and units that touch them; empty: there is no veil
 };
 
 /// The ink of neighbouring units of a strip, ready to be held against one letter after the other.
@@ -57,6 +66,8 @@ public:
     /// 1: it looks as the letter does when that fills the box; 0: nothing alike, or less alike than `least`, which most letters
     /// are, and which is known long before how much less.
     double likeness(const LetterForm& form, double least = 0);
+    /// Of the ink of the letter that it was last held against, what is no part of a veil.
+    double seen() const { return seen_; }
 
 private:
     bool may_be(const LetterForm& form, double least);
@@ -72,8 +83,9 @@ private:
 
     InkBox box_;
     int left_, top_, columns_, rows_;  // pixels around the box
-    double area_, all_ink_ = 0;
+    double area_, all_ink_ = 0, seen_ = 1;
     std::vector<double> is_, in_rows_, in_columns_;  // darkness of pixels, and weighed sums of it
+    std::vector<bool> hidden_;                       // pixels that may be of the letter or not; empty: none
     std::vector<double> apart_, wants_;              // what is there more than wanted, in a frame; what is wanted
     std::vector<double> above_, below_;
     std::vector<LetterForm::Place> across_;

@@ -180,10 +180,14 @@ Lettering read_upright(const Image& grey, std::string_view language, double leas
     if (!lettering.found_any) return lettering;
     std::stable_partition(lines.begin(), lines.end(), is_words);
     if (lines.size() > kMostLines) lines.resize(kMostLines);
+    const std::size_t own = lines.size();
+    const std::vector<FreedLine> freed = fonts ? freed_lines(grey, lines) : std::vector<FreedLine>();
+    for (const FreedLine& one : freed) lines.push_back(one.line);
     Asked asked = ask_tesseract(grey, std::move(lines), !fonts, language, least_sure, program);
     lettering.trouble = std::move(asked.trouble);
     if (!lettering.trouble.empty()) return lettering;
     std::vector<ReadLine>& all = asked.all;
+    for (std::size_t i = 0; i < freed.size(); ++i) all[own + i].freed = freed[i].freed;
     if (!fonts || !hold_against_fonts(grey, all, std::move(climbing), fonts)) believe_lone_letters(all);
     doubt_by_text(all);
     hold_against_axes(all);

@@ -219,7 +219,7 @@ private:
                     ++alone;
                 else
                     beside += apart[letter] ? 1 : 0;
-            if (2 * alone < one.letters.size() || 10 * (alone + beside) < 7 * one.letters.size()) continue;
+            if (5 * alone < 2 * one.letters.size() || 10 * (alone + beside) < 7 * one.letters.size()) continue;
             const bool is_short = one.letters.size() < kLeastLetters;
             if (!is_short && are_rows(turned_boxes, one, in_row)) continue;
             if (is_short && alone < one.letters.size()) continue;
@@ -237,15 +237,25 @@ private:
                 add(level_pieces, {std::move(part)}, level, light, false, found_);
     }
 
-    // The first and the last letter of a row, as far from the next as words are.
+    // What stands at either end of a row, as far from the next letter as words are: one letter, or some above each other.
     static void mark_ends(const std::vector<PixelBox>& boxes, const std::vector<std::size_t>& row, std::vector<bool>& apart) {
         constexpr double kApart = 0.35;  // of the height
         const auto are_apart = [&](std::size_t a, std::size_t b) {
-            return boxes[b].left - boxes[a].right > kApart * std::max(boxes[a].height(), boxes[b].height());
+            const int gap = std::max(boxes[a].left, boxes[b].left) - std::min(boxes[a].right, boxes[b].right);
+            return gap > kApart * std::max(boxes[a].height(), boxes[b].height());
         };
-        if (row.size() < 2) return;
-        apart[row.front()] = are_apart(row.front(), row[1]);
-        apart[row.back()] = are_apart(row[row.size() - 2], row.back());
+        const auto are_stacked = [&](std::size_t a, std::size_t b) {
+            const int both = std::min(boxes[a].right, boxes[b].right) - std::max(boxes[a].left, boxes[b].left);
+            return 2 * both > std::min(boxes[a].width(), boxes[b].width());
+        };
+        const auto mark = [&](auto first, auto last) {
+            auto end = first;
+            while (end != last && are_stacked(*first, *end)) ++end;
+            if (end != last && std::all_of(first, end, [&](std::size_t one) { return are_apart(one, *end); }))
+                for (; first != end; ++first) apart[*first] = true;
+        };
+        mark(row.begin(), row.end());
+        mark(row.rbegin(), row.rend());
     }
 
     static int tallest(const std::vector<PixelBox>& boxes, const Group& group) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tactics/lettering/read_line.h"
+#include "tactics/text/utf8.h"
 
 namespace tactics {
 
@@ -30,7 +31,7 @@ bool has_ink_between(const Image& grey, const LetteringLine& one, const Letterin
 // In its row, no farther off than a word is in monospaced print; and where a letter between them is hidden, somewhat farther.
 bool stands_right_beside(const Image& grey, const LetteringLine& one, const LetteringLine& other) {
     constexpr double kOneHeight = 0.35, kOneFoot = 0.2;
-    constexpr double kGap = 1.2, kGapOfHidden = 2;  // of the height; small letters stand beside figures. Settings
+    constexpr double kGap = 1.2, kGapOfHidden = 2.6;  // of the height; small letters stand beside figures. Settings
     if (one.upwards || other.upwards || one.light != other.light) return false;
     const double height = std::max(one.letter_height, other.letter_height);
     const int gap = gap_between(one, other);
@@ -59,8 +60,77 @@ bool is_of_label(const std::string& text) {
                        [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '='; });
 }
 
-// A line that is drawn runs through it from above to below, where there is none of its ink: a letter or a point may be hidden.
-bool is_parted(const Image& grey, const LetteringLine& line) {
+bool has_figure(const std::string& text) {
+    return std::any_of(text.begin(), text.end(), [](char c) { return is_digit(static_cast<unsigned char>(c)); });
+}
+
+// A part of a line without any of its ink, along it, and the rows across it that are looked at.
+struct Gap {
+    const Image& grey;
+    const LetteringLine& line;
+    int from, to, top, bottom;
+
+    bool has_ink(int along, int across) const {
+        return line.upwards ? is_ink(grey, line, across, along) : is_ink(grey, line, along, across);
+    }
+
+    // From above to below.
+    bool is_crossed() const {
+        bool through = to > from;
+        for (int across = top; across < bottom && through; ++across) {
+            through = false;
+            for (int along = from; along < to && !through; ++along) through = has_ink(along, across);
+        }
+        return through;
+    }
+
+    // Nothing but a straight line, in the rows where there is ink; it leans so that no stem of a letter is behind it.
+    bool is_line_that_leans() const {
+        std::vector<double> middles;
+        int thickest = 0, before = top;
+        for (int across = top; across < bottom; ++across) {
+            int first = to, last = from, ink = 0;
+            for (int along = from; along < to; ++along) {
+                if (!has_ink(along, across)) continue;
+                first = std::min(first, along);
+                last = along;
+                ++ink;
+            }
+            if (ink == 0) continue;
+            if (ink != last - first + 1 || (!middles.empty() && across != before + 1)) return false;
+            before = across;
+            thickest = std::max(thickest, ink);
+            middles.push_back(0.5 * (first + last));
+        }
+        if (middles.size() < 2) return true;
+        const double slope = (middles.back() - middles.front()) / static_cast<double>(middles.size() - 1);
+        for (std::size_t i = 0; i < middles.size(); ++i)
+            if (std::abs(middles[i] - middles.front() - slope * static_cast<double>(i)) > 1) return false;
+        constexpr double kStem = 0.5;  // of what is looked at; an x is as high
+        return std::abs(slope) * kStem * (bottom - top) > thickest + 1;
+    }
+
+    bool has_any_ink(int first, int last) const {
+        for (int across = first; across < last; ++across)
+            for (int along = from; along < to; ++along)
+                if (has_ink(along, across)) return true;
+        return false;
+    }
+};
+
+// Ink that is none of its letters stands between two of them, and may be a part of one, or hide a point.
+bool hides_in(const Gap& gap, bool has_points) {
+    constexpr double kFoot = 0.35;  // of the height
+    const PixelBox& box = gap.line.box;
+    const int top = gap.line.upwards ? box.left : box.top, bottom = gap.line.upwards ? box.right : box.bottom;
+    if (has_points) return gap.has_any_ink(bottom - static_cast<int>(kFoot * (bottom - top)), bottom);
+    return gap.has_any_ink(top, bottom) && !gap.is_line_that_leans();
+}
+
+// A line that is drawn runs through it where there is none of its ink: a letter or a point may be hidden. No letter is where the
+// line leans; a point may be.
+bool is_parted(const Image& grey, const LetteringLine& line, bool has_points) {
+    constexpr double kLeastGap = 0.25;  // of the height, where letters of a word have less between them
     const int beyond = std::max(2, line.letter_height / 4);
     const PixelBox& box = line.box;
     const int begin = line.upwards ? box.top : box.left, end = line.upwards ? box.bottom : box.right;
@@ -77,13 +147,9 @@ bool is_parted(const Image& grey, const LetteringLine& line) {
     for (int from = begin; from < end;) {
         int to = from;
         while (to < end && !own[static_cast<std::size_t>(to - begin)]) ++to;
-        bool through = to > from;
-        for (int across = top; across < bottom && through; ++across) {
-            through = false;
-            for (int along = from; along < to && !through; ++along)
-                through = line.upwards ? is_ink(grey, line, across, along) : is_ink(grey, line, along, across);
-        }
-        if (through) return true;
+        const Gap gap{grey, line, from, to, top, bottom};
+        if (gap.is_crossed() && (has_points || !gap.is_line_that_leans())) return true;
+        if (to - from >= kLeastGap * line.letter_height && hides_in(gap, has_points)) return true;
         from = to + 1;
     }
     return false;
@@ -110,7 +176,7 @@ void doubt_parts(const Image& grey, std::vector<ReadLine>& lines, const std::vec
 
 void doubt_parted(const Image& grey, std::vector<ReadLine>& lines) {
     for (ReadLine& one : lines)
-        if (one.words.sure && is_parted(grey, one.line)) {
+        if (one.words.sure && is_parted(grey, one.line, has_figure(one.words.text))) {
             one.words.sure = false;
             one.tell = true;
         }

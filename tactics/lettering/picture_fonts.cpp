@@ -51,6 +51,7 @@ FormWords PictureFonts::read(std::size_t line) {
 
 void PictureFonts::bear_out_in_any(std::size_t line, FormWords& words) {
     const OtherReading& other = others_[line];
+    if (strips_[line].veiled(0, strips_[line].units() - 1)) return;
     const bool fits = words.reading.mean >= kFitsBoth && words.reading.least >= kLeastOfBoth;
     // Small print of a known font has its own rules.
     if (!other.alike || (words.agreed && ((words.settled && fits) || words.reading.em < kSmallPrint))) return;

@@ -2,6 +2,7 @@
 // A line of lettering on its way from ink to words.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,12 @@
 #include "tactics/lettering/lines.h"
 
 namespace tactics {
+
+/// What is known of a line that was freed of what is drawn.
+struct Freed {
+    bool goes_on = false;  ///< what was freed stands as letters do: as high, or on their line
+    bool lacks = false;    ///< beside it is what may be a part of a letter, a point, or a tick
+};
 
 struct ReadLine {
     LetteringLine line;
@@ -18,6 +25,7 @@ struct ReadLine {
     bool tell = false;                       ///< it is print, whether it can be read or not
     bool nearly = false;                     ///< a number that others of an axis may bear out, as Belief has it
     bool likely = false;                     ///< it was read as words that may be none
+    std::optional<Freed> freed = {};         ///< it may take the place of lines that are parts of it
     std::vector<std::string> readings = {};  ///< what any reader has made of it
 };
 
@@ -29,6 +37,16 @@ PrintedWords print_of(const Image& grey, const LetteringLine& line);
 /// The print of a picture that is upright, or climbs straight.
 Lettering read_upright(const Image& grey, std::string_view language, double least_sure, const PrintFonts& fonts,
                        const std::string& program);
+
+struct FreedLine {
+    LetteringLine line;
+    Freed freed;
+};
+
+/// Of lines of print that stand beside something drawn, each once more, with what stands in line with it but hangs together with
+/// a long stroke, such as a link of a diagram or a coast, and without that stroke, which becomes its veil. Lines that are parted
+/// by such letters become one.
+std::vector<FreedLine> freed_lines(const Image& grey, const std::vector<LetteringLine>& lines);
 
 /// The second reader: the letters of fonts are held against each line. `climbing` are lines of one or two letters that may take
 /// the place of some of one letter. False: there are no fonts here.

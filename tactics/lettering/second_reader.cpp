@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -35,58 +34,6 @@ bool hides_sign(const Image& grey, const LetteringLine& line, const FormReading&
 // tick.
 double room_of(const FormReading& reading) {
     return reading.letters.size() == 1 && !is_digit(reading.letters.front().code) ? kRoomOfLetters : kRoomOfWords;
-}
-
-// Alike, and side by side, as the dots of a line are.
-bool is_dashed_line(const std::vector<InkPiece>& pieces) {
-    constexpr std::size_t kDashes = 3;
-    const PixelBox& first = pieces.front().box;
-    return pieces.size() >= kDashes && std::all_of(pieces.begin(), pieces.end(), [&](const InkPiece& piece) {
-               return std::abs(piece.box.top - first.top) <= 1 && std::abs(piece.box.bottom - first.bottom) <= 1 &&
-                      std::abs(piece.box.width() - first.width()) <= 1;
-           });
-}
-
-// How much paler than a line's ink something may be that is no ground. Print on a coloured ground is not much darker than that.
-int paler_ink(const Image& grey, const PixelBox& box, int level, bool light) {
-    constexpr int kPaler = 40;  // grey levels; a setting
-    std::array<int, 256> count{};
-    int all = 0;
-    for (int y = box.top; y < box.bottom; ++y)
-        for (int x = box.left; x < box.right; ++x)
-            if (const int value = grey.row(y)[x]; (value < level) == light) ++count[static_cast<std::size_t>(value)], ++all;
-    int middle = 0;
-    for (int seen = count[0]; 2 * seen < all; seen += count[static_cast<std::size_t>(middle)]) ++middle;
-    return std::min(kPaler, std::abs(middle - level) / 2);
-}
-
-// Something stands among its letters or below them that is none of them and ends there, such as the low line of "X_1", which is
-// thin, and paler than they are.
-bool has_strange_ink(const Image& grey, const LetteringLine& line) {
-    const int below = std::max(3, line.letter_height / 2);
-    PixelBox box = line.box;
-    (line.upwards ? box.right : box.bottom) += below;
-    box.right = std::min(box.right, grey.width);
-    box.bottom = std::min(box.bottom, grey.height);
-    const int paler = paler_ink(grey, box, line.level, line.light);
-    const int level = line.light ? line.level - paler : line.level + paler;
-    Image part = make_image(box.width(), box.height(), 1, 0, 255);
-    for (int y = box.top; y < box.bottom; ++y)
-        for (int x = box.left; x < box.right; ++x)
-            if ((grey.row(y)[x] < level) != line.light) part.row(y - box.top)[x - box.left] = 0;
-    for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
-        for (const InkPiece& piece : *pieces)
-            for (const InkRun& run : piece.runs)
-                for (int y = std::max(box.top, run.y - 1); y <= std::min(box.bottom - 1, run.y + 1); ++y)
-                    std::fill(part.row(y - box.top) + (std::max(box.left, run.left - 1) - box.left),
-                              part.row(y - box.top) + (std::min(box.right, run.right + 1) - box.left), std::uint8_t{255});
-    std::vector<InkPiece> strange = pieces_of(part, 128, false, kMostInkHeight);
-    std::erase_if(strange, [&](const InkPiece& piece) {
-        const PixelBox& own = piece.box;
-        return own.left <= 0 || own.top <= 0 || own.right >= part.width || own.bottom >= part.height ||
-               own.width() + own.height() <= 2;
-    });
-    return !strange.empty() && !is_dashed_line(strange);
 }
 
 // A line with what fonts say of it.
@@ -227,6 +174,42 @@ void add_climbing(std::vector<Held>& lines, std::vector<Held> climbing) {
     }
 }
 
+// It may be what is left of a line.
+bool has_sign_at_end(std::string_view text) {
+    constexpr std::string_view kSigns = ".,:;'`\"-_^";
+    return text.empty() || kSigns.find(text.front()) != text.npos || kSigns.find(text.back()) != text.npos ||
+           text.starts_with("\u2212");
+}
+
+// What was freed of lines that are drawn is believed and takes the place of its parts; else these are as they were before, but
+// for those with which it goes on.
+void keep_freed(std::vector<Held>& lines) {
+    std::vector<PixelBox> kept, parted;
+    std::erase_if(lines, [&](const Held& one) {
+        const PixelBox& box = one.read.line.box;
+        if (!one.read.freed) return false;
+        const bool known = std::any_of(kept.begin(), kept.end(), [&](const PixelBox& other) { return overlap(box, other); });
+        const bool is_kept = one.sure() && one.form.sized && !one.form.text.empty() && !one.read.freed->lacks &&
+                             !has_sign_at_end(one.read.words.text);
+        if (!known && is_kept) kept.push_back(box);
+        if (!is_kept && one.read.freed->goes_on) parted.push_back(box);
+        return known || !is_kept;
+    });
+    const auto is_part = [](const Held& one, const std::vector<PixelBox>& all) {
+        const PixelBox& box = one.read.line.box;
+        return !one.read.freed && std::any_of(all.begin(), all.end(), [&](const PixelBox& whole) {
+            const int x = (box.left + box.right) / 2, y = (box.top + box.bottom) / 2;
+            return x >= whole.left && x < whole.right && y >= whole.top && y < whole.bottom;
+        });
+    };
+    std::erase_if(lines, [&](const Held& one) { return is_part(one, kept); });
+    for (Held& one : lines)
+        if (one.sure() && is_part(one, parted)) {
+            one.read.words.sure = false;
+            one.read.tell = true;
+        }
+}
+
 void put_together(Held& a, const Held& b) {
     ReadLine &one = a.read, other = b.read;
     const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
@@ -338,7 +321,11 @@ bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::ve
     for (const LetteringLine& line : climbing) strips.emplace_back(grey, line);
     others.resize(strips.size());
     std::vector<FormWords> read = read_in_fonts(strips, others, fonts);
-    if (read.size() < strips.size()) return false;
+    const auto drop_freed = [&] { std::erase_if(lines, [](const ReadLine& one) { return one.freed.has_value(); }); };
+    if (read.size() < strips.size()) {
+        drop_freed();
+        return false;
+    }
     if (std::none_of(read.begin(), read.end(), [](const FormWords& one) { return one.font >= 0; })) {
         for (std::size_t i = 0; i < lines.size(); ++i) {
             ReadLine& one = lines[i];
@@ -347,6 +334,7 @@ bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::ve
             else
                 doubt(grey, one);
         }
+        drop_freed();
         return true;
     }
     std::vector<Held> upright, turned;
@@ -356,6 +344,7 @@ bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::ve
         line.words = print_of(grey, line.line);
         turned.push_back(held(grey, std::move(line), std::move(read[lines.size() + i])));
     }
+    keep_freed(upright);
     add_climbing(upright, std::move(turned));
     join_at_signs(upright);
     lines.clear();

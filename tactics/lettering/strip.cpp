@@ -104,6 +104,21 @@ Image cut_out(const Image& grey, const LetteringLine& line, const std::vector<co
     return strip;
 }
 
+// The veil and what fades from it.
+std::vector<bool> veiled_in(const LetteringLine& line, const View& view) {
+    std::vector<bool> veiled;
+    if (line.veil.empty()) return veiled;
+    const int width = view.width();
+    veiled.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(view.height()));
+    for (const InkRun& run : line.veil) {
+        const PixelBox part = view.strip_box({run.left - 1, run.y - 1, run.right + 1, run.y + 2});
+        for (int y = std::max(0, part.top); y < std::min(view.height(), part.bottom); ++y)
+            for (int x = std::max(0, part.left); x < std::min(width, part.right); ++x)
+                veiled[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] = true;
+    }
+    return veiled;
+}
+
 Image with_gaps(const Image& strip, const std::vector<int>& gaps, int wider) {
     Image wide = make_image(strip.width + static_cast<int>(gaps.size()) * wider, strip.height, 1, 0, 255);
     for (int y = 0; y < strip.height; ++y) {
@@ -189,7 +204,7 @@ BareStrip bare_strip(const Image& grey, const LetteringLine& line) {
     std::vector<const InkPiece*> ink = ink_of(line, Part::words);
     for (const InkPiece& piece : line.raised) ink.push_back(&piece);
     const View view = view_of(line, ink, kFading);
-    BareStrip strip{cut_out(grey, line, ink, view, kFading), {}, {}};
+    BareStrip strip{cut_out(grey, line, ink, view, kFading), {}, {}, veiled_in(line, view)};
     const int width = strip.image.width, height = strip.image.height;
     const auto index = [&](int x, int y) {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);

@@ -20,6 +20,7 @@ struct BareStrip {
     Image image;
     std::vector<PixelBox> pieces;  ///< where its pieces are in that
     std::vector<int> owner;        ///< of each pixel the piece that it is of or fades from; -1: none
+    std::vector<bool> veiled;      ///< pixels of the line's veil, or right beside it; empty: it has none
 };
 BareStrip bare_strip(const Image& grey, const LetteringLine& line);
 /// The smallest and largest number of words by the gaps.

@@ -19,11 +19,12 @@ void write_l(Image& image, int left, int top, bool climbs) {
 }
 
 // Ten letters climb, with two figures on their left at so many of them.
-std::size_t letters_that_climb(int numbers, int gap) {
+std::size_t letters_that_climb(int numbers, int gap, int lower = 0) {
     Image image = make_image(120, 160, 1, 0, 255);
     for (int i = 0; i < 10; ++i) {
         write_l(image, 80, 20 + 11 * i, true);
-        for (int k = 0; k < 2 && i % 2 == 0 && i / 2 < numbers; ++k) write_l(image, 80 - gap - 19 + 11 * k, 18 + 11 * i, false);
+        for (int k = 0; k < 2 && i % 2 == 0 && i / 2 < numbers; ++k)
+            write_l(image, 80 - gap - 19 + 11 * k, 18 + 11 * i + lower, false);
     }
     std::size_t most = 0;
     for (const LetteringLine& line : find_lettering(image))
@@ -34,6 +35,7 @@ std::size_t letters_that_climb(int numbers, int gap) {
 TEST(ClimbingPrint, StandsBesideNumbers) {
     EXPECT_EQ(letters_that_climb(0, 8), 10u);
     EXPECT_EQ(letters_that_climb(4, 8), 10u);
+    EXPECT_EQ(letters_that_climb(3, 8, 5), 10u) << "two letters of the name are in the row of a number";
     EXPECT_EQ(letters_that_climb(4, 3), 0u) << "the letters of words in rows";
 }
 

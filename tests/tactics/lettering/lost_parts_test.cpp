@@ -62,5 +62,27 @@ TEST_F(LostParts, APartThatIsToldMayStandFartherOffBehindALine) {
     EXPECT_FALSE(is_sure("vir", "ll", true));
 }
 
+// Two words of an L each, with a line between them that leans by so many pixels.
+bool is_sure_of_two(const std::string& text, int leans) {
+    Image picture = make_image(100, 60, 1, 0, 255);
+    const auto fill = [&](int left, int top, int right, int bottom) {
+        for (int y = top; y < bottom; ++y) std::fill(picture.row(y) + left, picture.row(y) + right, std::uint8_t{0});
+    };
+    for (const int left : {30, 50}) fill(left, 20, left + 2, 34), fill(left, 32, left + 8, 34);
+    std::vector<ReadLine> lines{{find_lettering(picture).at(0), {}}};
+    EXPECT_EQ(lines[0].line.letters.size(), 2u);
+    lines[0].words.sure = true;
+    lines[0].words.text = text;
+    for (int y = 0; y < 60; ++y) fill(43 + leans * (y - 30) / 30, y, 45 + leans * (y - 30) / 30, y + 1);
+    doubt_parted(picture, lines);
+    return lines[0].words.sure;
+}
+
+TEST(PartedLabel, NothingIsHiddenByALineThatLeans) {
+    EXPECT_FALSE(is_sure_of_two("L L", 0)) << "or Lil";
+    EXPECT_TRUE(is_sure_of_two("L L", 11));
+    EXPECT_FALSE(is_sure_of_two("1 1", 11)) << "or 1.1";
+}
+
 }  // namespace
 }  // namespace tactics::lost_parts_test
