@@ -18,9 +18,9 @@ namespace {
 // Of the height of letters. Settings: what reaches so far straight on is no stroke of a letter; farther off than that stands no
 // letter of the same line; what hangs or stands out of its letters.
 constexpr double kLongStroke = 2.2, kFarthest = 3, kGapBeside = 0.9, kOutOfLine = 0.6;
-constexpr double kMark = 0.6;  // what is lower is a mark
-constexpr double kGapOfSign = 0.4;
-constexpr double kAsHigh = 0.35;  // heights of two lines that are one differ by no more: small letters stand beside capitals
+constexpr double kMark = 0.6;       // what is lower is a mark
+constexpr double kGapOfSign = 0.4;  // up to a sign of degrees, and above the figures before it
+constexpr double kAsHigh = 0.35;    // heights of two lines that are one differ by no more: small letters stand beside capitals
 
 // What is drawn beside a line of print.
 class Beside {
@@ -172,16 +172,17 @@ int thickest_square(const std::vector<InkPiece>& pieces) {
 bool has_ink_beside(const Image& grey, const LetteringLine& line) {
     const int beyond = static_cast<int>(std::ceil(kGapBeside * line.letter_height));
     const PixelBox box{line.box.left - beyond, line.box.top, line.box.right + beyond, line.box.bottom};
-    std::size_t ink = 0;
+    int ink = 0;
     for (int y = box.top; y < box.bottom; ++y)
         for (int x = box.left; x < box.right; ++x) ink += is_ink(grey, line, x, y) ? 1 : 0;
     for (const auto* pieces : {&line.letters, &line.marks, &line.raised})
         for (const InkPiece& piece : *pieces)
-            for (const InkRun& run : piece.runs) ink -= static_cast<std::size_t>(run.right - run.left);
+            for (const InkRun& run : piece.runs)
+                for (int x = run.left; x < run.right; ++x) ink -= is_ink(grey, line, x, run.y) ? 1 : 0;
     return ink > 0;
 }
 
-// What stands in line with it, freed or in lines of their own, is added to the line.
+// A line, and what stands in line with it, freed or in lines of their own.
 class Whole {
 public:
     Whole(const Image& grey, const std::vector<LetteringLine>& lines, std::size_t number)
@@ -199,7 +200,7 @@ public:
         }
     }
 
-    // Nothing, if it is not known what belongs to it.
+    // Nothing, where nothing touches it and nothing hides a letter of it.
     std::optional<FreedLine> run() {
         add_lines([](const LetteringLine& whole, const LetteringLine& other) { return is_sign_of(whole, other); });
         const LetteringLine untouched = whole_;

@@ -181,33 +181,38 @@ bool has_sign_at_end(std::string_view text) {
            text.starts_with("\u2212");
 }
 
+bool is_believed(const Held& freed) {
+    return freed.sure() && freed.form.sized && !freed.form.text.empty() && !freed.read.freed->lacks &&
+           !has_sign_at_end(freed.read.words.text);
+}
+
+bool is_part(const Held& one, const Held& whole) {
+    const PixelBox &box = one.read.line.box, &all = whole.read.line.box;
+    const int x = (box.left + box.right) / 2, y = (box.top + box.bottom) / 2;
+    return x >= all.left && x < all.right && y >= all.top && y < all.bottom;
+}
+
 // What was freed of lines that are drawn is believed and takes the place of its parts; else these are as they were before, but
 // for those with which it goes on.
 void keep_freed(std::vector<Held>& lines) {
-    std::vector<PixelBox> kept, parted;
-    std::erase_if(lines, [&](const Held& one) {
-        const PixelBox& box = one.read.line.box;
-        if (!one.read.freed) return false;
-        const bool known = std::any_of(kept.begin(), kept.end(), [&](const PixelBox& other) { return overlap(box, other); });
-        const bool is_kept = one.sure() && one.form.sized && !one.form.text.empty() && !one.read.freed->lacks &&
-                             !has_sign_at_end(one.read.words.text);
-        if (!known && is_kept) kept.push_back(box);
-        if (!is_kept && one.read.freed->goes_on) parted.push_back(box);
-        return known || !is_kept;
-    });
-    const auto is_part = [](const Held& one, const std::vector<PixelBox>& all) {
-        const PixelBox& box = one.read.line.box;
-        return !one.read.freed && std::any_of(all.begin(), all.end(), [&](const PixelBox& whole) {
-            const int x = (box.left + box.right) / 2, y = (box.top + box.bottom) / 2;
-            return x >= whole.left && x < whole.right && y >= whole.top && y < whole.bottom;
-        });
-    };
-    std::erase_if(lines, [&](const Held& one) { return is_part(one, kept); });
-    for (Held& one : lines)
-        if (one.sure() && is_part(one, parted)) {
-            one.read.words.sure = false;
-            one.read.tell = true;
-        }
+    const auto own = std::stable_partition(lines.begin(), lines.end(), [](const Held& one) { return !one.read.freed; });
+    std::vector<Held> freed(std::make_move_iterator(own), std::make_move_iterator(lines.end())), kept;
+    lines.erase(own, lines.end());
+    for (Held& whole : freed) {
+        const bool known = std::any_of(kept.begin(), kept.end(),
+                                       [&](const Held& other) { return overlap(other.read.line.box, whole.read.line.box); });
+        if (known) continue;
+        if (is_believed(whole)) {
+            std::erase_if(lines, [&](const Held& one) { return is_part(one, whole); });
+            kept.push_back(std::move(whole));
+        } else if (whole.read.freed->goes_on)
+            for (Held& one : lines)
+                if (one.sure() && is_part(one, whole)) {
+                    one.read.words.sure = false;
+                    one.read.tell = true;
+                }
+    }
+    std::move(kept.begin(), kept.end(), std::back_inserter(lines));
 }
 
 void put_together(Held& a, const Held& b) {
