@@ -27,6 +27,7 @@ constexpr double kLow = 0.65;         // of the height of a line: an underscore 
 constexpr double kHighEnough = 14;    // pixels of a line that has lowered figures
 constexpr double kOffPixels = 1.3;    // a point of less than a pixel lies on two
 constexpr std::size_t kMostSizes = 6, kMostFeet = 5, kMostUnits = 120, kMostLetterPieces = 4;
+constexpr std::size_t kMostVeiled = 4;  // of a line that can be read
 
 // Pieces side by side that may be one letter.
 constexpr std::u32string_view kWide = U"%\u2030\u00bd\u00bc\u00be\"\u201c\u201d\u2033\u2026";
@@ -74,7 +75,13 @@ public:
             return std::any_of(known.begin(), known.end(), [&](double one) { return std::abs(one - em) < 0.05 * one; });
         };
         FormReading best, second;
-        for (const double em : sizes(known))
+        std::vector<double> tried;
+        for (const double em : sizes(known)) {
+            // What is hidden takes long to find.
+            const bool again =
+                std::any_of(tried.begin(), tried.end(), [&](double one) { return std::abs(one - em) < 0.02 * em; });
+            if (strip_.has_veil() && (again || !is_known(em))) continue;
+            tried.push_back(em);
             for (const double foot : feet(em)) {
                 if (strip_.has_veil() && !is_readable({em, foot})) continue;
                 FormReading reading = read_at({em, foot});
@@ -83,6 +90,7 @@ public:
                 if (better) std::swap(reading, best);
                 if (differs(reading, best) && reading.value > second.value) second = std::move(reading);
             }
+        }
         const bool decided = is_known(best.em) && !is_known(second.em);
         const bool near = second.value > 0.96 * best.value || is_letter_in_two_sizes(best, second);
         best.either = !decided && near && differs(second, best);
@@ -395,7 +403,7 @@ private:
 
 FormReading read_by_forms(const InkStrip& strip, FormFont& font, const std::vector<double>& known, std::string_view guess,
                           bool only_guessed) {
-    if (strip.units() == 0 || strip.units() > kMostUnits) return {};
+    if (strip.units() == 0 || strip.units() > kMostUnits || strip.veiled_units() > kMostVeiled) return {};
     return Reader(strip, font, guess, only_guessed).run(known);
 }
 

@@ -40,11 +40,13 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
     PictureFonts picture(strips, others);
     if (!picture.choose(fonts)) return {};
     const auto is_lone = [&](std::size_t i) { return strips[i].units() < 2; };
+    const auto waits = [&](std::size_t i) { return strips[i].has_veil(); };  // until sizes are known
     for (std::size_t i = 0; i < strips.size(); ++i)
-        if (!is_lone(i)) words[i] = picture.read(i);
+        if (!is_lone(i) && !waits(i)) words[i] = picture.read(i);
     for (const FormWords& one : words)
         if (one.agreed && one.settled && !one.reading.either && !is_of_either_case(one.reading)) picture.know(one);
     const auto read_again = [&](std::size_t i) {
+        if (waits(i)) return;
         if (is_lone(i) || words[i].reading.either || !words[i].sized || words[i].text.empty()) words[i] = picture.read(i);
         words[i].sized = words[i].font >= 0 && picture.knows(words[i]) && (!is_lone(i) || is_alone_alike(words[i].reading));
     };
@@ -69,6 +71,11 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
     }
     if (picture.choose_by_formulas())
         for (std::size_t i = 0; i < strips.size(); ++i) read_again(i);
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+        if (!waits(i)) continue;
+        words[i] = picture.read(i);
+        words[i].sized = words[i].font >= 0 && picture.knows(words[i]) && (!is_lone(i) || is_alone_alike(words[i].reading));
+    }
     for (std::size_t i = 0; i < strips.size(); ++i) picture.bear_out_in_any(i, words[i]);
     const FigureHeights heights(words);
     for (std::size_t i = 0; i < strips.size(); ++i) {

@@ -310,8 +310,9 @@ private:
 }  // namespace
 
 std::vector<FreedLine> freed_lines(const Image& grey, const std::vector<LetteringLine>& lines) {
+    constexpr std::size_t kMostFreed = 60;  // of a picture; more is a text that is crossed out
     std::vector<FreedLine> freed;
-    for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t i = 0; i < lines.size() && freed.size() < kMostFreed; ++i)
         if (!lines[i].upwards && has_ink_beside(grey, lines[i]))
             if (auto one = Whole(grey, lines, i).run(); one && !one->line.veil.empty()) freed.push_back(*std::move(one));
     return freed;

@@ -2,6 +2,7 @@
 // The ink of a line of lettering, letter by letter, measured to parts of a pixel.
 #pragma once
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -31,6 +32,7 @@ public:
     /// It is a straight stroke, such as a dash of a curve; so may be an l.
     bool is_stroke() const;
     bool has_veil() const { return !veil_.empty(); }
+    std::size_t veiled_units() const { return static_cast<std::size_t>(std::count(veiled_.begin(), veiled_.end(), true)); }
     /// What is drawn touches one of those units and may hide parts of it.
     bool veiled(std::size_t first, std::size_t last) const;
     /// From the ink of those units and its fading edges only.
