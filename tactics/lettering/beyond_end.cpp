@@ -249,11 +249,8 @@ bool has_strange_ink(const Image& grey, const LetteringLine& line) {
         for (const InkPiece& piece : *pieces) clear(piece.runs);
     clear(line.veil);
     std::vector<InkPiece> strange = pieces_of(part, 128, false, kMostInkHeight);
-    std::erase_if(strange, [&](const InkPiece& piece) {
-        const PixelBox& own = piece.box;
-        return own.left <= 0 || own.top <= 0 || own.right >= part.width || own.bottom >= part.height ||
-               own.width() + own.height() <= 2;
-    });
+    std::erase_if(
+        strange, [&](const InkPiece& piece) { return !ends_within(piece, part) || piece.box.width() + piece.box.height() <= 2; });
     return !strange.empty() && !is_dashed_line(strange);
 }
 

@@ -8,6 +8,7 @@
 
 #include "tactics/lettering/alike_letters.h"
 #include "tactics/lettering/veiled_letter.h"
+#include "tactics/lettering/weighed_groups.h"
 #include "tactics/text/formula_letters.h"
 #include "tactics/text/utf8.h"
 
@@ -75,13 +76,7 @@ public:
             return std::any_of(known.begin(), known.end(), [&](double one) { return std::abs(one - em) < 0.05 * one; });
         };
         FormReading best, second;
-        std::vector<double> tried;
-        for (const double em : sizes(known)) {
-            // What is hidden takes long to find.
-            const bool again =
-                std::any_of(tried.begin(), tried.end(), [&](double one) { return std::abs(one - em) < 0.02 * em; });
-            if (strip_.has_veil() && (again || !is_known(em))) continue;
-            tried.push_back(em);
+        for (const double em : strip_.has_veil() ? apart(sizes(known), is_known) : sizes(known)) {
             for (const double foot : feet(em)) {
                 if (strip_.has_veil() && !is_readable({em, foot})) continue;
                 FormReading reading = read_at({em, foot});
@@ -98,6 +93,17 @@ public:
     }
 
 private:
+    // Those that are known, once each: what is hidden takes long to find.
+    template <typename Is>
+    static std::vector<double> apart(const std::vector<double>& sizes, Is is_known) {
+        std::vector<double> found;
+        for (const double em : sizes) {
+            const auto is_again = [&](double one) { return std::abs(one - em) < 0.02 * em; };
+            if (is_known(em) && std::none_of(found.begin(), found.end(), is_again)) found.push_back(em);
+        }
+        return found;
+    }
+
     static bool differs(const FormReading& a, const FormReading& b) {
         return a.text != b.text && std::abs(a.em - b.em) > 0.1 * b.em;
     }
@@ -188,7 +194,7 @@ private:
             for (std::size_t k = 0; k < std::min<std::size_t>(one.choices.size(), 8); ++k)
                 if (one.choices[k].likeness >= kTells)
                     votes.push_back({one.choices[k].size, one.choices[k].likeness * std::max(one.box.width(), one.box.height())});
-        std::vector<double> found = best_of(votes, 0.05, 0, kMostSizes);
+        std::vector<double> found = heaviest_groups(votes, 0.05, 0, kMostSizes);
         for (const double one : known)
             if (may_be_of(one)) found.push_back(one);
         return found;
@@ -208,32 +214,7 @@ private:
             for (const Choice& choice : one.choices)
                 if (choice.likeness >= kIsOfKnown && has_size(choice, em))
                     votes.push_back({foot_of(one.box, choice, em), choice.likeness * one.box.width()});
-        return best_of(votes, 0, 0.7, kMostFeet);
-    }
-
-    // Means of the groups of values that weigh most.
-    static std::vector<double> best_of(std::vector<std::pair<double, double>> votes, double share, double step,
-                                       std::size_t most) {
-        std::sort(votes.begin(), votes.end());
-        std::vector<std::pair<double, double>> groups;  // weight, mean
-        for (std::size_t i = 0; i < votes.size(); ++i) {
-            double weight = 0, sum = 0;
-            for (std::size_t k = i; k < votes.size() && votes[k].first <= votes[i].first * (1 + share) + step; ++k) {
-                weight += votes[k].second;
-                sum += votes[k].second * votes[k].first;
-            }
-            groups.push_back({-weight, sum / weight});
-        }
-        std::sort(groups.begin(), groups.end());
-        std::vector<double> found;
-        for (const auto& group : groups) {
-            const double mean = group.second;
-            const bool known = std::any_of(found.begin(), found.end(),
-                                           [&](double one) { return std::abs(one - mean) <= (share * mean + step) / 2; });
-            if (!known) found.push_back(mean);
-            if (found.size() == most) break;
-        }
-        return found;
+        return heaviest_groups(votes, 0, 0.7, kMostFeet);
     }
 
     // Letters that are bent to pixels are larger or smaller by a part of one.

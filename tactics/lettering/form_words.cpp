@@ -46,18 +46,20 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
     for (const FormWords& one : words)
         if (one.agreed && one.settled && !one.reading.either && !is_of_either_case(one.reading)) picture.know(one);
     const auto read_again = [&](std::size_t i) {
-        if (waits(i)) return;
         if (is_lone(i) || words[i].reading.either || !words[i].sized || words[i].text.empty()) words[i] = picture.read(i);
         words[i].sized = words[i].font >= 0 && picture.knows(words[i]) && (!is_lone(i) || is_alone_alike(words[i].reading));
     };
-    picture.bend();
-    for (std::size_t i = 0; i < strips.size(); ++i) read_again(i);
-    if (picture.add_formulas())
+    const auto read_all_again = [&](auto is) {
         for (std::size_t i = 0; i < strips.size(); ++i)
-            if (words[i].text.empty() || !words[i].sized) read_again(i);
+            if (!waits(i) && is(words[i])) read_again(i);
+    };
+    const auto is_any = [](const FormWords&) { return true; };
+    const auto is_not_sized = [](const FormWords& one) { return !one.sized; };
+    picture.bend();
+    read_all_again(is_any);
+    if (picture.add_formulas()) read_all_again([](const FormWords& one) { return one.text.empty() || !one.sized; });
     picture.know_by_company(words);
-    for (std::size_t i = 0; i < strips.size(); ++i)
-        if (!words[i].sized) read_again(i);
+    read_all_again(is_not_sized);
     constexpr int kMostSizes = 3;      // of print that has no words
     constexpr std::size_t kShort = 4;  // pieces of ink, of numbers and letters
     for (int size = 0; size < kMostSizes; ++size) {
@@ -66,16 +68,11 @@ std::vector<FormWords> read_in_fonts(const std::vector<InkStrip>& strips, const 
             if (strips[i].units() <= kShort && !words[i].sized) left.push_back(i);
         if (!picture.choose_by_letters(left)) break;
         picture.bend();
-        for (std::size_t i = 0; i < strips.size(); ++i)
-            if (!words[i].sized) read_again(i);
+        read_all_again(is_not_sized);
     }
-    if (picture.choose_by_formulas())
-        for (std::size_t i = 0; i < strips.size(); ++i) read_again(i);
-    for (std::size_t i = 0; i < strips.size(); ++i) {
-        if (!waits(i)) continue;
-        words[i] = picture.read(i);
-        words[i].sized = words[i].font >= 0 && picture.knows(words[i]) && (!is_lone(i) || is_alone_alike(words[i].reading));
-    }
+    if (picture.choose_by_formulas()) read_all_again(is_any);
+    for (std::size_t i = 0; i < strips.size(); ++i)
+        if (waits(i)) read_again(i);
     for (std::size_t i = 0; i < strips.size(); ++i) picture.bear_out_in_any(i, words[i]);
     const FigureHeights heights(words);
     for (std::size_t i = 0; i < strips.size(); ++i) {

@@ -20,6 +20,7 @@ namespace {
 constexpr double kLongStroke = 2.2, kFarthest = 3, kGapBeside = 0.9, kOutOfLine = 0.6;
 constexpr double kMark = 0.6;       // what is lower is a mark
 constexpr double kGapOfSign = 0.4;  // up to a sign of degrees, and above the figures before it
+constexpr int kSpeckle = 3;         // pixels wide and high together; stairs of a stroke
 constexpr double kAsHigh = 0.35;    // heights of two lines that are one differ by no more: small letters stand beside capitals
 
 // What is drawn beside a line of print.
@@ -55,11 +56,9 @@ public:
                     left.row(y - window_.top)[x - window_.left] = 0;
         std::vector<InkPiece> pieces = pieces_of(left, 128, false, 2 * line_.letter_height);
         std::erase_if(pieces, [&](const InkPiece& piece) {
-            const PixelBox& box = piece.box;
-            return box.left <= 0 || box.top <= 0 || box.right >= left.width || box.bottom >= left.height ||
-                   box.width() + box.height() <= 3;
+            return !ends_within(piece, left) || piece.box.width() + piece.box.height() <= kSpeckle;
         });
-        for (InkPiece& piece : pieces) put_back(piece);
+        for (InkPiece& piece : pieces) move_piece(piece, window_.left, window_.top);
         return pieces;
     }
 
@@ -105,21 +104,11 @@ private:
                     drawn_.row(run.y - seen_.top)[x - seen_.left] = 0;
     }
 
-    void put_back(InkPiece& piece) const {
-        for (InkRun& run : piece.runs) run = {run.y + window_.top, run.left + window_.left, run.right + window_.left};
-        piece.box = {piece.box.left + window_.left, piece.box.top + window_.top, piece.box.right + window_.left,
-                     piece.box.bottom + window_.top};
-    }
-
     const LetteringLine& line_;
     PixelBox window_, seen_;  // the latter as far as strokes are followed
     Image drawn_;             // 1: ink of no letter, of what is seen
     LongStrokes long_;
 };
-
-int gap_beside(const PixelBox& one, const PixelBox& other) {
-    return std::max(one.left, other.left) - std::min(one.right, other.right);
-}
 
 bool is_in_row(const LetteringLine& line, const PixelBox& box) {
     const double out = kOutOfLine * line.letter_height;
@@ -130,7 +119,7 @@ bool goes_on_in(const LetteringLine& line, const LetteringLine& other) {
     const double height = std::max(line.letter_height, other.letter_height);
     return !other.upwards && other.light == line.light &&
            std::abs(line.letter_height - other.letter_height) <= kAsHigh * height && is_in_row(line, other.box) &&
-           gap_beside(line.box, other.box) <= kGapBeside * height;
+           gap_along(line.box, other.box) <= kGapBeside * height;
 }
 
 // Of degrees, which touches what is drawn at the level of grey of its figures.
@@ -257,7 +246,7 @@ private:
     }
 
     bool is_next(const InkPiece& piece) const {
-        return is_in_row(line_, piece.box) && gap_beside(whole_.box, piece.box) <= kGapBeside * whole_.letter_height;
+        return is_in_row(line_, piece.box) && gap_along(whole_.box, piece.box) <= kGapBeside * whole_.letter_height;
     }
 
     template <typename Is>

@@ -37,6 +37,16 @@ double share_of_ink(const InkPiece& piece) {
     return ink / (static_cast<double>(piece.box.width()) * piece.box.height());
 }
 
+void move_piece(InkPiece& piece, int right, int down) {
+    for (InkRun& run : piece.runs) run = {run.y + down, run.left + right, run.right + right};
+    piece.box = {piece.box.left + right, piece.box.top + down, piece.box.right + right, piece.box.bottom + down};
+}
+
+bool ends_within(const InkPiece& piece, const Image& part) {
+    const PixelBox& box = piece.box;
+    return box.left > 0 && box.top > 0 && box.right < part.width && box.bottom < part.height;
+}
+
 std::vector<InkPiece> pieces_of(const Image& grey, int level, bool light, int largest) {
     std::vector<InkRun> runs;
     Forest forest;

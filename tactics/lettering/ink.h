@@ -2,6 +2,7 @@
 // Pieces of ink in a picture: what touches, at one level of grey.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "tactics/image.h"
@@ -23,6 +24,16 @@ struct InkPiece {
 
 /// Of its box.
 double share_of_ink(const InkPiece& piece);
+
+/// From a part of a picture back to the picture.
+void move_piece(InkPiece& piece, int right, int down);
+/// It touches no side of that part.
+bool ends_within(const InkPiece& piece, const Image& part);
+
+/// Between two boxes side by side; below zero if one is above the other.
+inline int gap_along(const PixelBox& one, const PixelBox& other) {
+    return std::max(one.left, other.left) - std::min(one.right, other.right);
+}
 
 /// Ink is every pixel darker than `level`, or, for light ink, every other pixel. Pieces touch along sides or corners; none is
 /// wider or higher than `largest` pixels.

@@ -64,8 +64,7 @@ bool stand_in_line(const PixelBox& a, const PixelBox& b, double most) {
     if (high > kUnlike * low) return false;
     if (around(a, b) == a || around(a, b) == b) return false;  // a frame
     if (std::min(a.bottom, b.bottom) - std::max(a.top, b.top) < 0.5 * low) return false;
-    const int gap = std::max(a.left, b.left) - std::min(a.right, b.right);
-    return gap < most * high;
+    return gap_along(a, b) < most * high;
 }
 
 struct Group {
@@ -241,8 +240,7 @@ private:
     static void mark_ends(const std::vector<PixelBox>& boxes, const std::vector<std::size_t>& row, std::vector<bool>& apart) {
         constexpr double kApart = 0.35;  // of the height
         const auto are_apart = [&](std::size_t a, std::size_t b) {
-            const int gap = std::max(boxes[a].left, boxes[b].left) - std::min(boxes[a].right, boxes[b].right);
-            return gap > kApart * std::max(boxes[a].height(), boxes[b].height());
+            return gap_along(boxes[a], boxes[b]) > kApart * std::max(boxes[a].height(), boxes[b].height());
         };
         const auto are_stacked = [&](std::size_t a, std::size_t b) {
             const int both = std::min(boxes[a].right, boxes[b].right) - std::max(boxes[a].left, boxes[b].left);

@@ -15,10 +15,6 @@ namespace tactics {
 
 namespace {
 
-int gap_between(const LetteringLine& one, const LetteringLine& other) {
-    return std::max(one.box.left, other.box.left) - std::min(one.box.right, other.box.right);
-}
-
 // Between the two in their row is ink that is none of theirs.
 bool has_ink_between(const Image& grey, const LetteringLine& one, const LetteringLine& other) {
     const int left = std::min(one.box.right, other.box.right), right = std::max(one.box.left, other.box.left);
@@ -34,7 +30,7 @@ bool stands_right_beside(const Image& grey, const LetteringLine& one, const Lett
     constexpr double kGap = 1.2, kGapOfHidden = 2.6;  // of the height; small letters stand beside figures. Settings
     if (one.upwards || other.upwards || one.light != other.light) return false;
     const double height = std::max(one.letter_height, other.letter_height);
-    const int gap = gap_between(one, other);
+    const int gap = gap_along(one.box, other.box);
     return std::abs(one.letter_height - other.letter_height) <= kOneHeight * height &&
            std::abs(one.box.bottom - other.box.bottom) <= kOneFoot * height + 1 && gap > 0 && gap <= kGapOfHidden * height &&
            (gap <= kGap * height || has_ink_between(grey, one, other));
@@ -45,7 +41,7 @@ bool stands_right_beside(const Image& grey, const LetteringLine& one, const Lett
 bool goes_on_behind_lines(const Image& grey, const LetteringLine& label, const LetteringLine& rest) {
     constexpr double kGap = 2;  // of the height
     if (label.upwards || rest.upwards || label.light != rest.light || !is_words(rest)) return false;
-    const int gap = gap_between(label, rest);
+    const int gap = gap_along(label.box, rest.box);
     const auto is_of_label = [&](const InkPiece& piece) {
         return std::any_of(label.letters.begin(), label.letters.end(), [&](const InkPiece& letter) {
             return std::abs(letter.box.top - piece.box.top) <= 1 && std::abs(letter.box.bottom - piece.box.bottom) <= 1;

@@ -35,8 +35,8 @@ public:
             for (int x = window_.left; x < window_.right; ++x)
                 if (darkness(x, y) >= kPale && !is_beside_dark(x, y)) pale.row(y - window_.top)[x - window_.left] = 0;
         for (InkPiece& piece : pieces_of(pale, 128, false, kMostInkHeight)) {
-            if (!ends_in(pale, piece)) continue;
-            put_back(piece);
+            if (!ends_within(piece, pale)) continue;
+            move_piece(piece, window_.left, window_.top);
             if (ink_on(piece.box) >= kLeastInk * line_.letter_height * line_.letter_height) found.push_back(std::move(piece));
         }
         return found;
@@ -62,23 +62,12 @@ public:
                                    [](std::uint8_t is) { return is != 0; });
             });
         });
-        if (!std::all_of(found.begin(), found.end(), [&](const InkPiece& piece) { return ends_in(ink, piece); })) return {};
-        for (InkPiece& piece : found) put_back(piece);
+        if (!std::all_of(found.begin(), found.end(), [&](const InkPiece& piece) { return ends_within(piece, ink); })) return {};
+        for (InkPiece& piece : found) move_piece(piece, window_.left, window_.top);
         return found;
     }
 
 private:
-    static bool ends_in(const Image& part, const InkPiece& piece) {
-        const PixelBox& box = piece.box;
-        return box.left > 0 && box.top > 0 && box.right < part.width && box.bottom < part.height;
-    }
-
-    void put_back(InkPiece& piece) const {
-        for (InkRun& run : piece.runs) run = {run.y + window_.top, run.left + window_.left, run.right + window_.left};
-        piece.box = {piece.box.left + window_.left, piece.box.top + window_.top, piece.box.right + window_.left,
-                     piece.box.bottom + window_.top};
-    }
-
     void measure_tones() {
         deepest_ = line_.light ? 0 : 255;
         for (const InkPiece& piece : line_.letters)
