@@ -90,7 +90,8 @@ struct Link {
 
 class Rows {
 public:
-    Rows(std::vector<Dash> dashes, double reach) : dashes_(std::move(dashes)), links_(2 * dashes_.size(), kNone) {
+    Rows(std::vector<Dash> dashes, double reach, const std::vector<HidingMark>& marks)
+        : dashes_(std::move(dashes)), links_(2 * dashes_.size(), kNone), hidden_(2 * dashes_.size()) {
         std::vector<Link> all;
         for (std::size_t i = 0; i < dashes_.size(); ++i)
             for (std::size_t j = i + 1; j < dashes_.size(); ++j) {
@@ -105,6 +106,7 @@ public:
             }
         join(std::move(all));
         part_from_dashes();
+        for (const HidingMark& mark : marks) join_behind(mark, reach);
         join(bridges());
     }
 
@@ -130,10 +132,13 @@ public:
     std::vector<double> gaps(const std::vector<std::size_t>& chain) const {
         std::vector<double> all;
         for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-            all.push_back(distance(dash(chain[i]).ends[1 - (chain[i] & 1)], dash(chain[i + 1]).ends[chain[i + 1] & 1]));
+            if (!hidden_[chain[i] ^ 1])
+                all.push_back(distance(dash(chain[i]).ends[1 - (chain[i] & 1)], dash(chain[i + 1]).ends[chain[i + 1] & 1]));
         return all;
     }
     const Dash& dash(std::size_t end) const { return dashes_[end / 2]; }
+    // It may be longer than what is seen of it.
+    bool is_cut(std::size_t end) const { return hidden_[end] || hidden_[end ^ 1]; }
 
 private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -153,6 +158,34 @@ private:
             }
     }
 
+    // The two ends that lead to the mark from about opposite sides, the nearest: a curve may turn at its points.
+    void join_behind(const HidingMark& mark, double reach) {
+        constexpr double kLeadsTo = 0.7, kTurn = 0.3;  // cosines
+        std::vector<std::pair<double, std::size_t>> ends;
+        for (std::size_t end = 0; end < links_.size(); ++end) {
+            const Point at = dashes_[end / 2].ends[end & 1], way{mark.middle.x - at.x, mark.middle.y - at.y};
+            const double far = std::hypot(way.x, way.y);
+            if (links_[end] != kNone || far > mark.radius + reach) continue;
+            const std::size_t before = links_[end ^ 1];
+            const Point own =
+                before == kNone ? direction(end / 2, end & 1) : Point{at.x - near_end(before).x, at.y - near_end(before).y};
+            if (cosine(own, way) >= kLeadsTo) ends.emplace_back(far, end);
+        }
+        std::sort(ends.begin(), ends.end());
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            for (std::size_t j = i + 1; j < ends.size(); ++j) {
+                const std::size_t a = ends[i].second, b = ends[j].second;
+                const Point from = dashes_[a / 2].ends[a & 1], to = dashes_[b / 2].ends[b & 1];
+                if (links_[a] != kNone || links_[b] != kNone || a / 2 == b / 2 || !have_one_hue(dashes_[a / 2], dashes_[b / 2]) ||
+                    cosine({mark.middle.x - from.x, mark.middle.y - from.y}, {to.x - mark.middle.x, to.y - mark.middle.y}) <
+                        kTurn)
+                    continue;
+                links_[a] = b;
+                links_[b] = a;
+                hidden_[a] = hidden_[b] = true;
+            }
+    }
+
     // From the end of a row over what it crosses, where dashes are one piece of ink with that, to the row that goes on behind it.
     std::vector<Link> bridges() const {
         constexpr double kPeriods = 3;       // of dash and gap
@@ -167,7 +200,7 @@ private:
         std::size_t number = 0;
         for (const std::vector<std::size_t>& chain : chains()) {
             ++number;
-            if (chain.size() < kLeast || links_[chain.front()] != kNone) continue;
+            if (chain.size() < kLeast || links_[chain.front()] != kNone || gaps(chain).empty()) continue;
             std::vector<double> lengths, widths;
             for (const std::size_t end : chain) {
                 lengths.push_back(dash(end).whole_length());
@@ -254,6 +287,7 @@ private:
 
     std::vector<Dash> dashes_;
     std::vector<std::size_t> links_;  // of each end
+    std::vector<bool> hidden_;        // an end behind a mark
 };
 
 // Longer gaps are over what a row crosses.
@@ -296,38 +330,8 @@ int lead_on(const Image& ink, DashRow& row, double widest_gap) {
 
 }  // namespace
 
-std::optional<bool> is_level(const DashRow& row) {
-    const double across = std::abs(row.points.front().x - row.points.back().x),
-                 down = std::abs(row.points.front().y - row.points.back().y);
-    for (const Point& p : row.points)
-        if (std::min(std::abs(p.x - row.points.front().x), std::abs(p.y - row.points.front().y)) > row.width) return std::nullopt;
-    return across > down;
-}
-
-bool is_straight(const DashRow& row) {
-    constexpr double kLonger = 2, kStraight = 0.985;
-    double way = 0;
-    for (std::size_t i = 1; i < row.points.size(); ++i) way += distance(row.points[i - 1], row.points[i]);
-    for (std::size_t i = 0; i < row.points.size(); i += 2)
-        if (distance(row.points[i], row.points[i + 1]) < kLonger * row.width) return false;
-    return distance(row.points.front(), row.points.back()) >= kStraight * way;
-}
-
-DashKind dash_kind(std::vector<double> lengths) {
-    constexpr double kDot = 2.1;          // widths
-    constexpr double kFarLonger = 1.8;    // a dash than the mark beside it
-    constexpr double kLeastOfBoth = 0.2;  // share of the marks
-    if (lengths.empty()) return DashKind::dashes;
-    std::sort(lengths.begin(), lengths.end());
-    // Few dots of dots are longer: two that are one piece of ink.
-    const double few = lengths[lengths.size() * 17 / 20];
-    if (few < kDot) return DashKind::dots;
-    const auto longer = std::find_if(lengths.begin(), lengths.end(), [&](double length) { return length > few / kFarLonger; });
-    const double shorts = static_cast<double>(longer - lengths.begin()) / static_cast<double>(lengths.size());
-    return shorts >= kLeastOfBoth ? DashKind::dashes_and_dots : DashKind::dashes;
-}
-
-std::vector<DashRow> dash_rows_in(const Image& ink, const Image& picture, const DashLimits& limits) {
+std::vector<DashRow> dash_rows_in(const Image& ink, const Image& picture, const DashLimits& limits,
+                                  const std::vector<HidingMark>& marks) {
     if (limits.longest < 1) return {};
     const Components pieces =
         find_components(ink.width, ink.height, Joined::by_corners, [&](std::size_t i) { return ink.pixels[i] < 128; });
@@ -345,11 +349,11 @@ std::vector<DashRow> dash_rows_in(const Image& ink, const Image& picture, const 
         }
     }
     if (dashes.size() < kLeast || dashes.size() > kMostDashes) return {};
-    const Rows found(std::move(dashes), limits.gap);
+    const Rows found(std::move(dashes), limits.gap, marks);
     std::vector<DashRow> rows;
     for (const std::vector<std::size_t>& chain : found.chains()) {
         const std::vector<double> gaps = found.gaps(chain);
-        if (!are_alike(gaps)) continue;
+        if (gaps.empty() || !are_alike(gaps)) continue;
         DashRow row;
         std::vector<double> widths, lengths;
         for (const std::size_t end : chain) {
@@ -357,10 +361,11 @@ std::vector<DashRow> dash_rows_in(const Image& ink, const Image& picture, const 
             row.points.push_back(dash.ends[end & 1]);
             row.points.push_back(dash.ends[1 - (end & 1)]);
             widths.push_back(dash.width);
-            lengths.push_back(dash.whole_length());
+            if (!found.is_cut(end)) lengths.push_back(dash.whole_length());
             for (const Run* run : runs[dash.piece]) row.ink.push_back(*run);
         }
         row.width = middle_of(widths);
+        if (lengths.empty()) continue;
         std::sort(lengths.begin(), lengths.end());
         row.longest = lengths[lengths.size() * 17 / 20];
         for (double& length : lengths) length /= std::max(kThinnest, row.width);

@@ -17,6 +17,12 @@ struct DashLimits {
     double longest = 0, widest = 0, gap = 0;
 };
 
+/// A mark that hides what is under it, in pixels: a dashed line that leads to it goes on behind it.
+struct HidingMark {
+    Point middle;
+    double radius = 0;
+};
+
 /// The marks of a dashed line, as far as a finger can tell them apart.
 enum class DashKind : std::uint8_t { dashes, dots, dashes_and_dots };
 
@@ -42,6 +48,7 @@ DashKind dash_kind(std::vector<double> lengths);
 
 /// In `ink`, what is darker than 128. A line may turn by up to 30 degrees from dash to dash, has one colour in `picture`, and
 /// goes on behind what it crosses. Of more than 4000 pieces that could be dashes none is: it is a pattern or noise.
-std::vector<DashRow> dash_rows_in(const Image& ink, const Image& picture, const DashLimits& limits);
+std::vector<DashRow> dash_rows_in(const Image& ink, const Image& picture, const DashLimits& limits,
+                                  const std::vector<HidingMark>& marks = {});
 
 }  // namespace tactics

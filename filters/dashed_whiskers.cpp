@@ -15,8 +15,6 @@ namespace tactics {
 
 namespace {
 
-cv::Point dash_pixel(Point p) { return {static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))}; }
-
 // In the colour that was at `on`.
 void draw_whole(Image& picture, const Image& before, cv::Point on, cv::Point from, cv::Point to, double width) {
     cv::Mat pixels = view_of(picture);
@@ -100,8 +98,8 @@ void join_whiskers(Image& picture, const Image& before, const Image& ink, const 
     double gap = 0, width = 1;
     for (const DashRow& row : whiskers) {
         draw_whole(picture, before,
-                   dash_pixel({0.2 * row.points[0].x + 0.8 * row.points[1].x, 0.2 * row.points[0].y + 0.8 * row.points[1].y}),
-                   dash_pixel(row.points.front()), dash_pixel(row.points.back()), row.width);
+                   pixel_of({0.2 * row.points[0].x + 0.8 * row.points[1].x, 0.2 * row.points[0].y + 0.8 * row.points[1].y}),
+                   pixel_of(row.points.front()), pixel_of(row.points.back()), row.width);
         gap = std::max(gap, gap_of(row));
         width = std::max(width, row.width);
     }

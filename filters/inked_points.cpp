@@ -13,10 +13,11 @@ namespace tactics {
 namespace {
 
 constexpr int kInkOfPoints = 160;
-constexpr double kLeastRadius = 1.8;        // pixels; smaller discs are ends of lines
-constexpr double kArm = 0.55;               // of its width; a crossing of lines is 1.2 times as wide as they are
-constexpr int kAround = 48;                 // places on a circle that are looked at
-constexpr std::size_t kMostPoints = 20000;  // candidates; more is a pattern
+constexpr double kLeastRadius = 1.8;          // pixels; smaller discs are ends of lines
+constexpr double kArm = 0.55;                 // of its width; a crossing of lines is 1.2 times as wide as they are
+constexpr double kSmall = 3, kThinArm = 0.4;  // pixels; of its width: a line on a slope is now and then a pixel wider
+constexpr int kAround = 48;                   // places on a circle that are looked at
+constexpr std::size_t kMostPoints = 20000;    // candidates; more is a pattern
 
 bool is_ink(const cv::Mat& deep, Point p) {
     const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
@@ -48,7 +49,7 @@ std::optional<std::vector<double>> arms_of(const cv::Mat& deep, Point middle, do
             continue;
         }
         if (run > 0) {
-            if (turn_of(run) * beyond > kArm * 2 * radius) return std::nullopt;
+            if (turn_of(run) * beyond > (radius < kSmall ? kThinArm : kArm) * 2 * radius) return std::nullopt;
             arms.push_back(turn_of(first + k) - turn_of(run + 1) / 2);
         }
         run = 0;
@@ -83,8 +84,6 @@ std::optional<InkedPoint> point_at(const cv::Mat& deep, int x, int y, double rad
     for (const double turn : *arms) point.arms.push_back(on_circle(point.middle, radius + 1.5, turn));
     return point;
 }
-
-cv::Point pixel_of(Point p) { return {static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))}; }
 
 }  // namespace
 

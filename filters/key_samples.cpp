@@ -256,6 +256,24 @@ std::optional<KeySample> swatch_beside(const Image& picture, const Image& ink, c
     return sample;
 }
 
+// A line with a mark on its middle.
+bool is_marked_line(const Image& ink, const PixelBox& box) {
+    constexpr double kThin = 0.45, kEnd = 0.15, kOffMiddle = 0.25, kLonger = 1.4;  // of its height; of its width; of its height
+    if (box.width() < kLonger * box.height()) return false;
+    const int ends = std::max(1, static_cast<int>(kEnd * box.width()));
+    const auto is_thin = [&](int x) {
+        int inked = 0;
+        double middle = 0;
+        for (int y = box.top; y < box.bottom; ++y)
+            if (ink.row(y)[x] < kInkOfKeys) ++inked, middle += y + 0.5;
+        return inked > 0 && inked <= kThin * box.height() &&
+               std::abs(middle / inked - (box.top + box.bottom) / 2.0) <= kOffMiddle * box.height();
+    };
+    for (int i = 0; i < ends; ++i)
+        if (!is_thin(box.left + i) || !is_thin(box.right - 1 - i)) return false;
+    return true;
+}
+
 std::optional<KeySample> sample_beside(const Image& picture, const Image& ink, const LegendWords& words, std::size_t number,
                                        bool left) {
     const double h = words.height, y = (words.box.top + words.box.bottom) / 2.0;
@@ -272,10 +290,10 @@ std::optional<KeySample> sample_beside(const Image& picture, const Image& ink, c
     if (box->left <= window.left || box->right >= window.right) return std::nullopt;
     if (std::abs((box->top + box->bottom) / 2.0 - y) > kSameColumn * h || is_walled_off(own_ink, window, *box, left))
         return std::nullopt;
-    KeySample sample{number, *box, box->height() <= kLineHigh * h, false, {}, h};
+    KeySample sample{number, *box, box->height() <= kLineHigh * h || is_marked_line(ink, *box), false, {}, h};
     find_look(picture, ink, sample);
     if (sample.line) sample.dashes = dashes_along(ink, *box);
-    if (sample.dashes && goes_on(ink, *box, left, h)) return std::nullopt;
+    if (sample.dashes && (box->height() > kLineHigh * h || goes_on(ink, *box, left, h))) return std::nullopt;
     return sample;
 }
 

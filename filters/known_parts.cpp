@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "filters/arrow_heads.h"
@@ -15,6 +16,7 @@
 #include "filters/dashed_whiskers.h"
 #include "filters/error_bars.h"
 #include "filters/inked_fills.h"
+#include "filters/inked_marks.h"
 #include "filters/inked_points.h"
 #include "filters/noisy_curves.h"
 #include "filters/opencv.h"
@@ -59,23 +61,28 @@ constexpr double kShortRow = 20;
 DashLimits dash_limits(double mm) { return {kLongestDash / mm, std::max(2.0, kWidestDash / mm), kMostGap / mm}; }
 
 // A point is as large as it is drawn, but as wide as two of the dots of braille, which it is not taken for then.
-constexpr double kLeastPoint = 0.5, kMostPoint = 4.8, kFeltPoint = 1.6;  // radius, mm
+constexpr double kLeastPoint = 0.5, kMostPoint = 4.8, kFeltPoint = 1.6, kLeastDisc = 1;  // radius, mm
+// Forms that say something by what they are: at 5 mm across they are told apart (rules/symbol_size.cpp), and a ring has a hole.
+constexpr double kLeastForm = 1.5, kFeltForm = 2.5;
 constexpr std::size_t kMostMeasured = 1000;
 
+// Marks of a plot, from side to side: smaller ones do not show what they look like, larger ones are things of their own.
+constexpr double kFewestPixels = 6, kLeastMark = 0.9, kMostMark = 9;  // pixels; mm
+
 // Smaller where most of them are near others, so that more of them have room; the gap is that between any two things.
-double felt_radius(const std::vector<InkedPoint>& points, double mm) {
-    constexpr double kGap = 3.4, kLeast = 1;
+double felt_radius(const std::vector<Point>& points, double mm, double smallest, double largest) {
+    constexpr double kGap = 3.4;
     std::vector<double> nearest;
     for (std::size_t i = 0; i < points.size() && i < kMostMeasured; ++i) {
         double least = 1e9;
         for (std::size_t j = 0; j < points.size() && j < kMostMeasured; ++j)
-            if (i != j) least = std::min(least, distance(points[i].middle, points[j].middle));
+            if (i != j) least = std::min(least, distance(points[i], points[j]));
         nearest.push_back(least * mm);
     }
-    if (nearest.empty()) return kFeltPoint;
+    if (nearest.empty()) return largest;
     const auto few = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 4);
     std::nth_element(nearest.begin(), few, nearest.end());
-    return std::clamp((*few - kGap) / 2, kLeast, kFeltPoint);
+    return std::clamp((*few - kGap) / 2, smallest, largest);
 }
 
 // What is nearly black, whatever it stands on.
@@ -147,9 +154,10 @@ public:
         return dashes;
     }
     const std::vector<DashRow>& rows() {
-        if (!rows_) rows_ = dash_rows_in(ink_of_dashes(), picture_, dash_limits(picture_.mm_per_pixel));
+        if (!rows_) rows_ = dash_rows_in(ink_of_dashes(), picture_, dash_limits(picture_.mm_per_pixel), marks_);
         return *rows_;
     }
+    void hide_under(std::vector<HidingMark> marks) { marks_ = std::move(marks); }
     void forget() {
         ink_.reset();
         rows_.reset();
@@ -157,6 +165,7 @@ public:
 
 private:
     const Image& picture_;
+    std::vector<HidingMark> marks_;  // what was taken out of it
     std::optional<Image> ink_;
     std::optional<std::vector<DashRow>> rows_;
 };
@@ -247,11 +256,35 @@ void add_thin_strokes(const std::vector<std::array<Point, 2>>& strokes, double m
     for (const auto& [from, to] : strokes) parts.strokes.push_back({{{from.x * mm, from.y * mm}, {to.x * mm, to.y * mm}}, false});
 }
 
+// Points of a plot, each kind with a symbol of its own.
+void take_marks(Image& picture, KnownOfPicture& known, KnownParts& parts) {
+    const double mm = picture.mm_per_pixel;
+    const InkedMarks found = inked_marks_in(picture, known.ink(), std::max(kFewestPixels, kLeastMark / mm), kMostMark / mm);
+    if (found.marks.empty()) return;
+    take_out(picture, found);
+    known.forget();
+    parts.marks = found.symbols.size();
+    std::vector<Point> middles;
+    std::vector<HidingMark> hiding;
+    for (const InkedMark& mark : found.marks) {
+        middles.push_back(mark.middle);
+        hiding.push_back({mark.middle, found.radii[mark.kind]});
+    }
+    known.hide_under(std::move(hiding));
+    const bool told_apart = found.symbols.size() > 1;
+    const double felt = felt_radius(middles, mm, told_apart ? kLeastForm : kLeastDisc, told_apart ? kFeltForm : kFeltPoint);
+    for (const InkedMark& mark : found.marks)
+        parts.areas.push_back(symbol_area(found.symbols[mark.kind], {mark.middle.x * mm, mark.middle.y * mm},
+                                          std::clamp(found.radii[mark.kind] * mm, felt, std::max(felt, kFeltForm))));
+}
+
 void take_points(Image& picture, KnownOfPicture& known, KnownParts& parts) {
     const double mm = picture.mm_per_pixel;
     const auto points = points_in(known.ink(), kLeastPoint / mm, kMostPoint / mm);
     take_out(picture, points);
-    const double felt = felt_radius(points, mm);
+    std::vector<Point> middles;
+    for (const InkedPoint& point : points) middles.push_back(point.middle);
+    const double felt = felt_radius(middles, mm, kLeastDisc, kFeltPoint);
     for (const InkedPoint& point : points) {
         Drawing disc;
         draw_symbol(PlotSymbol::disc, {point.middle.x * mm, point.middle.y * mm}, std::max(point.radius * mm, felt), disc);
@@ -274,6 +307,10 @@ std::vector<Phrase> KnownParts::told() const {
     if (left_out > 0)
         told.push_back(phrases(left_out, "{0} pale surface is left out, as a curve runs along its border.",
                                "{0} pale surfaces are left out, as curves run along their borders."));
+    constexpr std::size_t kSymbols = 5;
+    if (marks > kSymbols)
+        told.push_back(phrase("{0} kinds of points are more than a finger tells apart, so some have the same symbol.",
+                              std::to_string(marks)));
     if (noisy > 0)
         told.push_back(
             phrases(noisy, "{0} curve goes up and down faster than a finger can follow, and is drawn through the middle of that.",
@@ -292,6 +329,7 @@ KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 
     if (ground && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
     KnownOfPicture known(picture);
     take_noisy_curves(picture, known, parts);
+    take_marks(picture, known, parts);
     take_heads(picture, known, parts);
     take_dashes(picture, known, parts);
     take_points(picture, known, parts);

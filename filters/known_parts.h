@@ -20,8 +20,10 @@ struct KnownParts {
     /// stem or cap of an error bar, a tick.
     std::vector<Stroke> strokes;
     std::size_t noisy = 0;     ///< of the strokes: curves through the middle of their noise (noisy_curves.h)
+    std::size_t marks = 0;     ///< kinds of points of a plot
     std::size_t left_out = 0;  ///< colours of pale surfaces behind curves (pale_fills.h)
-    std::vector<Area> areas;   ///< Role::symbol: a point; with a texture: a surface
+    std::vector<Area> areas;   ///< Role::symbol: a point, each kind of a plot with a symbol of its own (inked_marks.h); with a
+                               ///< texture: a surface
 
     void add_to(Drawing& drawing) &&;
     std::vector<Phrase> told() const;  ///< what a reader of the picture would not expect

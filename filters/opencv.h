@@ -6,11 +6,13 @@
 // number of cores, and no thread pool is started for a few milliseconds of work.
 #pragma once
 
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/core/hal/intrin.hpp>
 #include <opencv2/imgproc.hpp>
 #include <span>
 
+#include "tactics/drawing.h"
 #include "tactics/image.h"
 
 namespace tactics {
@@ -27,6 +29,9 @@ const cv::Mat view_of(const EdgeMap& edges);  ///< to be read only
 cv::Mat view_of(std::span<float> plane, int width, int height);
 
 const cv::Mat view_of(std::span<const float> column);  ///< one value a row, to be read only
+
+/// The pixel that a place is in; the middle of the first one is (0.5, 0.5).
+inline cv::Point pixel_of(Point p) { return {static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))}; }
 
 /// The colour of that pixel, to draw with; outside the picture that of the nearest.
 cv::Scalar colour_near(const Image& picture, cv::Point pixel);

@@ -56,4 +56,30 @@ void draw_symbol(PlotSymbol symbol, Point at, double radius, Drawing& drawing) {
     }
 }
 
+Area symbol_area(PlotSymbol symbol, Point at, double radius) {
+    constexpr int kRound = 32;
+    constexpr double kEighth = std::numbers::pi / 4, kLine = 0.7;
+    const double reach = reach_of(symbol, radius);
+    switch (symbol) {
+        case PlotSymbol::ring: return {{ring(at, reach, kRound, 0), ring(at, reach - kLine, kRound, 0)}, Role::symbol};
+        case PlotSymbol::square:
+            return {{ring(at, reach, 4, kEighth), ring(at, reach - kLine * std::numbers::sqrt2, 4, kEighth)}, Role::symbol};
+        case PlotSymbol::cross: {
+            // From the notch between two arms out along the next one and back in.
+            const std::vector<Point> notches = ring(at, kLine / std::numbers::sqrt2, 4, 0), ends = ring(at, reach, 4, kEighth);
+            std::vector<Point> outline;
+            for (std::size_t i = 0; i < 4; ++i) {
+                const Point notch = notches[i], next = notches[(i + 1) % 4], end = ends[i];
+                const Point across{(next.x - notch.x) / 2, (next.y - notch.y) / 2};
+                outline.insert(outline.end(),
+                               {notch, {end.x - across.x, end.y - across.y}, {end.x + across.x, end.y + across.y}});
+            }
+            return {{outline}, Role::symbol};
+        }
+        case PlotSymbol::triangle: return {{ring(at, reach, 3, 0)}, Role::symbol};
+        case PlotSymbol::disc: break;
+    }
+    return {{ring(at, reach, kRound, 0)}, Role::symbol};
+}
+
 }  // namespace tactics

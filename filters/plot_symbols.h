@@ -14,4 +14,7 @@ double reach_of(PlotSymbol symbol, double radius);
 /// one with corners of each kind, as a finger feels first whether it is filled and then whether it has corners.
 void draw_symbol(PlotSymbol symbol, Point at, double radius, Drawing& drawing);
 
+/// The same as one area, so that mending a page moves or leaves it as a whole. Outlines are 0.7 mm wide.
+Area symbol_area(PlotSymbol symbol, Point at, double radius);
+
 }  // namespace tactics

@@ -151,6 +151,37 @@ private:
     std::vector<Box> boxes_;
 };
 
+// The way to go for a point that is too close to a line, by the numbers of the point and of the line's chain: away from it if
+// that is near enough, else onto it, where it joins it. What is on a line stays there.
+std::map<std::pair<std::size_t, std::size_t>, Point> points_beside_lines(const Drawing& drawing, Seen& seen) {
+    std::vector<bool> is_free;
+    for (const Area& area : drawing.areas) is_free.push_back(area.role == Role::symbol && is_small(area));
+    for (const Contact& contact : seen.geometry.contacts)
+        for (const std::size_t c : {contact.one.chain, contact.other.chain})
+            if (const Chain& chain = seen.geometry.chains[c]; chain.ring) is_free[chain.owner] = false;
+    std::map<std::pair<std::size_t, std::size_t>, Point> ways;
+    std::map<std::pair<std::size_t, std::size_t>, double> worst;
+    for (std::size_t i = 0; i < seen.near.size(); ++i) {
+        std::size_t point = seen.geometry.pieces[seen.near[i].one].chain, line = seen.geometry.pieces[seen.near[i].other].chain;
+        const bool turned = !seen.geometry.chains[point].ring;
+        if (turned) std::swap(point, line);
+        const Chain &one = seen.geometry.chains[point], &other = seen.geometry.chains[line];
+        if (!one.ring || other.ring || !is_free[one.owner] || !seen.near.is_too_close(i)) continue;
+        NearPair pair = seen.near.pair(i);
+        if (turned) std::swap(pair.at, pair.other_at);
+        const double apart = distance(pair.at, pair.other_at), white = seen.near[i].white;
+        const bool away = pair.lacks <= kFarthestMove, onto = white + kPushed <= kFarthestMove;
+        if (apart == 0 || !(away || onto)) continue;
+        const double by = (away ? pair.lacks + kPushed : -white - kPushed) / apart;
+        if (const auto [known, fresh] = worst.try_emplace({one.owner, line}, pair.lacks); !fresh) {
+            if (known->second >= pair.lacks) continue;
+            known->second = pair.lacks;
+        }
+        ways[{one.owner, line}] = {(pair.at.x - pair.other_at.x) * by, (pair.at.y - pair.other_at.y) * by};
+    }
+    return ways;
+}
+
 void drop_empty(std::vector<Area>& areas) {
     std::erase_if(areas, [](const Area& area) { return area.rings.empty(); });
 }
@@ -214,9 +245,10 @@ bool drop_rims(Drawing& drawing, Seen& seen) {
 Mends move_areas_apart(Drawing& drawing, const Medium& medium, Seen& seen) {
     Shifts shifts(drawing);
     auto close = close_areas(seen);
-    const std::size_t first = close.size();
+    auto beside = points_beside_lines(drawing, seen);
+    const std::size_t first = close.size() + beside.size();
     Drawing shifted = drawing;
-    for (int round = 0; round < kPushes && !close.empty(); ++round) {
+    for (int round = 0; round < kPushes && !(close.empty() && beside.empty()); ++round) {
         bool pushed = false;
         for (const auto& [areas, pair] : close) {
             const double apart = distance(pair.at, pair.other_at);
@@ -228,13 +260,15 @@ Mends move_areas_apart(Drawing& drawing, const Medium& medium, Seen& seen) {
             if (other) shifts.push(areas.second, {-way.x, -way.y});
             pushed = true;
         }
+        for (const auto& [point, way] : beside) shifts.push(point.first, way), pushed = true;
         if (!pushed) break;
         shifted = shifts.shifted();
         Seen anew(shifted, medium);
         close = close_areas(anew);
+        beside = points_beside_lines(shifted, anew);
     }
     Mends changes;
-    if (close.size() >= first) return changes;
+    if (close.size() + beside.size() >= first) return changes;
     for (std::size_t i = 0; i < drawing.areas.size(); ++i)
         if (shifts.size_at(i) >= kNoticed)
             changes.push_back({Mend::Kind::shifted, first_point(drawing.areas[i]), shifts.size_at(i)});

@@ -154,7 +154,7 @@ private:
                                [&](const Stroke& joint) { return are_nearer(mark, joint, from_joint); });
         });
         const bool rest = line.role == Role::dots && all <= kLeastDots;
-        if (!rest && marks.size() < std::max(kLeastDots, all / 2)) return std::nullopt;
+        if (!rest && marks.size() < std::max(kLeastDots, all / 3)) return std::nullopt;
         left_ -= static_cast<double>(all);
         leave_out_crowded(marks, medium_);
         marks.insert(marks.end(), joined.begin(), joined.end());

@@ -86,6 +86,26 @@ void expect_both_curves(const std::vector<LegendEntry>& entries) {
     for (const LegendEntry& entry : entries) EXPECT_NEAR(entry.at.y, entry.words == 0 ? 182 : 262, 2) << entry.words;
 }
 
+TEST(InkedLegend, ASampleMayHaveAMarkOnItsMiddle) {
+    Image picture = make_image(400, 300, 3, 0, 255);
+    const auto paint = [&](int x, int y, int half, std::array<std::uint8_t, 3> colour) {
+        for (int v = y - half; v <= y + half; ++v) std::copy(colour.begin(), colour.end(), picture.row(v) + 3 * x);
+    };
+    const std::array<std::uint8_t, 3> red{220, 30, 30}, blue{30, 60, 220};
+    for (int x = 20; x < 380; ++x) {
+        paint(x, 250 - x / 4, x % 60 < 11 ? 5 : 1, red);
+        paint(x, 120 + x / 4, x % 60 < 11 ? 5 : 1, blue);
+    }
+    for (int x = 30; x < 60; ++x) {
+        paint(x, 20, std::abs(x - 45) < 6 ? 5 : 1, blue);
+        paint(x, 40, std::abs(x - 45) < 6 ? 5 : 1, red);
+    }
+    const auto entries = legend_in(picture, {{{66, 14, 120, 26}, 12}, {{66, 34, 120, 46}, 12}});
+    ASSERT_EQ(entries.size(), 2u);
+    for (const LegendEntry& entry : entries)
+        EXPECT_NEAR(entry.at.y, entry.words == 0 ? 120 + entry.at.x / 4 : 250 - entry.at.x / 4, 6);
+}
+
 // JPEG leaves of its pale line what is a little darker than the rest of it.
 TEST(InkedLegend, PiecesOfItsFrameAreNoSamples) {
     Image picture = two_curves(kRed, kBlue);

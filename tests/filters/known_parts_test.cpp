@@ -269,6 +269,33 @@ TEST(DashRows, GoOnBehindWhatTheyCross) {
     for (const DashRow& row : rows) EXPECT_GT(distance(row.points.front(), row.points.back()), 320);
 }
 
+// As the dashes beside a mark are cut off and what is under it is not seen.
+TEST(DashRows, GoOnBehindMarksWithTheirOwnDashes) {
+    for (const auto& [marks, kind] : {std::pair{kDashed, DashKind::dashes}, std::pair{kDotted, DashKind::dots}}) {
+        std::vector<HidingMark> hiding;
+        for (const double x : {60.0, 140.0, 220.0, 300.0}) hiding.push_back({{x, 50}, 8});
+        const Image picture = [&] {
+            Image image = inked(360, 100, {wave(50, marks)});
+            for (HidingMark& mark : hiding) {
+                // The line's own place there.
+                double sum = 0, n = 0;
+                for (int x = static_cast<int>(mark.middle.x) - 12; x < static_cast<int>(mark.middle.x) + 12; ++x)
+                    for (int y = 0; y < 100; ++y)
+                        if (image.row(y)[x] < 128) sum += y + 0.5, ++n;
+                mark.middle.y = sum / n;
+                for (int y = 0; y < 100; ++y)
+                    for (int x = 0; x < 360; ++x)
+                        if (distance({x + 0.5, y + 0.5}, mark.middle) < mark.radius + 2) image.row(y)[x] = 255;
+            }
+            return image;
+        }();
+        const auto rows = dash_rows_in(picture, picture, {30, 5, 8}, hiding);
+        ASSERT_EQ(rows.size(), 1u);
+        EXPECT_EQ(rows[0].kind, kind);
+        EXPECT_GT(std::abs(rows[0].points.front().x - rows[0].points.back().x), 300);
+    }
+}
+
 TEST(DashRows, GetStylesThatAFingerTellsApartIfAPictureHasSeveral) {
     Image picture = inked(400, 200, {wave(50, kDashed), wave(100, kDotted), wave(150, kDashDotted)});
     picture.mm_per_pixel = 0.4;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a row of dashes looks like.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "filters/dash_rows.h"
+
+namespace tactics {
+
+std::optional<bool> is_level(const DashRow& row) {
+    const double across = std::abs(row.points.front().x - row.points.back().x),
+                 down = std::abs(row.points.front().y - row.points.back().y);
+    for (const Point& p : row.points)
+        if (std::min(std::abs(p.x - row.points.front().x), std::abs(p.y - row.points.front().y)) > row.width) return std::nullopt;
+    return across > down;
+}
+
+bool is_straight(const DashRow& row) {
+    constexpr double kLonger = 2, kStraight = 0.985;
+    double way = 0;
+    for (std::size_t i = 1; i < row.points.size(); ++i) way += distance(row.points[i - 1], row.points[i]);
+    for (std::size_t i = 0; i < row.points.size(); i += 2)
+        if (distance(row.points[i], row.points[i + 1]) < kLonger * row.width) return false;
+    return distance(row.points.front(), row.points.back()) >= kStraight * way;
+}
+
+DashKind dash_kind(std::vector<double> lengths) {
+    constexpr double kDot = 2.1;          // widths
+    constexpr double kFarLonger = 1.8;    // a dash than the mark beside it
+    constexpr double kLeastOfBoth = 0.2;  // share of the marks
+    if (lengths.empty()) return DashKind::dashes;
+    std::sort(lengths.begin(), lengths.end());
+    // Few dots of dots are longer: two that are one piece of ink.
+    const double few = lengths[lengths.size() * 17 / 20];
+    if (few < kDot) return DashKind::dots;
+    const auto longer = std::find_if(lengths.begin(), lengths.end(), [&](double length) { return length > few / kFarLonger; });
+    const double shorts = static_cast<double>(longer - lengths.begin()) / static_cast<double>(lengths.size());
+    return shorts >= kLeastOfBoth ? DashKind::dashes_and_dots : DashKind::dashes;
+}
+
+}  // namespace tactics
