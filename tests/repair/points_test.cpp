@@ -56,6 +56,22 @@ std::size_t hard_places(const Drawing& drawing) {
     return places;
 }
 
+// Beside a line that all of them are too close to: what can go away goes, what is nearer joins it, and the line stays whole.
+TEST(Points, BesideALineGoAwayFromItOrOntoIt) {
+    Drawing drawing = blank();
+    drawing.strokes.push_back({{{20, 100}, {160, 100}}, false, LineClass::normal, 0, Role::line});
+    std::vector<Point> middles;
+    for (int i = 0; i < 6; ++i) middles.push_back({35 + 20.0 * i, 100 + 2 + (i % 2 == 0 ? 1.2 : 3.0)});
+    drawing.areas = discs_at(middles, 2);
+    for (Area& area : drawing.areas) area.role = Role::symbol;
+    const Repaired repaired = repair(drawing, swell());
+    EXPECT_EQ(hard_places(repaired.drawing), 0u);
+    ASSERT_EQ(repaired.drawing.areas.size(), middles.size());
+    EXPECT_EQ(repaired.drawing.strokes.size(), 1u);
+    EXPECT_NEAR(repaired.kept, 1, 1e-9);
+    for (std::size_t i = 0; i < middles.size(); ++i) EXPECT_LE(distance(middle_of(repaired.drawing.areas[i]), middles[i]), 1.02);
+}
+
 // Rows of a dot plot, beside each other without a gap and 1 mm below each other.
 TEST(Points, ThatTouchBecomeSmallerAlike) {
     Drawing drawing = blank();
