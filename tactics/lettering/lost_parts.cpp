@@ -151,6 +151,32 @@ bool is_parted(const Image& grey, const LetteringLine& line, bool has_points) {
     return false;
 }
 
+// All that stands between them is a dash, halfway up.
+bool has_dash_between(const Image& grey, const LetteringLine& one, const LetteringLine& other) {
+    constexpr double kThick = 0.25, kShortest = 0.2, kLongest = 0.9, kOffMiddle = 0.25;  // of the height
+    const double height = std::max(one.letter_height, other.letter_height);
+    const int left = std::min(one.box.right, other.box.right), right = std::max(one.box.left, other.box.left);
+    const int top = std::max(0, std::min(one.box.top, other.box.top) - 1),
+              bottom = std::min(grey.height, std::max(one.box.bottom, other.box.bottom) + 1);
+    PixelBox dash{right, bottom, left, top};
+    for (int y = top; y < bottom; ++y)
+        for (int x = left; x < right; ++x)
+            if (is_ink(grey, one, x, y)) dash = around(dash, {x, y, x + 1, y + 1});
+    if (dash.left <= left || dash.right >= right) return false;
+    const double middle = (dash.top + dash.bottom) / 2.0, halfway = (one.box.top + one.box.bottom) / 2.0;
+    return dash.height() <= std::max(2.0, kThick * height) && dash.width() >= kShortest * height &&
+           dash.width() <= kLongest * height && std::abs(middle - halfway) <= kOffMiddle * height;
+}
+
+// "n = n" before "- 1".
+bool is_part_of_formula(const Image& grey, const ReadLine& one, const std::vector<ReadLine>& all) {
+    const auto has_equals = [](const ReadLine& line) { return line.words.text.find('=') != std::string::npos; };
+    return std::any_of(all.begin(), all.end(), [&](const ReadLine& other) {
+        return (has_equals(one) || has_equals(other)) && stands_right_beside(grey, one.line, other.line) &&
+               has_dash_between(grey, one.line, other.line);
+    });
+}
+
 }  // namespace
 
 void doubt_parts(const Image& grey, std::vector<ReadLine>& lines, const std::vector<bool>& told) {
@@ -171,8 +197,9 @@ void doubt_parts(const Image& grey, std::vector<ReadLine>& lines, const std::vec
 }
 
 void doubt_parted(const Image& grey, std::vector<ReadLine>& lines) {
+    const std::vector<ReadLine> all = lines;
     for (ReadLine& one : lines)
-        if (one.words.sure && is_parted(grey, one.line, has_figure(one.words.text))) {
+        if (one.words.sure && (is_parted(grey, one.line, has_figure(one.words.text)) || is_part_of_formula(grey, one, all))) {
             one.words.sure = false;
             one.tell = true;
         }

@@ -59,16 +59,18 @@ char32_t first_of_word(char32_t told, char32_t next, bool is_long) {
     return next != 'o' && (is_long || kEndShort.find(next) != kEndShort.npos) && told == 'I' ? 'I' : 0;
 }
 
-// "lron": no word of three letters and more begins with l and another consonant but "ll".
+// "lron": no word of three letters and more begins with l and another consonant but "ll" and "lbs".
 bool is_no_beginning(char32_t first, char32_t next, char32_t third) {
     constexpr std::u32string_view kGoOn = U"aeiouylAEIOUYL";
-    return first == 'l' && is_lower(next) && next < 0x80 && is_lower(third) && kGoOn.find(next) == kGoOn.npos;
+    const bool pounds = next == 'b' && third == 's';
+    return first == 'l' && is_lower(next) && next < 0x80 && is_lower(third) && kGoOn.find(next) == kGoOn.npos && !pounds;
 }
 
 // Words of two letters are "If", "In", "Is" and "It"; others that begin so are "lb", "ln" and "lx". Before a bracket it is "ln",
-// too.
-bool is_no_short_word(char32_t first, char32_t next, char32_t behind) {
+// too. Of those of three only "lbs" has no vowel.
+bool is_no_short_word(char32_t first, char32_t next, char32_t behind, char32_t last) {
     constexpr std::u32string_view kWords = U"fnst";
+    if (next == 'b' && behind == 's' && !is_lower(last) && !is_upper(last)) return first == 'I';
     const bool word = kWords.find(next) != kWords.npos;
     if (!is_lower(next) || is_lower(behind) || is_upper(behind)) return false;
     return first == 'I' ? !word || (next == 'n' && behind == '(') : word && next != 'n';
@@ -199,7 +201,7 @@ void settle(FormWords& words, const OtherReading& other) {
             words.settled = false;
         else if (said != 0 && begins[i] && is_either(said) && in(U'I') && in(U'l') &&
                  (is_no_beginning(said, code_at(i + 1), code_at(i + 2)) ||
-                  is_no_short_word(said, code_at(i + 1), code_at(i + 2))))
+                  is_no_short_word(said, code_at(i + 1), code_at(i + 2), code_at(i + 3))))
             words.settled = false;
         else if (said != 0)
             letter.code = said;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tactics/lettering/read_line.h"
@@ -76,6 +77,28 @@ bool is_sure_of_two(const std::string& text, int leans) {
     for (int y = 0; y < 60; ++y) fill(43 + leans * (y - 30) / 30, y, 45 + leans * (y - 30) / 30, y + 1);
     doubt_parted(picture, lines);
     return lines[0].words.sure;
+}
+
+// Of "n = n - 1" the dash belongs to neither part.
+TEST(PartedLabel, AFormulaGoesOnBehindADash) {
+    for (const auto& [text, dash, sure] :
+         {std::tuple{"L = L", 6, false}, {"L L", 6, true}, {"L = L", 18, true}, {"L = L", 0, true}}) {
+        Image picture = make_image(160, 60, 1, 0, 255);
+        const auto fill = [&](int left, int top, int right, int bottom) {
+            for (int y = top; y < bottom; ++y) std::fill(picture.row(y) + left, picture.row(y) + right, std::uint8_t{0});
+        };
+        for (const int left : {20, 40, 76, 96}) fill(left, 20, left + 2, 34), fill(left, 32, left + 8, 34);
+        std::vector<ReadLine> lines;
+        for (const LetteringLine& line : find_lettering(picture)) lines.push_back({line, {}});
+        ASSERT_EQ(lines.size(), 2u);
+        for (ReadLine& line : lines) {
+            line.words.sure = true;
+            line.words.text = line.line.box.left < 60 ? text : "1";
+        }
+        fill(62 - dash / 2, 26, 62 + dash / 2, 28);
+        doubt_parted(picture, lines);
+        for (const ReadLine& line : lines) EXPECT_EQ(line.words.sure, sure) << text << ' ' << dash;
+    }
 }
 
 TEST(PartedLabel, NothingIsHiddenByALineThatLeans) {

@@ -130,6 +130,8 @@ TEST(StrangePrint, NoWordBeginsWithAnLAndAnotherConsonant) {
     EXPECT_TRUE(settled(U"llama", "llama"));
     EXPECT_TRUE(settled(U"lb", "lb"));
     EXPECT_FALSE(settled(U"(lb)", "(Ib)"));
+    EXPECT_TRUE(settled(U"lbs", "lbs"));
+    EXPECT_FALSE(settled(U"(lbs)", "(Ibs)"));
     EXPECT_FALSE(settled(U"lt", "lt")) << "It";
     EXPECT_TRUE(settled(U"ln", "In"));
     EXPECT_TRUE(settled(U"ln", "ln"));
