@@ -10,6 +10,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "filters/darken.h"
@@ -154,7 +155,7 @@ public:
 
     // So much of its ink is no other's. Lines hide hardly any of each other.
     bool is_new(const MarkPlace& place) const {
-        constexpr double kNew = 0.4, kNewLines = 0.6;
+        constexpr double kNew = 0.2, kNewLines = 0.6;
         const MarkKind& kind = kinds_[place.kind];
         const auto fresh = std::count_if(kind.body.begin(), kind.body.end(),
                                          [&](PixelStep step) { return seen_.at<std::uint8_t>(place.corner + step) == 0; });
@@ -219,14 +220,43 @@ void take_those_that_stand_free(std::vector<MarkPlace> tried, const Inks& inks, 
     for (const MarkPlace& place : tried) choice.take(place);
 }
 
-// From corner to corner, of its pieces.
-double longest_in(const cv::Mat& mask) {
+Point middle_of(cv::Point at) { return {at.x + 0.5, at.y + 0.5}; }
+
+InkedMark mark_at(const MarkPlace& place, const MarkKind& kind, std::size_t number) {
+    InkedMark mark{number, {}, {}, {}};
+    for (const PixelStep step : kind.hull) mark.hull.push_back(middle_of(place.corner + step));
+    const Box box = box_of(mark.hull);
+    mark.middle = {(box.left + box.right) / 2, (box.top + box.bottom) / 2};
+    return mark;
+}
+
+// What is left of a piece of ink, clear of the borders of its marks, is a line: it leads from one of them to another that is
+// apart from it, or is longer than what one leaves of another that it lies over.
+bool is_any_line(const cv::Mat& left, cv::Point corner, std::span<const MarkPlace> marks, const std::vector<MarkKind>& kinds) {
+    constexpr double kShort = 1.2, kLong = 3;  // radii
     cv::Mat labels, stats, middles;
-    const int count = cv::connectedComponentsWithStats(mask, labels, stats, middles, 8, CV_32S);
-    double longest = 0;
-    for (int i = 1; i < count; ++i)
-        longest = std::max(longest, std::hypot(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT)));
-    return longest;
+    const int count = cv::connectedComponentsWithStats(left, labels, stats, middles, 8, CV_32S);
+    if (marks.empty()) return true;
+    const double radius = kinds[marks.front().kind].radius;
+    const auto nearest = [&](cv::Point at) {
+        Point best{1e9, 1e9};
+        for (const MarkPlace& mark : marks)
+            if (const Point middle = mark_at(mark, kinds[mark.kind], 0).middle;
+                distance(middle, middle_of(at + corner)) < distance(best, middle_of(at + corner)))
+                best = middle;
+        return best;
+    };
+    for (int i = 1; i < count; ++i) {
+        const double length = std::hypot(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+        if (length <= kShort * radius) continue;
+        const bool level = stats.at<int>(i, cv::CC_STAT_WIDTH) > stats.at<int>(i, cv::CC_STAT_HEIGHT);
+        std::vector<cv::Point> own;
+        cv::findNonZero(labels == i, own);
+        const auto [first, last] = std::minmax_element(
+            own.begin(), own.end(), [level](cv::Point p, cv::Point q) { return level ? p.x < q.x : p.y < q.y; });
+        if (length > kLong * radius || distance(nearest(*first), nearest(*last)) > 2 * radius) return true;
+    }
+    return false;
 }
 
 // Pieces of ink that are marks and nothing else are known by that, however the marks overlap; on lines each mark must stand free.
@@ -234,7 +264,6 @@ double longest_in(const cv::Mat& mask) {
 ChosenPlaces choose_places(const Inks& inks, const std::vector<MarkKind>& kinds, const std::vector<MarkPlace>& places,
                            cv::Mat& rest) {
     constexpr double kAll = 0.85;        // of the ink of a piece
-    constexpr double kSliver = 1.2;      // times the radius of a mark, of what is left; else it is a line
     constexpr double kOverlapped = 0.6;  // worth of one that others lie over
     cv::Mat labels, stats, middles;
     const int count = cv::connectedComponentsWithStats(inks.any, labels, stats, middles, 8, CV_32S);
@@ -247,19 +276,19 @@ ChosenPlaces choose_places(const Inks& inks, const std::vector<MarkKind>& kinds,
     for (int i = 1; i < count; ++i) {
         const auto& own = of_piece[static_cast<std::size_t>(i)];
         if (own.empty()) continue;
-        const auto before = static_cast<std::ptrdiff_t>(trial.taken.size());
+        const std::size_t before = trial.taken.size();
         for (const MarkPlace& place : own)
             if (!kinds[place.kind].joined && place.worth >= kOverlapped && trial.is_new(place)) trial.take(place);
         const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
                            stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
         const cv::Mat piece = labels(box) == i;
         if (cv::countNonZero(piece & trial.seen()(box)) >= kAll * stats.at<int>(i, cv::CC_STAT_AREA) &&
-            longest_in(piece & ~trial.seen()(box)) <= kSliver * kinds[own.front().kind].radius) {
-            std::for_each(trial.taken.begin() + before, trial.taken.end(), [&](const MarkPlace& place) { choice.take(place); });
+            !is_any_line(piece & ~widened(trial.seen()(box)), box.tl(), std::span(trial.taken).subspan(before), kinds)) {
+            for (const MarkPlace& place : std::span(trial.taken).subspan(before)) choice.take(place);
             cv::Mat(rest(box)).setTo(255, piece);
             continue;
         }
-        std::copy_if(trial.taken.begin() + before, trial.taken.end(), std::back_inserter(tried),
+        std::copy_if(trial.taken.begin() + static_cast<std::ptrdiff_t>(before), trial.taken.end(), std::back_inserter(tried),
                      [&](const MarkPlace& place) { return !kinds[place.kind].thin; });
         on_lines.insert(on_lines.end(), own.begin(), own.end());
     }
@@ -272,8 +301,6 @@ ChosenPlaces choose_places(const Inks& inks, const std::vector<MarkKind>& kinds,
     }
     return choice;
 }
-
-Point middle_of(cv::Point at) { return {at.x + 0.5, at.y + 0.5}; }
 
 // Lines and dashes beside the marks. A dash ends at a mark, another line goes on through it: it leads to another mark, or is
 // long, or nothing follows it, as in a legend.
@@ -308,14 +335,6 @@ public:
 private:
     cv::Mat labels_, stats_;
 };
-
-InkedMark mark_at(const MarkPlace& place, const MarkKind& kind, std::size_t number) {
-    InkedMark mark{number, {}, {}, {}};
-    for (const PixelStep step : kind.hull) mark.hull.push_back(middle_of(place.corner + step));
-    const Box box = box_of(mark.hull);
-    mark.middle = {(box.left + box.right) / 2, (box.top + box.bottom) / 2};
-    return mark;
-}
 
 // Triangles that a line leaves from the middle of the side across from their tip are heads of arrows.
 bool are_heads(const MarkKind& kind, std::size_t number, const ChosenPlaces& choice) {
@@ -378,31 +397,6 @@ InkedMarks inked_marks_in(const Image& picture, const Image& ink, double least, 
         }
     found.rest = find_components(rest.cols, rest.rows, Joined::by_corners, [&](std::size_t i) { return rest.data[i] != 0; }).runs;
     return found;
-}
-
-void take_out(Image& picture, const InkedMarks& marks) {
-    cv::Mat pixels = view_of(picture);
-    const Image before = picture;
-    const std::array<int, 3> ground = ground_of(picture);
-    for (const Run& run : marks.rest)
-        pixels(cv::Rect(run.begin - 1, run.row - 1, static_cast<int>(run.length()) + 2, 3) &
-               cv::Rect(0, 0, pixels.cols, pixels.rows)) = cv::Scalar(ground[0], ground[1], ground[2]);
-    for (const InkedMark& mark : marks.marks) {
-        std::vector<cv::Point> hull;
-        std::vector<std::pair<double, cv::Point>> beside;
-        for (const Point& p : mark.hull) {
-            hull.push_back(pixel_of(p));
-            const cv::Scalar colour = colour_near(before, hull.back());
-            beside.emplace_back(colour[0] + colour[1] + colour[2], hull.back());
-        }
-        // What most places around it have.
-        const auto common = beside.begin() + static_cast<std::ptrdiff_t>(beside.size() / 2);
-        std::nth_element(beside.begin(), common, beside.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-        cv::fillPoly(pixels, hull, colour_near(before, common->second));
-    }
-    for (const InkedMark& mark : marks.marks)
-        for (const Point& arm : mark.arms)
-            cv::line(pixels, pixel_of(mark.middle), pixel_of(arm), colour_near(before, pixel_of(arm)), 2);
 }
 
 }  // namespace tactics

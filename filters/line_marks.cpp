@@ -191,6 +191,7 @@ std::vector<MarkKind> kinds_on_lines(const Image& picture, const Image& ink, dou
     constexpr std::size_t kFewestWithin = 8;  // pixels, or it does not show what is a line and what is not
     constexpr std::size_t kMostFound = 20000;
     constexpr double kSameSize = 2;  // pixels
+    if (most < least) return {};
     const cv::Mat black = view_of(ink) < kInkOfMarks;
     const cv::Mat near = spread(black, 1);
     cv::Mat deep;

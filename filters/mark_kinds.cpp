@@ -273,6 +273,7 @@ bool is_known(const MarkKind& kind, const std::vector<MarkKind>& kinds) {
 
 std::vector<MarkKind> mark_kinds_in(const Image& picture, const Image& ink, double least, double most) {
     constexpr double kMostOfLines = 0.9;
+    if (most < least) return {};         // pixels are too large for marks
     constexpr int kLines[] = {9, 7, 5};  // pixels: what is not wider is taken off for a line
     const cv::Mat black = view_of(ink) < kInkOfMarks;
     std::vector<MarkSeed> seeds;

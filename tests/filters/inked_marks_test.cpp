@@ -176,6 +176,7 @@ TEST(InkedMarks, HeadsTicksAndLettersAreNone) {
         print.paint(line({54 + 50.0 * i, 94 + 9.0 * (i % 3)}, {54 + 50.0 * i, 104.0 + 9 * (i % 3)}, 3 + i % 4));
     }
     EXPECT_TRUE(print.marks().marks.empty());
+    EXPECT_TRUE(inked_marks_in(ticks.picture, ink_on_white(ticks.picture), 6, 0.4).marks.empty()) << "pixels of a hand's width";
     Painting two;
     for (const Point at : scattered({30, 60}, 2)) two.paint(square(at, 6));
     EXPECT_TRUE(two.marks().marks.empty());
