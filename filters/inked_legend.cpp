@@ -52,23 +52,6 @@ std::optional<Point> farthest_on(const cv::Mat& mask, const cv::Mat& own, const 
     return highest_in(field, mask);
 }
 
-// How much of an ink is in a pixel, 1 is all, and by how many levels of a channel it differs from such a mixture with the ground.
-struct InkShare {
-    double share = 0, rest = 0;
-};
-
-InkShare share_of_ink(const PixelColour& pixel, const PixelColour& ground, const PixelColour& ink) {
-    double across = 0, whole = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-        across += static_cast<double>(ground[c] - pixel[c]) * (ground[c] - ink[c]);
-        whole += static_cast<double>(ground[c] - ink[c]) * (ground[c] - ink[c]);
-    }
-    InkShare found{across / std::max(1.0, whole), 0};
-    for (std::size_t c = 0; c < 3; ++c)
-        found.rest = std::max(found.rest, std::abs(ground[c] - pixel[c] - found.share * (ground[c] - ink[c])));
-    return found;
-}
-
 // A curve of one pixel's width has its own colour only where it runs level or upright, and JPEG mixes it with the ground. A pixel
 // is of the ink that explains it best.
 cv::Mat thinly_painted(const Image& picture, const KeySample& sample, const std::vector<KeySample>& samples) {

@@ -19,6 +19,7 @@
 #include "filters/mark_forms.h"
 #include "filters/mark_kinds.h"
 #include "filters/opencv.h"
+#include "filters/runs_around.h"
 #include "tactics/geometry/box.h"
 
 namespace tactics {
@@ -42,26 +43,8 @@ struct Inks {
     std::vector<cv::Mat> near_of_kind;
 };
 
-// How far a pixel is on the way from the ground to a colour, and how far off that way, in levels.
-std::pair<double, double> on_the_way(const PixelColour& pixel, const PixelColour& ground, const PixelColour& colour) {
-    double across = 0, whole = 0, off = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-        across += static_cast<double>(ground[c] - pixel[c]) * (ground[c] - colour[c]);
-        whole += static_cast<double>(ground[c] - colour[c]) * (ground[c] - colour[c]);
-    }
-    const double share = across / std::max(1.0, whole);
-    for (std::size_t c = 0; c < 3; ++c) off = std::max(off, std::abs(ground[c] - pixel[c] - share * (ground[c] - colour[c])));
-    return {share, off};
-}
-
-cv::Mat widened(const cv::Mat& mask) {
-    cv::Mat wide;
-    cv::dilate(mask, wide, cv::Mat());  // of 3 x 3
-    return wide;
-}
-
 Inks inks_of(const Image& picture, const Image& ink, const std::vector<MarkKind>& kinds) {
-    constexpr double kLeastShare = 0.4, kOff = kMarkColour;
+    constexpr double kLeastShare = 0.4, kRest = kMarkColour;
     const PixelColour ground = ground_of(picture);
     Inks inks;
     inks.any = view_of(ink) < kInkOfMarks;
@@ -72,7 +55,8 @@ Inks inks_of(const Image& picture, const Image& ink, const std::vector<MarkKind>
             if (inks.any.at<std::uint8_t>(y, x) == 0) continue;
             const PixelColour pixel = pixel_colour(picture, x, y);
             for (std::size_t k = 0; k < kinds.size(); ++k)
-                if (const auto [share, off] = on_the_way(pixel, ground, kinds[k].colour); share >= kLeastShare && off <= kOff)
+                if (const auto [share, rest] = share_of_ink(pixel, ground, kinds[k].colour);
+                    share >= kLeastShare && rest <= kRest)
                     inks.of_kind[k].at<std::uint8_t>(y, x) = 255;
         }
     for (std::size_t k = 0; k < kinds.size(); ++k) {
@@ -80,7 +64,7 @@ Inks inks_of(const Image& picture, const Image& ink, const std::vector<MarkKind>
         for (std::size_t j = 0; j < kinds.size(); ++j)
             if (channels_apart(kinds[j].colour, kinds[k].colour) > kMarkColour) others |= inks.of_kind[j];
         inks.other_kind.push_back(others & ~inks.of_kind[k]);
-        inks.near_of_kind.push_back(kinds[k].thin ? widened(inks.of_kind[k]) : inks.of_kind[k]);
+        inks.near_of_kind.push_back(kinds[k].thin ? spread(inks.of_kind[k], 1) : inks.of_kind[k]);
     }
     return inks;
 }
@@ -172,19 +156,12 @@ public:
             return cv::Rect(0, 0, seen_.cols, seen_.rows).contains(at(i)) && inks_.any.at<std::uint8_t>(at(i)) != 0 &&
                    seen_.at<std::uint8_t>(at(i)) == 0;
         };
-        std::size_t first = 0;
-        while (first < n && is_ink(first)) ++first;
-        if (first == n) return std::nullopt;
+        const auto runs = runs_around(n, is_ink);
+        if (!runs) return std::nullopt;
         std::vector<cv::Point> arms;
-        std::size_t run = 0;
-        for (std::size_t k = 1; k <= n; ++k) {
-            if (is_ink(first + k)) {
-                ++run;
-                continue;
-            }
-            if (static_cast<double>(run) > kWidest * 2 * kind.radius) return std::nullopt;
-            if (run > 0) arms.push_back(at(first + k - 1 - run / 2));
-            run = 0;
+        for (const RunAround& run : *runs) {
+            if (static_cast<double>(run.length) > kWidest * 2 * kind.radius) return std::nullopt;
+            arms.push_back(at(run.middle));
         }
         if (arms.size() > (kind.thin ? 2 : 4)) return std::nullopt;
         return arms;
@@ -234,17 +211,16 @@ InkedMark mark_at(const MarkPlace& place, const MarkKind& kind, std::size_t numb
 // apart from it, or is longer than what one leaves of another that it lies over.
 bool is_any_line(const cv::Mat& left, cv::Point corner, std::span<const MarkPlace> marks, const std::vector<MarkKind>& kinds) {
     constexpr double kShort = 1.2, kLong = 3;  // radii
+    if (marks.empty()) return true;
     cv::Mat labels, stats, middles;
     const int count = cv::connectedComponentsWithStats(left, labels, stats, middles, 8, CV_32S);
-    if (marks.empty()) return true;
     const double radius = kinds[marks.front().kind].radius;
+    std::vector<Point> places;
+    for (const MarkPlace& mark : marks) places.push_back(mark_at(mark, kinds[mark.kind], 0).middle);
     const auto nearest = [&](cv::Point at) {
-        Point best{1e9, 1e9};
-        for (const MarkPlace& mark : marks)
-            if (const Point middle = mark_at(mark, kinds[mark.kind], 0).middle;
-                distance(middle, middle_of(at + corner)) < distance(best, middle_of(at + corner)))
-                best = middle;
-        return best;
+        const Point p = middle_of(at + corner);
+        return *std::min_element(places.begin(), places.end(),
+                                 [p](const Point& a, const Point& b) { return distance(a, p) < distance(b, p); });
     };
     for (int i = 1; i < count; ++i) {
         const double length = std::hypot(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
@@ -283,7 +259,7 @@ ChosenPlaces choose_places(const Inks& inks, const std::vector<MarkKind>& kinds,
                            stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
         const cv::Mat piece = labels(box) == i;
         if (cv::countNonZero(piece & trial.seen()(box)) >= kAll * stats.at<int>(i, cv::CC_STAT_AREA) &&
-            !is_any_line(piece & ~widened(trial.seen()(box)), box.tl(), std::span(trial.taken).subspan(before), kinds)) {
+            !is_any_line(piece & ~spread(trial.seen()(box), 1), box.tl(), std::span(trial.taken).subspan(before), kinds)) {
             for (const MarkPlace& place : std::span(trial.taken).subspan(before)) choice.take(place);
             cv::Mat(rest(box)).setTo(255, piece);
             continue;

@@ -41,6 +41,18 @@ struct Tables {
 
 }  // namespace
 
+InkShare share_of_ink(const std::array<int, 3>& pixel, const std::array<int, 3>& ground, const std::array<int, 3>& ink) {
+    double across = 0, whole = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        across += static_cast<double>(ground[c] - pixel[c]) * (ground[c] - ink[c]);
+        whole += static_cast<double>(ground[c] - ink[c]) * (ground[c] - ink[c]);
+    }
+    InkShare found{across / std::max(1.0, whole), 0};
+    for (std::size_t c = 0; c < 3; ++c)
+        found.rest = std::max(found.rest, std::abs(ground[c] - pixel[c] - found.share * (ground[c] - ink[c])));
+    return found;
+}
+
 Lab to_lab(double red, double green, double blue) {
     const double light[3] = {srgb_light(red / 255), srgb_light(green / 255), srgb_light(blue / 255)};
     double f[3];

@@ -18,6 +18,13 @@ inline int channels_apart(const std::array<int, 3>& a, const std::array<int, 3>&
     return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
+/// How much of an ink is in a pixel, 1 is all, and by how many levels of a channel it differs from such a mixture with the
+/// ground.
+struct InkShare {
+    double share = 0, rest = 0;
+};
+InkShare share_of_ink(const std::array<int, 3>& pixel, const std::array<int, 3>& ground, const std::array<int, 3>& ink);
+
 /// Channels from 0 to 255.
 Lab to_lab(double red, double green, double blue);
 

@@ -13,6 +13,7 @@
 
 #include "filters/lab.h"
 #include "filters/opencv.h"
+#include "filters/runs_around.h"
 
 namespace tactics {
 
@@ -52,12 +53,6 @@ std::vector<std::pair<MarkForm, Corners>> line_shapes() {
             {MarkForm::cross, {{{-1, -1}, {1, 1}}, {{-1, 1}, {1, -1}}}}};
 }
 
-cv::Mat spread(const cv::Mat& mask, int by) {
-    cv::Mat wide;
-    cv::dilate(mask, wide, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(2 * by + 1, 2 * by + 1)));
-    return wide;
-}
-
 // No mark is known by a pixel of an axis, a frame or a grid.
 cv::Mat without_long_lines(const cv::Mat& black, int length) {
     cv::Mat level, upright;
@@ -94,23 +89,14 @@ LineForm form_of(MarkForm shape, const Corners& strokes, int size) {
 }
 
 // How many lines leave it; nothing if they are too wide for that.
-std::optional<int> lines_leaving(const LineForm& form, cv::Point corner, const cv::Mat& black) {
+std::optional<std::size_t> lines_leaving(const LineForm& form, cv::Point corner, const cv::Mat& black) {
     constexpr double kWidest = 0.5;  // of its size
-    const std::size_t n = form.hull.size();
-    const auto is_ink = [&](std::size_t i) { return black.at<std::uint8_t>(corner + form.hull[i % n]) != 0; };
-    std::size_t first = 0;
-    while (first < n && is_ink(first)) ++first;
-    if (first == n) return std::nullopt;
-    int lines = 0, run = 0;
-    for (std::size_t k = 1; k <= n; ++k) {
-        if (is_ink(first + k)) {
-            if (++run > kWidest * form.size) return std::nullopt;
-            continue;
-        }
-        lines += run > 0 ? 1 : 0;
-        run = 0;
-    }
-    return lines;
+    const auto runs = runs_around(
+        form.hull.size(), [&](std::size_t i) { return black.at<std::uint8_t>(corner + form.hull[i % form.hull.size()]) != 0; });
+    if (!runs || std::any_of(runs->begin(), runs->end(),
+                             [&](const RunAround& run) { return static_cast<double>(run.length) > kWidest * form.size; }))
+        return std::nullopt;
+    return runs->size();
 }
 
 // How deep its line is in ink, nothing where it is not there.
@@ -169,16 +155,10 @@ void leave_out_ticks(std::vector<LineMarkPlace>& places) {
     });
 }
 
-std::vector<PixelStep> steps_of(const std::vector<cv::Point>& places) {
-    std::vector<PixelStep> steps;
-    for (const cv::Point& p : places) steps.push_back({p.x, p.y});
-    return steps;
-}
-
 MarkKind kind_like(const LineForm& form, const PixelColour& colour) {
     MarkKind kind{colour, form.shape,          form.box, form.box,           form.size / 2.0 + 1, 1, true,
-                  true,   steps_of(form.line), {},       steps_of(form.hull)};
-    kind.around = steps_of(form.within);
+                  true,   steps_to(form.line), {},       steps_to(form.hull)};
+    kind.around = steps_to(form.within);
     kind.around.insert(kind.around.end(), kind.hull.begin(), kind.hull.end());
     return kind;
 }

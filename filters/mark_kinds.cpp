@@ -32,22 +32,16 @@ struct MarkGroup {
     std::vector<cv::Rect> boxes;
 };
 
-cv::Mat wider(const cv::Mat& mask, int by) {
-    cv::Mat wide;
-    cv::dilate(mask, wide, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(2 * by + 1, 2 * by + 1)));
-    return wide;
-}
-
 // A core with the paler pixels around it and with the corners that a round core leaves off, up to `near` pixels away; what goes
 // on beyond is a line.
 cv::Mat with_corners(const cv::Mat& core, const cv::Mat& ink, int near) {
-    const cv::Mat close = wider(core, 1);
+    const cv::Mat close = spread(core, 1);
     if (near <= 1) return close;
-    const cv::Mat beyond = wider(core, near) & ~wider(core, near - 1);
+    const cv::Mat beyond = spread(core, near) & ~spread(core, near - 1);
     cv::Mat labels, own = close.clone();
-    const int count = cv::connectedComponents(ink & wider(core, near) & ~close, labels, 8, CV_32S);
+    const int count = cv::connectedComponents(ink & spread(core, near) & ~close, labels, 8, CV_32S);
     for (int i = 1; i < count; ++i)
-        if (const cv::Mat piece = labels == i; cv::countNonZero(piece & beyond) == 0) own |= wider(piece, 1);
+        if (const cv::Mat piece = labels == i; cv::countNonZero(piece & beyond) == 0) own |= spread(piece, 1);
     return own;
 }
 
@@ -207,12 +201,6 @@ Image without_clear_ink(const cv::Mat& share) {
     return {full.cols, full.rows, 1, 0, {full.begin<std::uint8_t>(), full.end<std::uint8_t>()}};
 }
 
-std::vector<PixelStep> as_steps(const std::vector<cv::Point>& places) {
-    std::vector<PixelStep> steps;
-    for (const cv::Point& p : places) steps.push_back({p.x, p.y});
-    return steps;
-}
-
 // What most of them have. A thin line lies now in one pixel, now in the next: then what half of them have.
 std::vector<cv::Point> sure_pixels(const MarkGroup& group, std::vector<cv::Point> body, bool thin) {
     constexpr double kSure = 0.8;
@@ -239,15 +227,15 @@ std::optional<MarkKind> kind_of(const MarkGroup& group) {
     kind.radius = std::max(box.width, box.height) / 2.0;
     kind.thin = kind.depth <= kThin * 2 * kind.radius;
     const std::vector<cv::Point> all = places_in(body);
-    kind.body = as_steps(sure_pixels(group, all, kind.thin));
+    kind.body = steps_to(sure_pixels(group, all, kind.thin));
     if (kind.body.empty()) return std::nullopt;
     std::vector<cv::Point> corners;
     cv::convexHull(all, corners);
     cv::fillConvexPoly(hull, corners, cv::Scalar(255));
-    kind.around = as_steps(places_in(wider(body | hull, 2) & ~wider(body, 1)));
+    kind.around = steps_to(places_in(spread(body | hull, 2) & ~spread(body, 1)));
     std::vector<std::vector<cv::Point>> rings;
-    cv::findContours(wider(hull, 2), rings, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
-    kind.hull = as_steps(rings.front());
+    cv::findContours(spread(hull, 2), rings, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+    kind.hull = steps_to(rings.front());
     return kind;
 }
 

@@ -42,10 +42,22 @@ const cv::Mat view_of(std::span<const float> column) {
     return {static_cast<int>(column.size()), 1, CV_32FC1, const_cast<float*>(column.data())};
 }
 
+std::vector<PixelStep> steps_to(const std::vector<cv::Point>& pixels) {
+    std::vector<PixelStep> steps;
+    for (const cv::Point& p : pixels) steps.push_back({p.x, p.y});
+    return steps;
+}
+
 cv::Scalar colour_near(const Image& picture, cv::Point pixel) {
     const std::uint8_t* at =
         picture.row(std::clamp(pixel.y, 0, picture.height - 1)) + std::clamp(pixel.x, 0, picture.width - 1) * picture.channels;
     return {1.0 * at[0], picture.channels == 3 ? 1.0 * at[1] : 0, picture.channels == 3 ? 1.0 * at[2] : 0};
+}
+
+cv::Mat spread(const cv::Mat& mask, int by) {
+    cv::Mat wide;
+    cv::dilate(mask, wide, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(2 * by + 1, 2 * by + 1)));
+    return wide;
 }
 
 cv::Mat range_around(const cv::Mat& pixels) {

@@ -11,8 +11,10 @@
 #include <opencv2/core/hal/intrin.hpp>
 #include <opencv2/imgproc.hpp>
 #include <span>
+#include <vector>
 
 #include "tactics/drawing.h"
+#include "tactics/geometry/skeleton.h"
 #include "tactics/image.h"
 
 namespace tactics {
@@ -33,8 +35,14 @@ const cv::Mat view_of(std::span<const float> column);  ///< one value a row, to 
 /// The pixel that a place is in; the middle of the first one is (0.5, 0.5).
 inline cv::Point pixel_of(Point p) { return {static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))}; }
 
+/// As steps from where they are counted from.
+std::vector<PixelStep> steps_to(const std::vector<cv::Point>& pixels);
+
 /// The colour of that pixel, to draw with; outside the picture that of the nearest.
 cv::Scalar colour_near(const Image& picture, cv::Point pixel);
+
+/// A mask grown by so many pixels to all sides, and over corners.
+cv::Mat spread(const cv::Mat& mask, int by);
 
 /// The largest difference in any channel among each pixel and the eight around it.
 cv::Mat range_around(const cv::Mat& pixels);

@@ -43,10 +43,10 @@ void draw_symbol(PlotSymbol symbol, Point at, double radius, Drawing& drawing) {
         drawing.strokes.push_back({std::move(points), closed, LineClass::thin, 0, Role::symbol});
     };
     switch (symbol) {
-        case PlotSymbol::disc: drawing.areas.push_back({{ring(at, reach, kRound, 0)}, Role::symbol}); break;
+        case PlotSymbol::disc:
+        case PlotSymbol::triangle: drawing.areas.push_back(symbol_area(symbol, at, radius)); break;
         case PlotSymbol::ring: outline(ring(at, reach, kRound, 0), true); break;
         case PlotSymbol::square: outline(ring(at, reach, 4, kEighth), true); break;
-        case PlotSymbol::triangle: drawing.areas.push_back({{ring(at, reach, 3, 0)}, Role::symbol}); break;
         case PlotSymbol::cross: {
             const std::vector<Point> corners = ring(at, reach, 4, kEighth);
             outline({corners[0], corners[2]}, false);
