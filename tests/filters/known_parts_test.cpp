@@ -271,7 +271,8 @@ TEST(DashRows, GoOnBehindWhatTheyCross) {
 
 // As the dashes beside a mark are cut off and what is under it is not seen.
 TEST(DashRows, GoOnBehindMarksWithTheirOwnDashes) {
-    for (const auto& [marks, kind] : {std::pair{kDashed, DashKind::dashes}, std::pair{kDotted, DashKind::dots}}) {
+    for (const DashKind kind : {DashKind::dashes, DashKind::dots}) {
+        const auto marks = kind == DashKind::dashes ? kDashed : kDotted;
         std::vector<HidingMark> hiding;
         for (const double x : {60.0, 140.0, 220.0, 300.0}) hiding.push_back({{x, 50}, 8});
         const Image picture = [&] {
