@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "filters/bar_legend.h"
 #include "filters/darken.h"
 #include "filters/dash_rows.h"
 #include "filters/inked_fills.h"
@@ -234,12 +235,25 @@ std::optional<Point> place_on_grey(const Image& picture, const Image& ink, const
     return farthest_on(curve, curve, ink, before);
 }
 
+std::vector<LegendEntry> entries_of_bars(const Image& picture, const std::vector<KeySample>& samples) {
+    std::vector<KeySample> surfaces = samples;
+    std::erase_if(surfaces, [](const KeySample& one) { return one.line; });
+    std::vector<PixelBox> boxes;
+    for (const KeySample& one : surfaces) boxes.push_back(one.box);
+    const std::vector<Point> places = bars_like(picture, ground_of(picture), boxes);
+    std::vector<LegendEntry> entries;
+    for (std::size_t i = 0; i < places.size(); ++i) entries.push_back({surfaces[i].words, surfaces[i].box, places[i]});
+    return entries;
+}
+
 }  // namespace
 
 std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<LegendWords>& words) {
     const Image ink = ink_on_white(picture);
-    const std::vector<KeySample> samples = key_samples_in(picture, ink, words);
-    if (samples.size() < 2) return {};
+    const std::vector<KeySample> all = key_samples_in(picture, ink, words);
+    std::vector<LegendEntry> entries = entries_of_bars(picture, all);
+    const std::vector<KeySample> samples = unlike_others(all);
+    if (samples.size() < 2) return entries;
     cv::Mat elsewhere(picture.height, picture.width, CV_8U, cv::Scalar(255));
     for (const KeySample& one : samples) {
         const int room = static_cast<int>(one.height / 2);
@@ -249,8 +263,9 @@ std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<Legen
     const bool any_dashes =
         std::any_of(samples.begin(), samples.end(), [](const KeySample& one) { return one.dashes.has_value(); });
     const std::vector<DashRow> rows = any_dashes ? dashed_lines_of(ink, picture, samples) : std::vector<DashRow>{};
-    std::vector<LegendEntry> entries;
+    const bool of_bars = !entries.empty();
     for (const KeySample& one : samples) {
+        if (of_bars && !one.line) continue;
         if (one.line && is_grey(one.colour) && !any_dashes) continue;
         const auto at = one.hatch                         ? hatched_place(picture)
                         : one.dashes                      ? place_on_dashes(picture, ink, one, rows, elsewhere, entries)

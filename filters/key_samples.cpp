@@ -321,11 +321,6 @@ void keep_nearest_words(std::vector<KeySample>& samples, const std::vector<Legen
 
 }  // namespace
 
-PixelColour pixel_colour(const Image& picture, int x, int y) {
-    const std::uint8_t* at = picture.row(y) + x * picture.channels;
-    return picture.channels == 3 ? PixelColour{at[0], at[1], at[2]} : PixelColour{at[0], at[0], at[0]};
-}
-
 std::vector<KeySample> key_samples_in(const Image& picture, const Image& ink, const std::vector<LegendWords>& words) {
     std::vector<KeySample> all;
     for (std::size_t i = 0; i < words.size(); ++i)
@@ -345,9 +340,13 @@ std::vector<KeySample> key_samples_in(const Image& picture, const Image& ink, co
                         (down < kSameColumn * h && across < kNextColumn * h));
             }))
             rows.push_back(one);
+    return rows;
+}
+
+std::vector<KeySample> unlike_others(const std::vector<KeySample>& samples) {
     std::vector<KeySample> unlike;
-    for (const KeySample& one : rows)
-        if (std::none_of(rows.begin(), rows.end(),
+    for (const KeySample& one : samples)
+        if (std::none_of(samples.begin(), samples.end(),
                          [&](const KeySample& other) { return one.words != other.words && alike(one, other); }))
             unlike.push_back(one);
     return unlike;

@@ -15,6 +15,8 @@
 #include "filters/dash_rows.h"
 #include "filters/dashed_whiskers.h"
 #include "filters/error_bars.h"
+#include "filters/felt_bars.h"
+#include "filters/inked_bars.h"
 #include "filters/inked_fills.h"
 #include "filters/inked_marks.h"
 #include "filters/inked_points.h"
@@ -256,6 +258,18 @@ void add_thin_strokes(const std::vector<std::array<Point, 2>>& strokes, double m
     for (const auto& [from, to] : strokes) parts.strokes.push_back({{{from.x * mm, from.y * mm}, {to.x * mm, to.y * mm}}, false});
 }
 
+// Bars of a chart; whether there are any.
+bool take_bars(Image& picture, const PixelColour& ground, KnownParts& parts) {
+    const auto found = inked_bars_in(picture, ground, picture.mm_per_pixel);
+    if (!found) return false;
+    FeltBars felt = felt_bars(*found, picture.mm_per_pixel);
+    if (felt.strokes.empty()) return false;
+    take_out(picture, ground, *found);
+    std::move(felt.strokes.begin(), felt.strokes.end(), std::back_inserter(parts.strokes));
+    std::move(felt.areas.begin(), felt.areas.end(), std::back_inserter(parts.areas));
+    return true;
+}
+
 // Points of a plot, each kind with a symbol of its own.
 void take_marks(Image& picture, KnownOfPicture& known, KnownParts& parts) {
     const double mm = picture.mm_per_pixel;
@@ -325,8 +339,9 @@ KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 
         add_thin_strokes(take_error_bars(picture), picture.mm_per_pixel, parts);
         add_thin_strokes(take_tick_marks(picture), picture.mm_per_pixel, parts);
     }
-    if (ground) parts.areas = take_fills(picture, *ground);
-    if (ground && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
+    const bool bars = take_bars(picture, ground ? *ground : ground_of(picture), parts);
+    if (ground && !bars) parts.areas = take_fills(picture, *ground);
+    if (ground && !bars && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
     KnownOfPicture known(picture);
     take_noisy_curves(picture, known, parts);
     take_marks(picture, known, parts);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <vector>
 
@@ -13,8 +14,16 @@ namespace tactics {
 
 using Lab = std::array<double, 3>;  ///< L* 0 to 100, a*, b* about -128 to 128
 
+using PixelColour = std::array<int, 3>;
+
+/// Of a grey picture the same level three times.
+inline PixelColour pixel_colour(const Image& picture, int x, int y) {
+    const std::uint8_t* at = picture.row(y) + x * picture.channels;
+    return picture.channels == 3 ? PixelColour{at[0], at[1], at[2]} : PixelColour{at[0], at[0], at[0]};
+}
+
 /// The most that two colours are apart in one channel, in its levels.
-inline int channels_apart(const std::array<int, 3>& a, const std::array<int, 3>& b) {
+inline int channels_apart(const PixelColour& a, const PixelColour& b) {
     return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
@@ -23,7 +32,7 @@ inline int channels_apart(const std::array<int, 3>& a, const std::array<int, 3>&
 struct InkShare {
     double share = 0, rest = 0;
 };
-InkShare share_of_ink(const std::array<int, 3>& pixel, const std::array<int, 3>& ground, const std::array<int, 3>& ink);
+InkShare share_of_ink(const PixelColour& pixel, const PixelColour& ground, const PixelColour& ink);
 
 /// Channels from 0 to 255.
 Lab to_lab(double red, double green, double blue);

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "filters/key_samples.h"
+#include "filters/lab.h"
 #include "filters/mark_forms.h"
 #include "tactics/geometry/skeleton.h"
 #include "tactics/image.h"

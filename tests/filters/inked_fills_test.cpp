@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "filters/darken.h"
+#include "filters/inked_fills.h"
 #include "filters/known_parts.h"
 #include "tests/filters/pictures.h"
 
@@ -52,13 +53,13 @@ TEST(InkedFills, AHatchEndsAtTheAxisThoughThePictureDoesSoon) {
         return x % 160 < 90 ? hatch(x, y) : 0;
     });
     const Image before = picture;
-    const KnownParts parts = take_known_parts(picture, ground_of(picture));
+    const std::vector<Area> areas = take_fills(picture, ground_of(picture));
     std::multiset<int> textures;
-    for (const Area& area : parts.areas) {
+    for (const Area& area : areas) {
         textures.insert(area.texture);
         for (const Point& p : area.rings.at(0)) EXPECT_LT(p.y, 179.5 * pictures::kPixel);
     }
-    ASSERT_EQ(parts.areas.size(), 4u);
+    ASSERT_EQ(areas.size(), 4u);
     for (const int texture : textures) EXPECT_EQ(textures.count(texture), 2u);
     for (int x = 0; x < picture.width; ++x)
         for (int y = 177; y < picture.height; ++y) ASSERT_EQ(picture.row(y)[x], before.row(y)[x]) << x << ' ' << y;

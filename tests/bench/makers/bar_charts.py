@@ -42,7 +42,7 @@ class Chart:
         self.line = [round(chance.uniform(0.2, 0.9) * most) for _ in self.categories] if self.kind == "line over" else None
         self.hatched = chance.random() < 0.5
         self.fills = chance.sample(HATCHES[maker], len(self.series)) if self.hatched else chance.choice(COLOURS)[:len(self.series)]
-        self.outlined = self.hatched or self.fills[0].startswith("0") or chance.random() < 0.5
+        self.outlined = self.hatched or self.fills[0].startswith("0") or self.kind == "histogram" or chance.random() < 0.5
         self.title, self.axis = chance.choice(TITLES), chance.choice(AXES)
         self.lying = self.kind in ("plain", "beside", "stacked") and chance.random() < 0.25
         self.wide = 1.0 if self.kind == "histogram" else chance.choice((0.5, 0.7, 0.8))

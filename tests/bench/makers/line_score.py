@@ -53,6 +53,17 @@ class Page:
             return "black"
         return next((str(texture) for texture, rings in self.textured if inside(rings, x, y)), "")
 
+    def fill_of(self, left, top, right, bottom):
+        """The same of a bar, or that there are lines across or along it."""
+        found = self.fill_at((left + right) / 2, (top + bottom) / 2)
+        if found:
+            return found
+        dx, dy = 0.25 * (right - left), 0.25 * (bottom - top)
+        inside_it = [angle for x, y, angle, _, _ in self.steps.near((left + right) / 2, (top + bottom) / 2, math.hypot(dx, dy))
+                     if left + dx < x < right - dx and top + dy < y < bottom - dy]
+        level = sum(abs(math.cos(angle)) > 0.7 for angle in inside_it)
+        return "" if not inside_it else "level lines" if level > len(inside_it) / 2 else "upright lines"
+
     def places_named(self, text):
         """Where lines lead from words, or their letters in a key; else the box of where they stand: left, top, right, bottom."""
         for name, (left, top, right, bottom) in self.names:
@@ -195,11 +206,16 @@ def is_within(p, ring):
 
 
 def names_it(box, look, curves, bars, rings):
-    """Words in that box name what looks so: they are in one of its bars, or its curve is near and nearer than any other."""
+    """Words in that box name what looks so: they are in it, or near to it and nearer than to anything else that looks otherwise."""
     x, y = (box[0] + box[2]) / 2, (box[1] + box[3]) / 2
     if look.startswith("fill"):
-        return any(other == look and left <= x <= right and top <= y <= bottom for other, left, top, right, bottom in bars) or \
-            any(other == look and is_within((x, y), ring) for other, ring in rings)
+        if any(other == look and is_within((x, y), ring) for other, ring in rings):
+            return True
+        away = {}
+        for other, left, top, right, bottom in bars:
+            off = math.hypot(max(left - box[2], 0, box[0] - right), max(top - box[3], 0, box[1] - bottom))
+            away[other] = min(off, away.get(other, off))
+        return look in away and away[look] <= BESIDE and away[look] == min(away.values())
     off = lambda p: math.hypot(max(box[0] - p[0], 0, p[0] - box[2]), max(box[1] - p[1], 0, p[1] - box[3]))
     away = {other: min(map(off, points)) for other, points in curves.items()}
     return look in away and away[look] <= BESIDE and away[look] == min(away.values())
@@ -234,7 +250,7 @@ def score(page_path, answer, figure):
         row["closed"] += closed
         if not closed:
             row["faults"].append(f"bar at {x0:.0f} % {y0:.0f} %")
-        fills.setdefault(look, []).append(page.fill_at(*place((x0 + x1) / 2, (y0 + y1) / 2)))
+        fills.setdefault(look, []).append(page.fill_of(*place(x0, y0), *place(x1, y1)))
     for x, y in figure.points:
         row["points"] += 1
         row["there"] += any(True for _ in page.steps.near(*place(x, y), 3.5))

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "filters/bar_fills.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
+
+#include "filters/lab.h"
+#include "filters/opencv.h"
+
+namespace tactics {
+
+namespace {
+
+constexpr int kSameFill = 20;  // levels in any channel
+// Logarithms and shares by which two hatches differ; settings.
+constexpr double kSameDark = 0.5, kSameMarks = 0.5, kSameWays = 0.6;
+
+// How many begin in a row, for its length.
+double marks_in(const cv::Mat& grey) {
+    const double middle = cv::mean(grey)[0];
+    int begun = 0;
+    for (int y = 0; y < grey.rows; ++y)
+        for (int x = 1; x < grey.cols; ++x)
+            if (grey.at<std::uint8_t>(y, x - 1) > middle && grey.at<std::uint8_t>(y, x) <= middle) ++begun;
+    return static_cast<double>(begun) / static_cast<double>(grey.total());
+}
+
+}  // namespace
+
+BarFill bar_fill_of(const Image& picture, const RuledCell& cell) {
+    BarFill look{cell.fill, cell.colour, 0, 0, {}};
+    constexpr int kBorder = 2;  // pixels
+    const cv::Rect box(cell.box.left + kBorder, cell.box.top + kBorder, cell.box.width() - 2 * kBorder,
+                       cell.box.height() - 2 * kBorder);
+    if (box.width < 1 || box.height < 1) return look;
+    cv::Mat grey = view_of(picture)(box), dx, dy;
+    if (grey.channels() == 3) cv::cvtColor(grey, grey, cv::COLOR_RGB2GRAY);
+    look.dark = 1 - cv::mean(grey)[0] / 255;
+    cv::Sobel(grey, dx, CV_32F, 1, 0, 3, 0.25 / 255);
+    cv::Sobel(grey, dy, CV_32F, 0, 1, 3, 0.25 / 255);
+    double all = 0;
+    for (int y = 0; y < grey.rows; ++y)
+        for (int x = 0; x < grey.cols; ++x) {
+            const double across = static_cast<double>(dx.at<float>(y, x)), down = static_cast<double>(dy.at<float>(y, x)),
+                         step = std::hypot(across, down), ways = static_cast<double>(look.ways.size());
+            if (step <= 0) continue;
+            // Between two of the directions it counts for both.
+            const double turn = (std::atan2(down, across) / std::numbers::pi + 1) * ways, share = turn - std::floor(turn);
+            const auto first = static_cast<std::size_t>(turn);
+            look.ways[first % look.ways.size()] += step * (1 - share);
+            look.ways[(first + 1) % look.ways.size()] += step * share;
+            all += step;
+        }
+    for (double& way : look.ways) way /= std::max(all, 1e-9);
+    look.marks = marks_in(grey) + marks_in(grey.t());
+    return look;
+}
+
+double unlike(const BarFill& a, const BarFill& b) {
+    constexpr double kOtherKind = 10;
+    if ((a.fill == CellFill::hatch) != (b.fill == CellFill::hatch)) return kOtherKind;
+    if (a.fill != CellFill::hatch) return channels_apart(a.colour, b.colour) / (kSameFill + 0.5);
+    const auto apart = [](double x, double y) { return std::abs(std::log(std::max(x, 1e-3) / std::max(y, 1e-3))); };
+    double ways = 0;
+    for (std::size_t i = 0; i < a.ways.size(); ++i) ways += std::abs(a.ways[i] - b.ways[i]);
+    return apart(a.dark, b.dark) / kSameDark + apart(a.marks, b.marks) / kSameMarks + ways / kSameWays;
+}
+
+BarKinds kinds_of(const std::vector<BarFill>& fills, const std::vector<double>& sizes) {
+    std::vector<std::size_t> order(fills.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+    BarKinds kinds{{}, std::vector<std::size_t>(fills.size())};
+    for (const std::size_t i : order) {
+        const auto nearest = std::min_element(kinds.fills.begin(), kinds.fills.end(), [&](const BarFill& a, const BarFill& b) {
+            return unlike(a, fills[i]) < unlike(b, fills[i]);
+        });
+        if (nearest != kinds.fills.end() && unlike(*nearest, fills[i]) < 1) {
+            kinds.of[i] = static_cast<std::size_t>(nearest - kinds.fills.begin());
+            continue;
+        }
+        kinds.of[i] = kinds.fills.size();
+        kinds.fills.push_back(fills[i]);
+    }
+    return kinds;
+}
+
+}  // namespace tactics

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the bars of a chart are filled with, as it is seen: a colour or a hatch.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "filters/ruled_cells.h"
+#include "tactics/image.h"
+
+namespace tactics {
+
+struct BarFill {
+    CellFill fill = CellFill::ground;
+    PixelColour colour{};          ///< of most of it
+    double dark = 0;               ///< mean, 0 white to 1
+    double marks = 0;              ///< how many begin in a pixel, in a row or column of it
+    std::array<double, 8> ways{};  ///< share of the steps by their direction, from 0 to 180 degrees
+};
+
+/// Of a cell of the picture, without its border.
+BarFill bar_fill_of(const Image& picture, const RuledCell& cell);
+
+/// How different two fills look: below 1 they may be one.
+double unlike(const BarFill& a, const BarFill& b);
+
+struct BarKinds {
+    std::vector<BarFill> fills;   ///< of each kind, where most of it is seen
+    std::vector<std::size_t> of;  ///< number of each fill's kind
+};
+
+/// `sizes`: of the surfaces with these fills; in small ones a hatch is not seen as well.
+BarKinds kinds_of(const std::vector<BarFill>& fills, const std::vector<double>& sizes);
+
+}  // namespace tactics

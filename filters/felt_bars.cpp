@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "filters/felt_bars.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "filters/texture_choice.h"
+#include "tactics/layout/texture.h"
+
+namespace tactics {
+
+namespace {
+
+// mm on the page. The gap is that between any two lines (rules/gap.cpp), with their width. A surface must hold what is felt as a
+// texture (6.4 mm) with the gap to its outline on both sides.
+constexpr double kLineGap = 3.4, kHoldsTexture = 11, kRungs = 4.6;
+constexpr float kBarStrength = 255;  // as strong as an edge can be
+
+// A bar as if it stood on y = 0 and grew with y.
+struct Upright {
+    double left = 0, right = 0, foot = 0, top = 0;
+    std::size_t fill = 0;
+};
+
+std::vector<Upright> standing_up(const InkedBars& found, double mm) {
+    std::vector<Upright> bars;
+    for (const InkedBar& b : found.bars) {
+        if (found.lying)
+            bars.push_back({b.top * mm, b.bottom * mm, (b.left - found.base) * mm, (b.right - found.base) * mm, b.fill});
+        else
+            bars.push_back({b.left * mm, b.right * mm, (found.base - b.bottom) * mm, (found.base - b.top) * mm, b.fill});
+    }
+    return bars;
+}
+
+double thinnest(const std::vector<Upright>& bars) {
+    double least = 1e9;
+    for (const Upright& bar : bars) least = std::min(least, bar.right - bar.left);
+    return least;
+}
+
+// The sides of two that are closer than a finger can tell are one.
+void join_sides(std::vector<Upright>& bars) {
+    std::map<double, double> moved;
+    for (const Upright& a : bars)
+        for (const Upright& b : bars)
+            if (b.left > a.right && b.left - a.right < kLineGap) moved[a.right] = moved[b.left] = (a.right + b.left) / 2;
+    for (Upright& bar : bars) {
+        if (const auto at = moved.find(bar.left); at != moved.end()) bar.left = at->second;
+        if (const auto at = moved.find(bar.right); at != moved.end()) bar.right = at->second;
+    }
+}
+
+// Stretches along straight lines, by where these are.
+class RuledLines {
+public:
+    void add(double at, double from, double to) { lines_[std::lround(at * 1000)].emplace_back(from, to); }
+
+    // Each without what another one draws already: (where, from, to).
+    std::vector<std::array<double, 3>> joined() {
+        std::vector<std::array<double, 3>> all;
+        for (auto& [at, stretches] : lines_) {
+            std::sort(stretches.begin(), stretches.end());
+            std::vector<std::pair<double, double>> one;
+            for (const auto& [from, to] : stretches) {
+                if (!one.empty() && from <= one.back().second + 0.01)
+                    one.back().second = std::max(one.back().second, to);
+                else
+                    one.emplace_back(from, to);
+            }
+            for (const auto& [from, to] : one) all.push_back({static_cast<double>(at) / 1000, from, to});
+        }
+        return all;
+    }
+
+private:
+    std::map<long, std::vector<std::pair<double, double>>> lines_;
+};
+
+// Darker kinds get what has more ink.
+std::vector<std::size_t> by_darkness(const std::vector<BarFill>& fills) {
+    std::vector<std::size_t> order(fills.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return fills[a].dark < fills[b].dark; });
+    return order;
+}
+
+// Of the upright bars, back on the page.
+class Placed {
+public:
+    Placed(const InkedBars& found, double mm) : lying_(found.lying), base_(found.base * mm) {}
+
+    Point at(double across, double up) const { return lying_ ? Point{base_ + up, across} : Point{across, base_ - up}; }
+    Stroke line(Point from, Point to) const {
+        return {{at(from.x, from.y), at(to.x, to.y)}, false, LineClass::normal, kBarStrength, Role::line};
+    }
+    Area area(const Upright& bar, int texture) const {
+        Area area;
+        area.rings.push_back({at(bar.left, bar.foot), at(bar.right, bar.foot), at(bar.right, bar.top), at(bar.left, bar.top)});
+        area.texture = texture;
+        return area;
+    }
+
+private:
+    bool lying_;
+    double base_;
+};
+
+void add_outlines(const std::vector<Upright>& bars, bool on_axis, const Placed& placed, FeltBars& felt) {
+    RuledLines sides, ends;
+    for (const Upright& bar : bars) {
+        const auto [low, high] = std::minmax(bar.foot, bar.top);
+        sides.add(bar.left, low, high);
+        sides.add(bar.right, low, high);
+        for (const double end : {low, high})
+            if (!on_axis || std::abs(end) > kLineGap / 2) ends.add(end, bar.left, bar.right);
+    }
+    for (const auto& [at, from, to] : sides.joined()) felt.strokes.push_back(placed.line({at, from}, {at, to}));
+    for (const auto& [at, from, to] : ends.joined()) felt.strokes.push_back(placed.line({from, at}, {to, at}));
+}
+
+void add_textures(const std::vector<Upright>& bars, const std::vector<BarFill>& fills, const Placed& placed, FeltBars& felt) {
+    std::vector<double> grey{255};  // the ground is blank, and beside all of them; so is what looks like it
+    std::vector<std::size_t> number(fills.size(), 0);
+    for (std::size_t i = 0; i < fills.size(); ++i) {
+        if (fills[i].fill == CellFill::ground) continue;
+        number[i] = grey.size();
+        grey.push_back(255 * (1 - fills[i].dark));
+    }
+    if (grey.size() - 1 > textures().size()) return;
+    std::vector<std::vector<double>> beside(grey.size(), std::vector<double>(grey.size(), 1));
+    for (std::size_t i = 0; i < grey.size(); ++i) beside[i][0] = beside[0][i] = 100;
+    const std::vector<int> chosen = choose_textures(beside, grey);
+    for (const Upright& bar : bars)
+        if (const int texture = chosen[number[bar.fill]]; texture > 0) felt.areas.push_back(placed.area(bar, texture));
+}
+
+void add_rungs(const Upright& bar, const Placed& placed, FeltBars& felt) {
+    const double way = bar.top > bar.foot ? 1 : -1, length = std::abs(bar.top - bar.foot);
+    for (double along = kRungs; along <= length - kLineGap; along += kRungs)
+        felt.strokes.push_back(placed.line({bar.left, bar.foot + way * along}, {bar.right, bar.foot + way * along}));
+}
+
+void add_narrow_fillings(const std::vector<Upright>& bars, const std::vector<BarFill>& fills, const Placed& placed,
+                         FeltBars& felt) {
+    enum class Filling { blank, rungs, black, middle };
+    std::vector<Filling> all{Filling::blank, Filling::rungs, Filling::black};
+    if (thinnest(bars) >= 2 * kLineGap) all.insert(all.begin() + 1, Filling::middle);
+    if (fills.size() > all.size()) return;
+    if (fills.size() < all.size()) std::erase(all, Filling::middle);
+    const std::vector<std::size_t> order = by_darkness(fills);
+    std::vector<Filling> filling(fills.size());
+    for (std::size_t i = 0; i < order.size(); ++i) filling[order[i]] = all[i];
+    for (const Upright& bar : bars) {
+        if (filling[bar.fill] == Filling::rungs) add_rungs(bar, placed, felt);
+        if (filling[bar.fill] == Filling::black) felt.areas.push_back(placed.area(bar, 0));
+        if (const double middle = (bar.left + bar.right) / 2; filling[bar.fill] == Filling::middle)
+            felt.strokes.push_back(placed.line({middle, bar.foot}, {middle, bar.top}));
+    }
+}
+
+}  // namespace
+
+FeltBars felt_bars(const InkedBars& found, double mm) {
+    std::vector<Upright> bars = standing_up(found, mm);
+    if (bars.empty() || thinnest(bars) < kLineGap) return {};
+    join_sides(bars);
+    FeltBars felt;
+    const Placed placed(found, mm);
+    add_outlines(bars, found.on_axis, placed, felt);
+    const bool tells = found.fills.size() > 1;
+    if (thinnest(bars) >= kHoldsTexture) {
+        if (tells || found.fills[0].fill == CellFill::hatch) add_textures(bars, found.fills, placed, felt);
+    } else if (tells) {
+        add_narrow_fillings(bars, found.fills, placed, felt);
+    }
+    return felt;
+}
+
+}  // namespace tactics

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "filters/inked_bars.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "filters/lab.h"
+#include "filters/opencv.h"
+
+namespace tactics {
+
+namespace {
+
+// Settings; mm on the page.
+constexpr double kShortestRule = 3.2, kHatch = 4.8, kThinnestBar = 0.7;
+constexpr double kLongerThanMarks = 12;  // of one at least: marks of a plot are at most 9 (known_parts.cpp)
+constexpr int kFewestOfRule = 10, kFewestOfHatch = 8;
+constexpr std::size_t kFewestBars = 3;
+constexpr double kMostOfPicture = 0.5;
+constexpr double kTouch = 3.5,
+                 kStacked = 5;  // pixels between the middles of sides that are one, and of two that stand on each other
+
+// A bar as if it stood: lying ones are turned so that they do.
+struct Standing {
+    double left = 0, right = 0, top = 0, foot = 0;
+    std::size_t cell = 0;
+    bool blank = false;
+
+    double width() const { return right - left; }
+    double area() const { return (right - left) * (foot - top); }
+};
+
+Standing standing(const RuledCell& cell, std::size_t number, bool lying) {
+    const double left = cell.box.left - cell.lines[0] / 2, top = cell.box.top - cell.lines[1] / 2,
+                 right = cell.box.right + cell.lines[2] / 2, bottom = cell.box.bottom + cell.lines[3] / 2;
+    const bool blank = cell.fill == CellFill::ground;
+    if (lying) return {top, bottom, -right, -left, number, blank};
+    return {left, right, top, bottom, number, blank};
+}
+
+InkedBar as_it_lies(const Standing& bar, bool lying, std::size_t fill) {
+    if (lying) return {-bar.foot, bar.left, -bar.top, bar.right, fill};
+    return {bar.left, bar.top, bar.right, bar.foot, fill};
+}
+
+// One stands on the other, about as wide: the outermost line of a hatch may be taken for a side.
+bool is_on(const Standing& upper, const Standing& lower) {
+    constexpr double kAsWide = 0.12;  // of its width on each side
+    const double off = std::max(kTouch, kAsWide * lower.width());
+    return std::abs(upper.left - lower.left) <= off && std::abs(upper.right - lower.right) <= off &&
+           std::abs(upper.foot - lower.top) <= kStacked;
+}
+
+// What is filled and stands at that height, and what stands on it.
+std::vector<Standing> bars_on(double base, const std::vector<Standing>& all) {
+    std::vector<Standing> bars;
+    std::vector<bool> taken(all.size());
+    const auto take = [&](std::size_t i) {
+        bars.push_back(all[i]);
+        taken[i] = true;
+    };
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (!all[i].blank && std::abs(all[i].foot - base) <= kTouch) take(i);
+    if (bars.size() < kFewestBars) return {};
+    // Those below the base, and blank ones as wide as one that is filled.
+    const std::size_t filled = bars.size();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (taken[i]) continue;
+        const bool as_wide = std::any_of(bars.begin(), bars.begin() + static_cast<std::ptrdiff_t>(filled),
+                                         [&](const Standing& bar) { return std::abs(bar.width() - all[i].width()) <= kTouch; });
+        const double end = all[i].blank ? all[i].foot : all[i].top;
+        if (as_wide && std::abs(end - base) <= kTouch) take(i);
+    }
+    for (std::size_t k = 0; k < bars.size(); ++k)
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (!taken[i] && is_on(all[i], bars[k])) take(i);
+    return bars;
+}
+
+double area_of_all(const std::vector<Standing>& bars) {
+    return std::accumulate(bars.begin(), bars.end(), 0.0, [](double sum, const Standing& bar) { return sum + bar.area(); });
+}
+
+struct BarChoice {
+    std::vector<Standing> bars;
+    double base = 0;
+};
+
+// The base on which most is filled.
+BarChoice best_choice(const std::vector<Standing>& all) {
+    BarChoice best;
+    double most = 0;
+    std::vector<double> tried;
+    for (const Standing& one : all) {
+        if (one.blank || std::any_of(tried.begin(), tried.end(), [&](double t) { return std::abs(t - one.foot) < 1; })) continue;
+        tried.push_back(one.foot);
+        std::vector<Standing> bars = bars_on(one.foot, all);
+        if (const double area = area_of_all(bars); area > most) {
+            most = area;
+            best = {std::move(bars), one.foot};
+        }
+    }
+    return best;
+}
+
+// A rectangle that is mostly within another one is a piece of its pattern.
+void drop_inner(std::vector<RuledCell>& cells) {
+    std::sort(cells.begin(), cells.end(), [](const RuledCell& a, const RuledCell& b) {
+        return std::int64_t{a.box.width()} * a.box.height() > std::int64_t{b.box.width()} * b.box.height();
+    });
+    std::vector<RuledCell> kept;
+    for (const RuledCell& cell : cells) {
+        const auto holds = [&](const RuledCell& other) {
+            const PixelBox &a = other.box, &b = cell.box;
+            const int wide = std::min(a.right, b.right) - std::max(a.left, b.left),
+                      high = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
+            return other.fill == CellFill::hatch && wide > 0 && high > 0 && 2 * wide * high > b.width() * b.height();
+        };
+        if (std::none_of(kept.begin(), kept.end(), holds)) kept.push_back(cell);
+    }
+    cells = std::move(kept);
+}
+
+// Those that stand on each other have the same sides, and the foot of one is the top of the one below. Two of one kind are one: a
+// line of a grid parts them.
+void join_stacks(std::vector<Standing>& bars, std::vector<std::size_t>& kinds) {
+    for (std::size_t i = 0; i < bars.size(); ++i)
+        for (std::size_t j = 0; j < bars.size(); ++j) {
+            if (i == j || !is_on(bars[i], bars[j])) continue;
+            Standing &upper = bars[i], &lower = bars[j];
+            upper.left = lower.left = std::min(upper.left, lower.left);
+            upper.right = lower.right = std::max(upper.right, lower.right);
+            upper.foot = lower.top = (upper.foot + lower.top) / 2;
+            if (kinds[i] != kinds[j]) continue;
+            lower.top = upper.top;
+            bars.erase(bars.begin() + static_cast<std::ptrdiff_t>(i));
+            kinds.erase(kinds.begin() + static_cast<std::ptrdiff_t>(i));
+            i = static_cast<std::size_t>(-1);
+            break;
+        }
+}
+
+// Of bars of one chart those far thinner than the middle one are pieces of something else.
+void drop_thin(std::vector<Standing>& bars) {
+    constexpr double kThin = 0.5;
+    std::vector<double> widths;
+    for (const Standing& bar : bars) widths.push_back(bar.width());
+    const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+    std::nth_element(widths.begin(), middle, widths.end());
+    std::erase_if(bars, [&](const Standing& bar) { return bar.width() < kThin * *middle; });
+}
+
+// How deep the line at each side of a blank cell is, and that of the frame of a bar is the same all around; a grid is paler.
+bool is_framed(const Image& picture, const PixelColour& ground, const RuledCell& cell) {
+    constexpr int kOff = 4;  // pixels
+    constexpr double kAsDeep = 0.6;
+    const PixelBox& b = cell.box;
+    const auto depth_at = [&](int x, int y, int step_x, int step_y) {
+        int most = 0;
+        for (int i = 0; i < kOff; ++i, x += step_x, y += step_y)
+            if (x >= 0 && y >= 0 && x < picture.width && y < picture.height)
+                most = std::max(most, channels_apart(pixel_colour(picture, x, y), ground));
+        return most;
+    };
+    const int x = (b.left + b.right) / 2, y = (b.top + b.bottom) / 2;
+    const std::array<int, 4> depths{depth_at(b.left - 1, y, -1, 0), depth_at(x, b.top - 1, 0, -1), depth_at(b.right, y, 1, 0),
+                                    depth_at(x, b.bottom, 0, 1)};
+    const auto [least, most] = std::minmax_element(depths.begin(), depths.end());
+    return *least >= kAsDeep * *most;
+}
+
+// Sides that are nearly in line are in line.
+void align(std::vector<InkedBar>& bars) {
+    for (const auto& side : {std::pair{&InkedBar::left, &InkedBar::right}, std::pair{&InkedBar::top, &InkedBar::bottom}}) {
+        std::vector<double*> all;
+        for (InkedBar& bar : bars) all.insert(all.end(), {&(bar.*side.first), &(bar.*side.second)});
+        std::sort(all.begin(), all.end(), [](const double* a, const double* b) { return *a < *b; });
+        for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+            double sum = 0;
+            while (end < all.size() && *all[end] - *all[begin] <= kTouch) sum += *all[end++];
+            for (std::size_t i = begin; i < end; ++i) *all[i] = sum / static_cast<double>(end - begin);
+        }
+    }
+}
+
+// Beyond the first bar there is a line at the height of the base.
+bool is_axis(const Image& picture, const PixelColour& ground, const InkedBars& found) {
+    constexpr int kBeyond = 6, kAround = 3, kSeen = 40;  // pixels; levels
+    double first = 1e9, last = -1e9;
+    for (const InkedBar& bar : found.bars) {
+        first = std::min(first, found.lying ? bar.top : bar.left);
+        last = std::max(last, found.lying ? bar.bottom : bar.right);
+    }
+    const auto is_line_at = [&](double along) {
+        for (int off = -kAround; off <= kAround; ++off) {
+            const int a = static_cast<int>(along), b = static_cast<int>(found.base) + off, x = found.lying ? b : a,
+                      y = found.lying ? a : b;
+            if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) continue;
+            if (channels_apart(pixel_colour(picture, x, y), ground) > kSeen) return true;
+        }
+        return false;
+    };
+    return is_line_at(first - kBeyond) || is_line_at(last + kBeyond);
+}
+
+}  // namespace
+
+std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& ground, double mm) {
+    std::vector<RuledCell> cells =
+        ruled_cells_in(picture, ground, std::max(kFewestOfRule, static_cast<int>(std::lround(kShortestRule / mm))),
+                       std::max(kFewestOfHatch, static_cast<int>(kHatch / mm)));
+    const double thinnest = std::max(3.0, kThinnestBar / mm), most = kMostOfPicture * picture.width * picture.height;
+    std::erase_if(cells, [&](const RuledCell& cell) {
+        return std::min(cell.box.width(), cell.box.height()) < thinnest ||
+               static_cast<double>(cell.box.width()) * cell.box.height() > most ||
+               (cell.fill == CellFill::ground && !is_framed(picture, ground, cell));
+    });
+    drop_inner(cells);
+    BarChoice best;
+    InkedBars found;
+    for (const bool lying : {false, true}) {
+        std::vector<Standing> all;
+        for (std::size_t i = 0; i < cells.size(); ++i) all.push_back(standing(cells[i], i, lying));
+        BarChoice choice = best_choice(all);
+        if (area_of_all(choice.bars) <= area_of_all(best.bars)) continue;
+        best = std::move(choice);
+        found.lying = lying;
+    }
+    if (best.bars.empty()) return std::nullopt;
+    found.base = found.lying ? -best.base : best.base;
+    std::vector<BarFill> looks;
+    std::vector<double> sizes;
+    drop_thin(best.bars);
+    for (const Standing& bar : best.bars) {
+        looks.push_back(bar_fill_of(picture, cells[bar.cell]));
+        sizes.push_back(bar.area());
+    }
+    BarKinds kinds = kinds_of(looks, sizes);
+    found.fills = kinds.fills;
+    join_stacks(best.bars, kinds.of);
+    if (std::none_of(best.bars.begin(), best.bars.end(),
+                     [&](const Standing& bar) { return (bar.foot - bar.top) * mm >= kLongerThanMarks; }))
+        return std::nullopt;
+    for (std::size_t i = 0; i < best.bars.size(); ++i) found.bars.push_back(as_it_lies(best.bars[i], found.lying, kinds.of[i]));
+    align(found.bars);
+    found.on_axis = is_axis(picture, ground, found);
+    return found;
+}
+
+}  // namespace tactics

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What straight level and upright lines enclose in a picture, or borders of colours that run so: bars of a chart, cells of a
+// table.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "filters/lab.h"
+#include "tactics/image.h"
+
+namespace tactics {
+
+enum class CellFill { ground, colour, hatch };
+
+struct RuledCell {
+    PixelBox box;  ///< without its lines
+    CellFill fill = CellFill::ground;
+    PixelColour colour{};           ///< the middle one of its pixels
+    std::array<double, 4> lines{};  ///< how wide its lines are: left, top, right, bottom; pixels
+};
+
+/// The rectangles among them. Cells that the lines of a hatch part are one, and such as lines part that go on beyond both of
+/// their sides, as those of a grid do. Lines are at least `shortest` pixels long, those of a hatch at most `hatch` pixels apart.
+/// Empty where there are more than a few thousand.
+std::vector<RuledCell> ruled_cells_in(const Image& picture, const PixelColour& ground, int shortest, int hatch);
+
+/// What that box of the picture is filled with; it has no lines.
+RuledCell cell_at(const Image& picture, const PixelColour& ground, const PixelBox& box);
+
+}  // namespace tactics
