@@ -28,15 +28,34 @@ double marks_in(const cv::Mat& grey) {
     return static_cast<double>(begun) / static_cast<double>(grey.total());
 }
 
+// A kind of one surface only that is nearly like another one is that: something crosses it.
+void join_strays(BarKinds& kinds) {
+    constexpr double kNearlyLike = 2;
+    const auto count = [&](std::size_t kind) { return std::count(kinds.of.begin(), kinds.of.end(), kind); };
+    for (std::size_t stray = kinds.fills.size(); stray-- > 0;) {
+        if (count(stray) > 1) continue;
+        std::size_t nearest = stray;
+        double least = kNearlyLike;
+        for (std::size_t i = 0; i < kinds.fills.size(); ++i)
+            if (const double off = unlike(kinds.fills[i], kinds.fills[stray]); i != stray && count(i) > 1 && off < least) {
+                least = off;
+                nearest = i;
+            }
+        if (nearest == stray) continue;
+        for (std::size_t& kind : kinds.of) {
+            if (kind == stray) kind = nearest;
+            if (kind > stray) --kind;
+        }
+        kinds.fills.erase(kinds.fills.begin() + static_cast<std::ptrdiff_t>(stray));
+    }
+}
+
 }  // namespace
 
 BarFill bar_fill_of(const Image& picture, const RuledCell& cell) {
     BarFill look{cell.fill, cell.colour, 0, 0, {}};
-    constexpr int kBorder = 2;  // pixels
-    const cv::Rect box(cell.box.left + kBorder, cell.box.top + kBorder, cell.box.width() - 2 * kBorder,
-                       cell.box.height() - 2 * kBorder);
-    if (box.width < 1 || box.height < 1) return look;
-    cv::Mat grey = view_of(picture)(box), dx, dy;
+    const cv::Rect box(cell.box.left, cell.box.top, cell.box.width(), cell.box.height());
+    cv::Mat grey = view_of(picture)(box).clone(), dx, dy;
     if (grey.channels() == 3) cv::cvtColor(grey, grey, cv::COLOR_RGB2GRAY);
     look.dark = 1 - cv::mean(grey)[0] / 255;
     cv::Sobel(grey, dx, CV_32F, 1, 0, 3, 0.25 / 255);
@@ -85,6 +104,7 @@ BarKinds kinds_of(const std::vector<BarFill>& fills, const std::vector<double>& 
         kinds.of[i] = kinds.fills.size();
         kinds.fills.push_back(fills[i]);
     }
+    join_strays(kinds);
     return kinds;
 }
 

@@ -19,7 +19,7 @@ struct BarFill {
     std::array<double, 8> ways{};  ///< share of the steps by their direction, from 0 to 180 degrees
 };
 
-/// Of a cell of the picture, without its border.
+/// Of a cell of the picture, which has a pixel at least.
 BarFill bar_fill_of(const Image& picture, const RuledCell& cell);
 
 /// How different two fills look: below 1 they may be one.

@@ -46,9 +46,12 @@ Matching best_matching(const std::vector<std::vector<double>>& costs) {
 }
 
 BarFill sample_fill(const Image& picture, const PixelColour& ground, const PixelBox& sample) {
-    constexpr int kFrame = 1;  // pixels more than the border of a bar
-    PixelBox box{sample.left + kFrame, sample.top + kFrame, sample.right - kFrame, sample.bottom - kFrame};
-    if (box.width() < 1 || box.height() < 1) box = sample;
+    constexpr int kFrame = 3, kLeast = 3;  // pixels
+    const auto within = [&](int off) {
+        return PixelBox{sample.left + off, sample.top + off, sample.right - off, sample.bottom - off};
+    };
+    PixelBox box = within(kFrame);
+    for (int off = kFrame; off > 0 && std::min(box.width(), box.height()) < kLeast;) box = within(--off);
     return bar_fill_of(picture, cell_at(picture, ground, box));
 }
 

@@ -55,6 +55,42 @@ void join_sides(std::vector<Upright>& bars) {
     }
 }
 
+// Bars that touch.
+struct BarGroup {
+    double left = 0, right = 0;
+    double middle() const { return (left + right) / 2; }
+};
+
+std::vector<BarGroup> groups_of(std::vector<Upright> bars) {
+    std::sort(bars.begin(), bars.end(), [](const Upright& a, const Upright& b) { return a.left < b.left; });
+    std::vector<BarGroup> groups;
+    for (const Upright& bar : bars) {
+        if (groups.empty() || bar.left > groups.back().right + 0.01) groups.push_back({bar.left, bar.right});
+        groups.back().right = std::max(groups.back().right, bar.right);
+    }
+    return groups;
+}
+
+// Where bars are too thin to be felt they take what is free between their groups: how wide they are says nothing.
+void widen(std::vector<Upright>& bars) {
+    constexpr double kWide = 5;  // mm
+    if (thinnest(bars) >= kWide) return;
+    const std::vector<BarGroup> groups = groups_of(bars);
+    double room = 1e9, widest = 0;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        widest = std::max(widest, groups[i].right - groups[i].left);
+        if (i > 0) room = std::min(room, groups[i].middle() - groups[i - 1].middle() - kRungs);
+    }
+    const double times = std::min(kWide / thinnest(bars), room / widest);
+    if (groups.size() < 2 || times <= 1) return;
+    for (Upright& bar : bars) {
+        const auto own =
+            std::find_if(groups.begin(), groups.end(), [&](const BarGroup& group) { return bar.left < group.right; });
+        bar.left = own->middle() + (bar.left - own->middle()) * times;
+        bar.right = own->middle() + (bar.right - own->middle()) * times;
+    }
+}
+
 // Stretches along straight lines, by where these are.
 class RuledLines {
 public:
@@ -139,26 +175,38 @@ void add_textures(const std::vector<Upright>& bars, const std::vector<BarFill>& 
         if (const int texture = chosen[number[bar.fill]]; texture > 0) felt.areas.push_back(placed.area(bar, texture));
 }
 
-void add_rungs(const Upright& bar, const Placed& placed, FeltBars& felt) {
+void add_rungs(const Upright& bar, double pitch, const Placed& placed, FeltBars& felt) {
     const double way = bar.top > bar.foot ? 1 : -1, length = std::abs(bar.top - bar.foot);
-    for (double along = kRungs; along <= length - kLineGap; along += kRungs)
+    for (double along = pitch; along <= length - kLineGap; along += pitch)
         felt.strokes.push_back(placed.line({bar.left, bar.foot + way * along}, {bar.right, bar.foot + way * along}));
+}
+
+enum class Filling { blank, few_rungs, middle, rungs, black };
+
+// So many that are told apart in bars of that width, the palest first; none if there are not so many.
+std::vector<Filling> narrow_fillings(std::size_t count, double width) {
+    if (count == 2) return {Filling::blank, Filling::rungs};
+    if (count == 3) return {Filling::blank, Filling::rungs, Filling::black};
+    if (count == 4) return {Filling::blank, Filling::few_rungs, Filling::rungs, Filling::black};
+    if (count == 5 && width >= 2 * kRungs)
+        return {Filling::blank, Filling::few_rungs, Filling::middle, Filling::rungs, Filling::black};
+    return {};
 }
 
 void add_narrow_fillings(const std::vector<Upright>& bars, const std::vector<BarFill>& fills, const Placed& placed,
                          FeltBars& felt) {
-    enum class Filling { blank, rungs, black, middle };
-    std::vector<Filling> all{Filling::blank, Filling::rungs, Filling::black};
-    if (thinnest(bars) >= 2 * kLineGap) all.insert(all.begin() + 1, Filling::middle);
-    if (fills.size() > all.size()) return;
-    if (fills.size() < all.size()) std::erase(all, Filling::middle);
+    constexpr double kFew = 2.5;  // as far apart
+    const std::vector<Filling> all = narrow_fillings(fills.size(), thinnest(bars));
+    if (all.empty()) return;
     const std::vector<std::size_t> order = by_darkness(fills);
     std::vector<Filling> filling(fills.size());
     for (std::size_t i = 0; i < order.size(); ++i) filling[order[i]] = all[i];
     for (const Upright& bar : bars) {
-        if (filling[bar.fill] == Filling::rungs) add_rungs(bar, placed, felt);
-        if (filling[bar.fill] == Filling::black) felt.areas.push_back(placed.area(bar, 0));
-        if (const double middle = (bar.left + bar.right) / 2; filling[bar.fill] == Filling::middle)
+        const Filling own = filling[bar.fill];
+        if (own == Filling::rungs || own == Filling::few_rungs)
+            add_rungs(bar, own == Filling::rungs ? kRungs : kFew * kRungs, placed, felt);
+        if (own == Filling::black) felt.areas.push_back(placed.area(bar, 0));
+        if (const double middle = (bar.left + bar.right) / 2; own == Filling::middle)
             felt.strokes.push_back(placed.line({middle, bar.foot}, {middle, bar.top}));
     }
 }
@@ -167,8 +215,10 @@ void add_narrow_fillings(const std::vector<Upright>& bars, const std::vector<Bar
 
 FeltBars felt_bars(const InkedBars& found, double mm) {
     std::vector<Upright> bars = standing_up(found, mm);
-    if (bars.empty() || thinnest(bars) < kLineGap) return {};
+    if (bars.empty()) return {};
     join_sides(bars);
+    widen(bars);
+    if (thinnest(bars) < kLineGap) return {};
     FeltBars felt;
     const Placed placed(found, mm);
     add_outlines(bars, found.on_axis, placed, felt);

@@ -14,9 +14,10 @@ struct FeltBars {
     std::vector<Area> areas;
 };
 
-/// `mm`: of a pixel. Nothing where bars are so thin that the lines of their sides would be one to a finger. Wide ones have
-/// textures. What is narrower than a texture needs is told apart by rungs from side to side, a black surface and a line along its
-/// middle; the palest kind is blank. Where there are more kinds than fillings all are blank.
+/// `mm`: of a pixel. Bars too thin for a finger become wider where there is room between their groups; nothing where there is
+/// none. Wide ones have textures. What is narrower than a texture needs is told apart by rungs from side to side, close or far
+/// apart, a line along its middle, and a black surface; the palest kind is blank. Where there are more kinds than fillings all
+/// are blank.
 FeltBars felt_bars(const InkedBars& bars, double mm);
 
 }  // namespace tactics

@@ -206,6 +206,14 @@ bool is_axis(const Image& picture, const PixelColour& ground, const InkedBars& f
     return is_line_at(first - kBeyond) || is_line_at(last + kBeyond);
 }
 
+// Without its border.
+RuledCell inner_of(RuledCell cell) {
+    constexpr int kOff = 2;  // pixels
+    if (std::min(cell.box.width(), cell.box.height()) <= 2 * kOff) return cell;
+    cell.box = {cell.box.left + kOff, cell.box.top + kOff, cell.box.right - kOff, cell.box.bottom - kOff};
+    return cell;
+}
+
 }  // namespace
 
 std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& ground, double mm) {
@@ -235,7 +243,7 @@ std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& 
     std::vector<double> sizes;
     drop_thin(best.bars);
     for (const Standing& bar : best.bars) {
-        looks.push_back(bar_fill_of(picture, cells[bar.cell]));
+        looks.push_back(bar_fill_of(picture, inner_of(cells[bar.cell])));
         sizes.push_back(bar.area());
     }
     BarKinds kinds = kinds_of(looks, sizes);

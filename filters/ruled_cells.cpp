@@ -118,10 +118,15 @@ bool is_all_over(const cv::Mat& busy, double share) {
     return true;
 }
 
-CellFill fill_of(const cv::Mat& busy, int size, bool is_ground) {
-    const double share = static_cast<double>(cv::countNonZero(busy)) / size;
-    if (share > (is_ground ? kBlankCell : kCrossedCell) && is_all_over(busy, share)) return CellFill::hatch;
+// By the share of its pixels that are next to other colours.
+CellFill fill_of(double busy, bool is_ground) {
+    if (busy > (is_ground ? kBlankCell : kCrossedCell)) return CellFill::hatch;
     return is_ground ? CellFill::ground : CellFill::colour;
+}
+
+CellFill fill_of_all(const cv::Mat& busy, int size, bool is_ground) {
+    const double share = static_cast<double>(cv::countNonZero(busy)) / size;
+    return fill_of(is_all_over(busy, share) ? share : 0, is_ground);
 }
 
 std::vector<RuledCell> cells_between(const cv::Mat& pixels, const cv::Mat& uneven, const cv::Mat& rules,
@@ -138,7 +143,7 @@ std::vector<RuledCell> cells_between(const cv::Mat& pixels, const cv::Mat& uneve
         if (cells.size() == kMostCells) return {};
         const cv::Mat own = labels(box) == i;
         const PixelColour colour = middle_colour_of(pixels(box), own);
-        const CellFill fill = fill_of(uneven(box) & own, size, same_colour(colour, ground));
+        const CellFill fill = fill_of_all(uneven(box) & own, size, same_colour(colour, ground));
         cells.push_back({{box.x, box.y, box.br().x, box.br().y}, fill, colour, {}});
     }
     return cells;
@@ -260,10 +265,11 @@ std::vector<RuledCell> ruled_cells_in(const Image& picture, const PixelColour& g
 }
 
 RuledCell cell_at(const Image& picture, const PixelColour& ground, const PixelBox& box) {
-    const cv::Mat pixels = view_of(picture)(cv::Rect(box.left, box.top, box.width(), box.height())),
-                  uneven = range_around(pixels) > kFlatLevels;
+    // What is around it does not count.
+    const cv::Mat pixels = view_of(picture)(cv::Rect(box.left, box.top, box.width(), box.height())).clone();
     const PixelColour colour = middle_colour_of(pixels, cv::Mat(pixels.size(), CV_8U, cv::Scalar(255)));
-    return {box, fill_of(uneven, box.width() * box.height(), same_colour(colour, ground)), colour, {}};
+    const double busy = static_cast<double>(cv::countNonZero(range_around(pixels) > kFlatLevels)) / (box.width() * box.height());
+    return {box, fill_of(busy, same_colour(colour, ground)), colour, {}};
 }
 
 }  // namespace tactics

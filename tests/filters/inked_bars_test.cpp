@@ -167,7 +167,14 @@ std::set<double> uprights_of(const FeltBars& felt) {
 
 TEST(FeltBars, ShareASideWhereAFingerFeelsNoGap) {
     EXPECT_EQ(uprights_of(felt_bars(of_widths({{10, 20}, {22, 32}, {50, 60}}, 1), 1)), (std::set<double>{10, 21, 32, 50, 60}));
-    EXPECT_TRUE(felt_bars(of_widths({{10, 12}, {22, 24}, {50, 52}}, 1), 1).strokes.empty());
+}
+
+// Thin ones take the free room between their groups; where there is none they are too thin.
+TEST(FeltBars, AreAsWideAsAFingerNeeds) {
+    const std::set<double> sides =
+        uprights_of(felt_bars(of_widths({{10, 12}, {12, 14}, {40, 42}, {42, 44}, {70, 72}, {72, 74}}, 2), 1));
+    EXPECT_EQ(sides, (std::set<double>{7, 12, 17, 37, 42, 47, 67, 72, 77}));
+    EXPECT_TRUE(felt_bars(of_widths({{10, 12}, {12, 14}, {14, 16}, {16, 18}}, 2), 1).strokes.empty());
 }
 
 TEST(FeltBars, StandOnAnAxisWithoutALineOfTheirOwn) {
