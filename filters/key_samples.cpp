@@ -319,17 +319,8 @@ void keep_nearest_words(std::vector<KeySample>& samples, const std::vector<Legen
     });
 }
 
-}  // namespace
-
-std::vector<KeySample> key_samples_in(const Image& picture, const Image& ink, const std::vector<LegendWords>& words) {
-    std::vector<KeySample> all;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        for (const bool left : {true, false})
-            if (const auto sample = words[i].height > 0 ? key_beside(picture, ink, words[i], i, left) : std::nullopt) {
-                all.push_back(*sample);
-                break;
-            }
-    keep_nearest_words(all, words);
+// Those that are in a row or a column with another one.
+std::vector<KeySample> in_rows(const std::vector<KeySample>& all) {
     std::vector<KeySample> rows;
     for (const KeySample& one : all)
         if (std::any_of(all.begin(), all.end(), [&](const KeySample& other) {
@@ -341,6 +332,29 @@ std::vector<KeySample> key_samples_in(const Image& picture, const Image& ink, co
             }))
             rows.push_back(one);
     return rows;
+}
+
+double mean_off_words(const std::vector<KeySample>& samples, const std::vector<LegendWords>& words) {
+    double sum = 0;
+    for (const KeySample& one : samples) sum += off_words(one, words);
+    return sum / static_cast<double>(std::max<std::size_t>(1, samples.size()));
+}
+
+}  // namespace
+
+// In a row the sample of the next words may be as close, so all words have theirs on the side where most have one.
+std::vector<KeySample> key_samples_in(const Image& picture, const Image& ink, const std::vector<LegendWords>& words) {
+    std::vector<KeySample> sides[2];
+    for (const bool left : {true, false}) {
+        std::vector<KeySample> all;
+        for (std::size_t i = 0; i < words.size(); ++i)
+            if (const auto sample = words[i].height > 0 ? key_beside(picture, ink, words[i], i, left) : std::nullopt)
+                all.push_back(*sample);
+        keep_nearest_words(all, words);
+        sides[left ? 0 : 1] = in_rows(all);
+    }
+    if (sides[0].size() != sides[1].size()) return sides[sides[0].size() > sides[1].size() ? 0 : 1];
+    return sides[mean_off_words(sides[0], words) <= mean_off_words(sides[1], words) ? 0 : 1];
 }
 
 std::vector<KeySample> unlike_others(const std::vector<KeySample>& samples) {
