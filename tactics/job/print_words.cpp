@@ -192,13 +192,41 @@ void forget_samples(PrintWords& words) {
     }
 }
 
+// Nearly all of it is darker than what is beside it.
+bool is_block(const Image& grey, const PixelBox& box) {
+    constexpr double kAllOver = 0.8;
+    constexpr int kPaler = 25, kBeside = 3;  // levels; pixels
+    const int y = (box.top + box.bottom) / 2, before = box.left - kBeside, behind = box.right + kBeside;
+    if (before < 0 || behind >= grey.width || box.bottom > grey.height || y >= grey.height) return false;
+    const int ground = std::min(grey.row(y)[before], grey.row(y)[behind]);
+    int dark = 0;
+    for (int v = box.top; v < box.bottom; ++v)
+        for (int u = box.left; u < box.right; ++u) dark += grey.row(v)[u] < ground - kPaler ? 1 : 0;
+    return dark > kAllOver * box.width() * box.height();
+}
+
+// Without unread print that is a dark box all over: samples of a legend are as large as letters.
+Lettering without_blocks(const PrintWords& words, const Image& grey) {
+    Lettering print = words.lettering;
+    const double across = static_cast<double>(grey.width) / print.width, down = static_cast<double>(grey.height) / print.height;
+    std::vector<PrintedWords> kept;
+    for (std::size_t i = 0; i < print.words.size(); ++i) {
+        const PixelBox& box = print.words[i].box;
+        const PixelBox there{static_cast<int>(box.left * across), static_cast<int>(box.top * down),
+                             static_cast<int>(box.right * across), static_cast<int>(box.bottom * down)};
+        if (words.told[i].set || !words.told[i].text.empty() || !is_block(grey, there)) kept.push_back(std::move(print.words[i]));
+    }
+    print.words = std::move(kept);
+    return print;
+}
+
 // Words of a legend stand at what their samples show.
 void place_legend(PrintWords& words, Reading& reading) {
     const Lettering& lettering = words.lettering;
     if (words.told.size() < 2) return;
     Image picture = reading.get({kLookForWords, true});
     if (picture.width == 0 || picture.height == 0) return;
-    take_out(picture, lettering, true);
+    take_out(picture, without_blocks(words, to_grey(picture)), true);
     const double across = static_cast<double>(picture.width) / lettering.width,
                  down = static_cast<double>(picture.height) / lettering.height;
     std::vector<LegendWords> boxes;

@@ -9,7 +9,7 @@ import re
 import xml.etree.ElementTree
 
 COLUMNS = ("figures", "curves mm", "drawn", "arrows", "whole", "bars", "closed", "points", "there", "fills", "told apart", "samples",
-           "matched", "white")
+           "matched", "misnamed", "white")
 NEAR = 2.0
 BESIDE = 9  # from the dots of words; the program needs no line to what is within 6.4 mm of their cells
 DASH_GAP = 6.5  # between marks of one line
@@ -205,20 +205,22 @@ def is_within(p, ring):
     return sum((a[1] > p[1]) != (b[1] > p[1]) and p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) for a, b in sides) % 2 == 1
 
 
-def names_it(box, look, curves, bars, rings):
-    """Words in that box name what looks so: they are in it, or near to it and nearer than to anything else that looks otherwise."""
+def named_by(box, look, curves, bars, rings):
+    """Of that kind of look what the words in that box name: they are in it, or near to it and nearer than to anything that looks otherwise."""
     x, y = (box[0] + box[2]) / 2, (box[1] + box[3]) / 2
+    away = {}
     if look.startswith("fill"):
-        if any(other == look and is_within((x, y), ring) for other, ring in rings):
-            return True
-        away = {}
+        for other, ring in rings:
+            if is_within((x, y), ring):
+                return other
         for other, left, top, right, bottom in bars:
             off = math.hypot(max(left - box[2], 0, box[0] - right), max(top - box[3], 0, box[1] - bottom))
             away[other] = min(off, away.get(other, off))
-        return look in away and away[look] <= BESIDE and away[look] == min(away.values())
-    off = lambda p: math.hypot(max(box[0] - p[0], 0, p[0] - box[2]), max(box[1] - p[1], 0, p[1] - box[3]))
-    away = {other: min(map(off, points)) for other, points in curves.items()}
-    return look in away and away[look] <= BESIDE and away[look] == min(away.values())
+    else:
+        off = lambda p: math.hypot(max(box[0] - p[0], 0, p[0] - box[2]), max(box[1] - p[1], 0, p[1] - box[3]))
+        away = {other: min(map(off, points)) for other, points in curves.items()}
+    nearest = min(away, key=lambda other: (away[other], other != look), default=None)
+    return nearest if nearest is not None and away[nearest] <= BESIDE else None
 
 
 def score(page_path, answer, figure):
@@ -265,9 +267,10 @@ def score(page_path, answer, figure):
         curves.setdefault(look, []).extend(one[:2] for one in along([place(*p) for p in points], 1))
     for look, text, x0, y0, x1, y1 in figure.samples:
         row["samples"] += 1
-        if any(names_it(at, look, curves, [(other, *place(a, b), *place(c, d)) for other, a, b, c, d in figure.bars],
-                        [(other, [place(*p) for p in points]) for other, points in figure.curves if other.startswith("fill")])
-               for at in page.places_named(text)):
+        named = [named_by(at, look, curves, [(other, *place(a, b), *place(c, d)) for other, a, b, c, d in figure.bars],
+                          [(other, [place(*p) for p in points]) for other, points in figure.curves if other.startswith("fill")])
+                 for at in page.places_named(text)]
+        if look in named:
             row["matched"] += 1
             continue
         if look.startswith("fill"):
@@ -276,8 +279,10 @@ def score(page_path, answer, figure):
             style = style_at(page, [place(x0 + (x1 - x0) * k / 10, y0 + (y1 - y0) * k / 10) for k in range(11)])
             matched = style is not None and [styles[other] for other in styles].count(style) == 1 and styles.get(look) == style
         row["matched"] += matched
+        misnamed = not matched and any(other is not None for other in named)
+        row["misnamed"] += misnamed
         if not matched:
-            row["faults"].append(f"sample {look}")
+            row["faults"].append(f"{'misnamed' if misnamed else 'sample'} {look}")
     return row
 
 
@@ -290,11 +295,11 @@ def table(rows):
             for name in total:
                 total[name] += row[name]
     lines = ["| figures of | as | figures | curve length drawn | arrow ends whole | bars closed | points there | fills told apart | legend entries told "
-             "| white |", "|---|---|---|---|---|---|---|---|---|---|"]
+             "| misnamed | white |", "|---|---|---|---|---|---|---|---|---|---|---|"]
     share = lambda total, part, whole: f"{total[part]} of {total[whole]}" if total[whole] else ""
     for (maker, form), t in sorted(sums.items(), key=lambda item: (item[0][1], item[0][0] == "all", item[0][0])):
         length = f"{t['drawn'] / t['curves mm']:.3f}" if t["curves mm"] else ""
         lines.append(f"| {maker} | {form} | {t['figures']} | {length} | " + " | ".join(
             share(t, part, whole) for part, whole in (("whole", "arrows"), ("closed", "bars"), ("there", "points"), ("told apart", "fills"),
-                                                      ("matched", "samples"))) + f" | {t['white'] / t['figures']:.2f} |")
+                                                      ("matched", "samples"))) + f" | {t['misnamed'] if t['samples'] else ''} | {t['white'] / t['figures']:.2f} |")
     return "\n".join(lines) + "\n"
