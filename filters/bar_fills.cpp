@@ -15,8 +15,8 @@ namespace tactics {
 namespace {
 
 constexpr int kSameFill = 20;  // levels in any channel
-// Logarithms and shares by which two hatches differ; settings.
-constexpr double kSameDark = 0.5, kSameMarks = 0.5, kSameWays = 0.6;
+// Logarithms, shares and levels by which two hatches differ; settings.
+constexpr double kSameDark = 0.5, kSameMarks = 0.5, kSameWays = 0.6, kSameTint = 15;
 
 // How many begin in a row, for its length.
 double marks_in(const cv::Mat& grey) {
@@ -53,10 +53,14 @@ void join_strays(BarKinds& kinds) {
 }  // namespace
 
 BarFill bar_fill_of(const Image& picture, const RuledCell& cell) {
-    BarFill look{cell.fill, cell.colour, 0, 0, {}};
+    BarFill look{cell.fill, cell.colour, 0, 0, {}, {}};
     const cv::Rect box(cell.box.left, cell.box.top, cell.box.width(), cell.box.height());
     cv::Mat grey = view_of(picture)(box).clone(), dx, dy;
-    if (grey.channels() == 3) cv::cvtColor(grey, grey, cv::COLOR_RGB2GRAY);
+    if (grey.channels() == 3) {
+        const cv::Scalar mean = cv::mean(grey);
+        for (int c = 0; c < 3; ++c) look.tint[static_cast<std::size_t>(c)] = mean[c] - (mean[0] + mean[1] + mean[2]) / 3;
+        cv::cvtColor(grey, grey, cv::COLOR_RGB2GRAY);
+    }
     look.dark = 1 - cv::mean(grey)[0] / 255;
     cv::Sobel(grey, dx, CV_32F, 1, 0, 3, 0.25 / 255);
     cv::Sobel(grey, dy, CV_32F, 0, 1, 3, 0.25 / 255);
@@ -85,7 +89,9 @@ double unlike(const BarFill& a, const BarFill& b) {
     const auto apart = [](double x, double y) { return std::abs(std::log(std::max(x, 1e-3) / std::max(y, 1e-3))); };
     double ways = 0;
     for (std::size_t i = 0; i < a.ways.size(); ++i) ways += std::abs(a.ways[i] - b.ways[i]);
-    return apart(a.dark, b.dark) / kSameDark + apart(a.marks, b.marks) / kSameMarks + ways / kSameWays;
+    double tint = 0;
+    for (std::size_t c = 0; c < 3; ++c) tint = std::max(tint, std::abs(a.tint[c] - b.tint[c]));
+    return tint / kSameTint + apart(a.dark, b.dark) / kSameDark + apart(a.marks, b.marks) / kSameMarks + ways / kSameWays;
 }
 
 BarKinds kinds_of(const std::vector<BarFill>& fills, const std::vector<double>& sizes) {

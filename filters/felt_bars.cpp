@@ -15,9 +15,9 @@ namespace tactics {
 
 namespace {
 
-// mm on the page. The gap is that between any two lines (rules/gap.cpp), with their width. A surface must hold what is felt as a
-// texture (6.4 mm) with the gap to its outline on both sides.
-constexpr double kLineGap = 3.4, kHoldsTexture = 11, kRungs = 4.6;
+// mm on the page. The gap is that between any two lines (rules/gap.cpp), with their width. A texture needs 6.4 mm with the gap to
+// the outline on both sides, and some have two lines only on what is 14 mm wide.
+constexpr double kLineGap = 3.4, kHoldsTexture = 14, kRungs = 4.6;
 constexpr float kBarStrength = 255;  // as strong as an edge can be
 
 // A bar as if it stood on y = 0 and grew with y.
@@ -183,13 +183,15 @@ void add_rungs(const Upright& bar, double pitch, const Placed& placed, FeltBars&
 
 enum class Filling { blank, few_rungs, middle, rungs, black };
 
-// So many that are told apart in bars of that width, the palest first; none if there are not so many.
+// So many that are told apart in bars of that width, the palest first; none if there are not so many. Much black swells unevenly.
 std::vector<Filling> narrow_fillings(std::size_t count, double width) {
-    if (count == 2) return {Filling::blank, Filling::rungs};
-    if (count == 3) return {Filling::blank, Filling::rungs, Filling::black};
-    if (count == 4) return {Filling::blank, Filling::few_rungs, Filling::rungs, Filling::black};
-    if (count == 5 && width >= 2 * kRungs)
-        return {Filling::blank, Filling::few_rungs, Filling::middle, Filling::rungs, Filling::black};
+    using enum Filling;
+    const bool holds_middle = width >= 2 * kRungs;
+    if (count == 2) return {blank, rungs};
+    if (count == 3) return holds_middle ? std::vector{blank, middle, rungs} : std::vector{blank, rungs, black};
+    if (count == 4)
+        return holds_middle ? std::vector{blank, few_rungs, middle, rungs} : std::vector{blank, few_rungs, rungs, black};
+    if (count == 5 && holds_middle) return {blank, few_rungs, middle, rungs, black};
     return {};
 }
 
@@ -221,7 +223,7 @@ FeltBars felt_bars(const InkedBars& found, double mm) {
     if (thinnest(bars) < kLineGap) return {};
     FeltBars felt;
     const Placed placed(found, mm);
-    add_outlines(bars, found.on_axis, placed, felt);
+    add_outlines(bars, found.axis.has_value(), placed, felt);
     const bool tells = found.fills.size() > 1;
     if (thinnest(bars) >= kHoldsTexture) {
         if (tells || found.fills[0].fill == CellFill::hatch) add_textures(bars, found.fills, placed, felt);

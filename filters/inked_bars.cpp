@@ -18,7 +18,7 @@ namespace {
 constexpr double kShortestRule = 3.2, kHatch = 4.8, kThinnestBar = 0.7;
 constexpr double kLongerThanMarks = 12;  // of one at least: marks of a plot are at most 9 (known_parts.cpp)
 constexpr int kFewestOfRule = 10, kFewestOfHatch = 8;
-constexpr std::size_t kFewestBars = 3;
+constexpr std::size_t kFewestBars = 3, kMostFills = 6;
 constexpr double kMostOfPicture = 0.5;
 constexpr double kTouch = 3.5,
                  kStacked = 5;  // pixels between the middles of sides that are one, and of two that stand on each other
@@ -186,24 +186,27 @@ void align(std::vector<InkedBar>& bars) {
     }
 }
 
-// Beyond the first bar there is a line at the height of the base.
-bool is_axis(const Image& picture, const PixelColour& ground, const InkedBars& found) {
-    constexpr int kBeyond = 6, kAround = 3, kSeen = 40;  // pixels; levels
+// The line at the height of the base, beyond the first bar or the last one.
+std::optional<std::pair<int, int>> axis_of(const Image& picture, const PixelColour& ground, const InkedBars& found) {
+    constexpr int kOutside = 6, kAround = 4, kInked = 40;  // pixels; levels
     double first = 1e9, last = -1e9;
     for (const InkedBar& bar : found.bars) {
         first = std::min(first, found.lying ? bar.top : bar.left);
         last = std::max(last, found.lying ? bar.bottom : bar.right);
     }
-    const auto is_line_at = [&](double along) {
-        for (int off = -kAround; off <= kAround; ++off) {
-            const int a = static_cast<int>(along), b = static_cast<int>(found.base) + off, x = found.lying ? b : a,
-                      y = found.lying ? a : b;
-            if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) continue;
-            if (channels_apart(pixel_colour(picture, x, y), ground) > kSeen) return true;
-        }
-        return false;
-    };
-    return is_line_at(first - kBeyond) || is_line_at(last + kBeyond);
+    const int base = static_cast<int>(found.base);
+    for (const int along : {static_cast<int>(first) - kOutside, static_cast<int>(last) + kOutside}) {
+        const auto is_inked = [&](int across) {
+            const int x = found.lying ? across : along, y = found.lying ? along : across;
+            return x >= 0 && y >= 0 && x < picture.width && y < picture.height &&
+                   channels_apart(pixel_colour(picture, x, y), ground) > kInked;
+        };
+        int from = base - kAround, to = base + kAround;
+        while (from <= to && !is_inked(from)) ++from;
+        while (to >= from && !is_inked(to)) --to;
+        if (from <= to) return std::pair(from, to);
+    }
+    return std::nullopt;
 }
 
 // Without its border.
@@ -214,12 +217,10 @@ RuledCell inner_of(RuledCell cell) {
     return cell;
 }
 
-}  // namespace
-
-std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& ground, double mm) {
-    std::vector<RuledCell> cells =
-        ruled_cells_in(picture, ground, std::max(kFewestOfRule, static_cast<int>(std::lround(kShortestRule / mm))),
-                       std::max(kFewestOfHatch, static_cast<int>(kHatch / mm)));
+std::vector<RuledCell> cells_in(const Image& picture, const PixelColour& ground, double mm, int flat) {
+    std::vector<RuledCell> cells = ruled_cells_in(picture, ground,
+                                                  {std::max(kFewestOfRule, static_cast<int>(std::lround(kShortestRule / mm))),
+                                                   std::max(kFewestOfHatch, static_cast<int>(kHatch / mm)), flat});
     const double thinnest = std::max(3.0, kThinnestBar / mm), most = kMostOfPicture * picture.width * picture.height;
     std::erase_if(cells, [&](const RuledCell& cell) {
         return std::min(cell.box.width(), cell.box.height()) < thinnest ||
@@ -227,6 +228,26 @@ std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& 
                (cell.fill == CellFill::ground && !is_framed(picture, ground, cell));
     });
     drop_inner(cells);
+    return cells;
+}
+
+// Boxes of one size in a row are those of a diagram, and cells in rows those of a table: most end where those beside them do.
+bool are_boxes(const std::vector<Standing>& bars) {
+    constexpr double kMostCellsOfTable = 0.6;
+    std::vector<double> ends, columns;
+    const auto add = [](std::vector<double>& values, double value) {
+        if (std::none_of(values.begin(), values.end(), [&](double one) { return std::abs(one - value) <= kTouch; }))
+            values.push_back(value);
+    };
+    for (const Standing& bar : bars) {
+        add(ends, bar.top);
+        add(columns, bar.left);
+    }
+    const double places = static_cast<double>(ends.size()) * static_cast<double>(columns.size());
+    return static_cast<double>(bars.size()) >= (ends.size() > 1 ? kMostCellsOfTable : 1) * places;
+}
+
+std::optional<InkedBars> bars_among(const std::vector<RuledCell>& cells, const Image& picture, double mm) {
     BarChoice best;
     InkedBars found;
     for (const bool lying : {false, true}) {
@@ -238,15 +259,16 @@ std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& 
         found.lying = lying;
     }
     if (best.bars.empty()) return std::nullopt;
+    drop_thin(best.bars);
     found.base = found.lying ? -best.base : best.base;
     std::vector<BarFill> looks;
     std::vector<double> sizes;
-    drop_thin(best.bars);
     for (const Standing& bar : best.bars) {
         looks.push_back(bar_fill_of(picture, inner_of(cells[bar.cell])));
         sizes.push_back(bar.area());
     }
     BarKinds kinds = kinds_of(looks, sizes);
+    if (kinds.fills.size() > kMostFills || are_boxes(best.bars)) return std::nullopt;
     found.fills = kinds.fills;
     join_stacks(best.bars, kinds.of);
     if (std::none_of(best.bars.begin(), best.bars.end(),
@@ -254,8 +276,19 @@ std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& 
         return std::nullopt;
     for (std::size_t i = 0; i < best.bars.size(); ++i) found.bars.push_back(as_it_lies(best.bars[i], found.lying, kinds.of[i]));
     align(found.bars);
-    found.on_axis = is_axis(picture, ground, found);
     return found;
+}
+
+}  // namespace
+
+std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& ground, double mm) {
+    for (const int flat : {9, 5}) {
+        auto found = bars_among(cells_in(picture, ground, mm, flat), picture, mm);
+        if (!found) continue;
+        found->axis = axis_of(picture, ground, *found);
+        return found;
+    }
+    return std::nullopt;
 }
 
 }  // namespace tactics

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "filters/bar_fills.h"
@@ -21,12 +22,14 @@ struct InkedBar {
 struct InkedBars {
     std::vector<InkedBar> bars;
     std::vector<BarFill> fills;
-    bool lying = false;    ///< from left to right, or from right to left; else upright
-    double base = 0;       ///< pixels: the level, or the upright of lying bars, that they stand on
-    bool on_axis = false;  ///< a line goes on from their base
+    bool lying = false;  ///< from left to right, or from right to left; else upright
+    double base = 0;     ///< pixels: the level, or the upright of lying bars, that they stand on
+    std::optional<std::pair<int, int>> axis =
+        {};  ///< the first and the last row, or column, of a line that goes on from their base
 };
 
-/// Of a picture whose words are painted over. `mm`: of a pixel on the page. Nothing unless at least three stand on one base.
+/// Of a picture whose words are painted over. `mm`: of a pixel on the page. Nothing unless at least three stand on one base, not
+/// all of one length, with no more than six kinds of filling.
 std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& ground, double mm);
 
 /// The ground comes where they are, but for their base, if that is an axis, and for what crosses their colours.

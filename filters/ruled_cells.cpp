@@ -15,14 +15,14 @@ namespace tactics {
 namespace {
 
 // Levels, pixels and shares; settings, all.
-constexpr int kFlatLevels = 14;                // that neighbours in one colour may differ by
-constexpr int kFlatPlace = 9, kNearFlat = 13;  // pixels: so wide is an even place, and so wide it is with the line along it
-constexpr int kWidestRule = 7;                 // pixels
-constexpr int kDarkRule = 50;                  // levels that a line in such a pattern is darker than it, and
-constexpr double kDarkest = 0.35;              // of its darkest places
-constexpr double kRectangle = 0.85;            // of its box is the cell
-constexpr double kWholePicture = 0.8;          // of the picture's width; a frame
-constexpr int kSameSide = 2;                   // pixels
+constexpr int kFlatLevels = 14;        // that neighbours in one colour may differ by
+constexpr int kNearFlat = 13;          // pixels that an even place is with the line along it, if it is 9 wide
+constexpr int kWidestRule = 7;         // pixels
+constexpr int kDarkRule = 50;          // levels that a line in such a pattern is darker than it, and
+constexpr double kDarkest = 0.35;      // of its darkest places
+constexpr double kRectangle = 0.85;    // of its box is the cell
+constexpr double kWholePicture = 0.8;  // of the picture's width; a frame
+constexpr int kSameSide = 2;           // pixels
 constexpr int kSameLevels = 20;
 constexpr double kBlankCell = 0.05, kCrossedCell = 0.3;  // of a cell that is blank, and of one in a colour, next to other colours
 constexpr double kSpread = 0.3;                          // of that share has each ninth of a hatch
@@ -60,10 +60,10 @@ cv::Mat without_stairs(const cv::Mat& rows) {
 }
 
 // Where an even place ends along a straight line. Within patterns lines that are darker than these all along.
-Rules rules_in(const cv::Mat& pixels, const cv::Mat& uneven, int shortest) {
+Rules rules_in(const cv::Mat& pixels, const cv::Mat& uneven, const RulePixels& sizes) {
     cv::Mat grey = pixels, darkest;
     if (pixels.channels() == 3) cv::cvtColor(pixels, grey, cv::COLOR_RGB2GRAY);
-    const cv::Mat dark = 255 - grey, flat = opened_by(~uneven, box_of(kFlatPlace, kFlatPlace));
+    const cv::Mat dark = 255 - grey, flat = opened_by(~uneven, box_of(sizes.flat, sizes.flat));
     cv::dilate(dark, darkest, box_of(kWidestRule, kWidestRule));
     const auto along = [&](int across, int down) {
         const bool upright = down > across;
@@ -80,7 +80,7 @@ Rules rules_in(const cv::Mat& pixels, const cv::Mat& uneven, int shortest) {
         cv::dilate(lines, lines, upright ? box_of(1, kWidestRule) : box_of(kWidestRule, 1));
         return lines;
     };
-    return {along(1, shortest), along(shortest, 1)};
+    return {along(1, sizes.shortest), along(sizes.shortest, 1)};
 }
 
 PixelColour middle_colour_of(const cv::Mat& pixels, const cv::Mat& mask) {
@@ -248,19 +248,19 @@ void measure_lines(std::vector<RuledCell>& cells, const cv::Mat& rules, int hatc
 
 }  // namespace
 
-std::vector<RuledCell> ruled_cells_in(const Image& picture, const PixelColour& ground, int shortest, int hatch) {
+std::vector<RuledCell> ruled_cells_in(const Image& picture, const PixelColour& ground, const RulePixels& sizes) {
     const cv::Mat pixels = view_of(picture), uneven = range_around(pixels) > kFlatLevels;
-    const Rules rules = rules_in(pixels, uneven, shortest);
+    const Rules rules = rules_in(pixels, uneven, sizes);
     const cv::Mat all = rules.upright | rules.level;
     std::vector<RuledCell> cells = cells_between(pixels, uneven, all, ground);
-    CellsBelow(cells, hatch).join_hatches();
+    CellsBelow(cells, sizes.hatch).join_hatches();
     turn_over(cells);
-    CellsBelow(cells, hatch).join_hatches();
+    CellsBelow(cells, sizes.hatch).join_hatches();
     turn_over(cells);
     // Between two lines that are as close there is no cell.
     cv::Mat closed;
     cv::morphologyEx(all, closed, cv::MORPH_CLOSE, box_of(3, 3));
-    measure_lines(cells, closed, hatch);
+    measure_lines(cells, closed, sizes.hatch);
     return cells;
 }
 

@@ -20,10 +20,14 @@ struct RuledCell {
     std::array<double, 4> lines{};  ///< how wide its lines are: left, top, right, bottom; pixels
 };
 
-/// The rectangles among them. Cells that the lines of a hatch part are one, and such as lines part that go on beyond both of
-/// their sides, as those of a grid do. Lines are at least `shortest` pixels long, those of a hatch at most `hatch` pixels apart.
-/// Empty where there are more than a few thousand.
-std::vector<RuledCell> ruled_cells_in(const Image& picture, const PixelColour& ground, int shortest, int hatch);
+/// Pixels: how long lines are at least, how far apart the lines of a hatch at most, and how wide a place of one colour is beside
+/// whose border there may be a line. In a coarse hatch there are places of 5, between thin bars none of 9.
+struct RulePixels {
+    int shortest = 10, hatch = 8, flat = 9;
+};
+
+/// The rectangles among them. Cells that the lines of a hatch part are one. Empty where there are more than a few thousand.
+std::vector<RuledCell> ruled_cells_in(const Image& picture, const PixelColour& ground, const RulePixels& rules);
 
 /// What that box of the picture is filled with; it has no lines.
 RuledCell cell_at(const Image& picture, const PixelColour& ground, const PixelBox& box);

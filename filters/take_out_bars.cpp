@@ -94,6 +94,20 @@ cv::Mat crosses_hatch(const cv::Mat& ink) {
     return other;
 }
 
+// Not what goes straight from one side of the bar to the other one: that is a line of a grid.
+void drop_grid(cv::Mat& own) {
+    constexpr int kThin = 5;  // pixels
+    constexpr double kWhole = 0.9;
+    cv::Mat labels, stats, middles;
+    const int count = cv::connectedComponentsWithStats(own, labels, stats, middles, 8, CV_32S);
+    for (int i = 1; i < count; ++i) {
+        const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
+                           stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+        if ((box.height <= kThin && box.width >= kWhole * own.cols) || (box.width <= kThin && box.height >= kWhole * own.rows))
+            own(box).setTo(0, labels(box) == i);
+    }
+}
+
 // What crosses a bar: in a colour it has another one, neither that of the ground.
 cv::Mat crossing(const Image& picture, const cv::Mat& inked, const InkedBars& found) {
     cv::Mat kept = cv::Mat::zeros(inked.size(), CV_8U);
@@ -104,12 +118,14 @@ cv::Mat crossing(const Image& picture, const cv::Mat& inked, const InkedBars& fo
         cv::Mat own = kept(inner);
         if (fill.fill == CellFill::hatch) {
             crosses_hatch(inked(inner)).copyTo(own);
+            drop_grid(own);
             continue;
         }
         for (int y = 0; y < inner.height; ++y)
             for (int x = 0; x < inner.width; ++x)
                 if (channels_apart(pixel_colour(picture, inner.x + x, inner.y + y), fill.colour) > kOtherInk)
                     own.at<std::uint8_t>(y, x) = inked.at<std::uint8_t>(inner.y + y, inner.x + x);
+        drop_grid(own);
     }
     keep_long(kept, kLongPiece);
     return kept;
@@ -121,8 +137,8 @@ void take_out(Image& picture, const PixelColour& ground, const InkedBars& found)
     const cv::Mat inked = far_from(picture, ground);
     cv::Mat gone = cv::Mat::zeros(inked.size(), CV_8U), kept = crossing(picture, inked, found);
     for (const InkedBar& bar : found.bars) gone(box_of(bar, kBarBorder, gone)) = 255;
-    if (found.on_axis) {
-        const int from = static_cast<int>(found.base) - kBarBorder + 1, wide = 2 * kBarBorder - 1;
+    if (found.axis) {
+        const int from = found.axis->first, wide = found.axis->second - from + 1;
         gone((found.lying ? cv::Rect(from, 0, wide, gone.rows) : cv::Rect(0, from, gone.cols, wide)) &
              cv::Rect(0, 0, gone.cols, gone.rows)) = 0;
     }
