@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kSameFill = 20;  // levels in any channel
 // Logarithms, shares and levels by which two hatches differ; settings.
-constexpr double kSameDark = 0.5, kSameMarks = 0.5, kSameWays = 0.6, kSameTint = 15;
+constexpr double kSameDark = 0.5, kSameMarks = 0.5, kSameWays = 0.6, kSamePieces = 0.7, kSameTint = 15;
 
 // How many begin in a row, for its length.
 double marks_in(const cv::Mat& grey) {
@@ -26,6 +26,17 @@ double marks_in(const cv::Mat& grey) {
         for (int x = 1; x < grey.cols; ++x)
             if (grey.at<std::uint8_t>(y, x - 1) > middle && grey.at<std::uint8_t>(y, x) <= middle) ++begun;
     return static_cast<double>(begun) / static_cast<double>(grey.total());
+}
+
+int pieces_in(const cv::Mat& grey) {
+    cv::Mat labels;
+    return cv::connectedComponents(grey < cv::mean(grey)[0], labels, 8, CV_32S) - 1;
+}
+
+// Dots, rings and crosses; of lines there are not more in a larger surface for its size.
+bool is_of_marks(const BarFill& fill) {
+    constexpr double kNoWay = 0.2;
+    return *std::max_element(fill.ways.begin(), fill.ways.end()) < kNoWay;
 }
 
 // A kind of one surface only that is nearly like another one is that: something crosses it.
@@ -53,7 +64,7 @@ void join_strays(BarKinds& kinds) {
 }  // namespace
 
 BarFill bar_fill_of(const Image& picture, const RuledCell& cell) {
-    BarFill look{cell.fill, cell.colour, 0, 0, {}, {}};
+    BarFill look{cell.fill, cell.colour, 0, 0, 0, {}, {}};
     const cv::Rect box(cell.box.left, cell.box.top, cell.box.width(), cell.box.height());
     cv::Mat grey = view_of(picture)(box).clone(), dx, dy;
     if (grey.channels() == 3) {
@@ -79,6 +90,7 @@ BarFill bar_fill_of(const Image& picture, const RuledCell& cell) {
         }
     for (double& way : look.ways) way /= std::max(all, 1e-9);
     look.marks = marks_in(grey) + marks_in(grey.t());
+    look.pieces = static_cast<double>(pieces_in(grey)) / static_cast<double>(grey.total());
     return look;
 }
 
@@ -86,12 +98,14 @@ double unlike(const BarFill& a, const BarFill& b) {
     constexpr double kOtherKind = 10;
     if ((a.fill == CellFill::hatch) != (b.fill == CellFill::hatch)) return kOtherKind;
     if (a.fill != CellFill::hatch) return channels_apart(a.colour, b.colour) / (kSameFill + 0.5);
-    const auto apart = [](double x, double y) { return std::abs(std::log(std::max(x, 1e-3) / std::max(y, 1e-3))); };
+    const auto apart = [](double x, double y) { return std::abs(std::log(std::max(x, 1e-5) / std::max(y, 1e-5))); };
     double ways = 0;
     for (std::size_t i = 0; i < a.ways.size(); ++i) ways += std::abs(a.ways[i] - b.ways[i]);
+    const double pieces = is_of_marks(a) && is_of_marks(b) ? apart(a.pieces, b.pieces) : 0;
     double tint = 0;
     for (std::size_t c = 0; c < 3; ++c) tint = std::max(tint, std::abs(a.tint[c] - b.tint[c]));
-    return tint / kSameTint + apart(a.dark, b.dark) / kSameDark + apart(a.marks, b.marks) / kSameMarks + ways / kSameWays;
+    return pieces / kSamePieces + tint / kSameTint + apart(a.dark, b.dark) / kSameDark + apart(a.marks, b.marks) / kSameMarks +
+           ways / kSameWays;
 }
 
 BarKinds kinds_of(const std::vector<BarFill>& fills, const std::vector<double>& sizes) {

@@ -16,6 +16,7 @@ struct BarFill {
     PixelColour colour{};          ///< of most of it
     double dark = 0;               ///< mean, 0 white to 1
     double marks = 0;              ///< how many begin in a pixel, in a row or column of it
+    double pieces = 0;             ///< of ink that do not touch, for a pixel
     std::array<double, 3> tint{};  ///< how far its mean is off grey in each channel, levels
     std::array<double, 8> ways{};  ///< share of the steps by their direction, from 0 to 180 degrees
 };

@@ -14,4 +14,7 @@ namespace tactics {
 /// are matched at once, each with a kind of its own. Empty unless that is clear for all of them.
 std::vector<Point> bars_like(const Image& picture, const PixelColour& ground, const std::vector<PixelBox>& samples);
 
+/// Whether it has bars of several kinds, so that a hatch in it may be one of several.
+bool has_several_fills(const Image& picture, const PixelColour& ground);
+
 }  // namespace tactics

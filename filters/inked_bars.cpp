@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "filters/darken.h"
 #include "filters/lab.h"
 #include "filters/opencv.h"
 
@@ -126,7 +127,8 @@ void drop_inner(std::vector<RuledCell>& cells) {
 
 // Those that stand on each other have the same sides, and the foot of one is the top of the one below. Two of one kind are one: a
 // line of a grid parts them.
-void join_stacks(std::vector<Standing>& bars, std::vector<std::size_t>& kinds) {
+template <typename IsGrid>
+void join_stacks(std::vector<Standing>& bars, std::vector<std::size_t>& kinds, const IsGrid& is_grid) {
     for (std::size_t i = 0; i < bars.size(); ++i)
         for (std::size_t j = 0; j < bars.size(); ++j) {
             if (i == j || !is_on(bars[i], bars[j])) continue;
@@ -134,7 +136,7 @@ void join_stacks(std::vector<Standing>& bars, std::vector<std::size_t>& kinds) {
             upper.left = lower.left = std::min(upper.left, lower.left);
             upper.right = lower.right = std::max(upper.right, lower.right);
             upper.foot = lower.top = (upper.foot + lower.top) / 2;
-            if (kinds[i] != kinds[j]) continue;
+            if (kinds[i] != kinds[j] || !is_grid(kinds[i], lower)) continue;
             lower.top = upper.top;
             bars.erase(bars.begin() + static_cast<std::ptrdiff_t>(i));
             kinds.erase(kinds.begin() + static_cast<std::ptrdiff_t>(i));
@@ -209,6 +211,28 @@ std::optional<std::pair<int, int>> axis_of(const Image& picture, const PixelColo
     return std::nullopt;
 }
 
+// How dark the darkest row is near there, along the bar's breadth or height.
+double line_depth(const cv::Mat& dark, const InkedBar& bar, bool upright, double at) {
+    constexpr int kNear = 3, kOff = 3;  // pixels
+    double most = 0;
+    for (int i = static_cast<int>(at) - kNear; i <= static_cast<int>(at) + kNear; ++i) {
+        const cv::Rect line =
+            upright ? cv::Rect(i, static_cast<int>(bar.top) + kOff, 1, static_cast<int>(bar.bottom - bar.top) - 2 * kOff)
+                    : cv::Rect(static_cast<int>(bar.left) + kOff, i, static_cast<int>(bar.right - bar.left) - 2 * kOff, 1);
+        if (line.width > 0 && line.height > 0 && (line & cv::Rect(0, 0, dark.cols, dark.rows)) == line)
+            most = std::max(most, cv::mean(dark(line))[0]);
+    }
+    return most;
+}
+
+// What parts two pieces of a hatch is paler than the sides of the bar.
+bool is_paler_than_sides(const cv::Mat& dark, const Standing& lower, bool lying) {
+    constexpr double kPalerThanSides = 0.6;
+    const InkedBar bar = as_it_lies(lower, lying, 0);
+    const double end = lying ? bar.right : bar.top, side = lying ? bar.top : bar.left;
+    return line_depth(dark, bar, lying, end) < kPalerThanSides * line_depth(dark, bar, !lying, side);
+}
+
 // Without its border.
 RuledCell inner_of(RuledCell cell) {
     constexpr int kOff = 2;  // pixels
@@ -217,10 +241,10 @@ RuledCell inner_of(RuledCell cell) {
     return cell;
 }
 
-std::vector<RuledCell> cells_in(const Image& picture, const PixelColour& ground, double mm, int flat) {
+std::vector<RuledCell> cells_in(const Image& picture, const PixelColour& ground, double mm, int flat, int widest) {
     std::vector<RuledCell> cells = ruled_cells_in(picture, ground,
                                                   {std::max(kFewestOfRule, static_cast<int>(std::lround(kShortestRule / mm))),
-                                                   std::max(kFewestOfHatch, static_cast<int>(kHatch / mm)), flat});
+                                                   std::max(kFewestOfHatch, static_cast<int>(kHatch / mm)), flat, widest});
     const double thinnest = std::max(3.0, kThinnestBar / mm), most = kMostOfPicture * picture.width * picture.height;
     std::erase_if(cells, [&](const RuledCell& cell) {
         return std::min(cell.box.width(), cell.box.height()) < thinnest ||
@@ -247,6 +271,11 @@ bool are_boxes(const std::vector<Standing>& bars) {
     return static_cast<double>(bars.size()) >= (ends.size() > 1 ? kMostCellsOfTable : 1) * places;
 }
 
+double area_of(const std::vector<InkedBar>& bars) {
+    return std::accumulate(bars.begin(), bars.end(), 0.0,
+                           [](double sum, const InkedBar& bar) { return sum + (bar.right - bar.left) * (bar.bottom - bar.top); });
+}
+
 std::optional<InkedBars> bars_among(const std::vector<RuledCell>& cells, const Image& picture, double mm) {
     BarChoice best;
     InkedBars found;
@@ -270,7 +299,11 @@ std::optional<InkedBars> bars_among(const std::vector<RuledCell>& cells, const I
     BarKinds kinds = kinds_of(looks, sizes);
     if (kinds.fills.size() > kMostFills || are_boxes(best.bars)) return std::nullopt;
     found.fills = kinds.fills;
-    join_stacks(best.bars, kinds.of);
+    const Image ink = ink_on_white(picture);
+    const cv::Mat dark = 255 - view_of(ink);
+    join_stacks(best.bars, kinds.of, [&](std::size_t kind, const Standing& lower) {
+        return kinds.fills[kind].fill != CellFill::hatch || is_paler_than_sides(dark, lower, found.lying);
+    });
     if (std::none_of(best.bars.begin(), best.bars.end(),
                      [&](const Standing& bar) { return (bar.foot - bar.top) * mm >= kLongerThanMarks; }))
         return std::nullopt;
@@ -282,13 +315,20 @@ std::optional<InkedBars> bars_among(const std::vector<RuledCell>& cells, const I
 }  // namespace
 
 std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& ground, double mm) {
-    for (const int flat : {9, 5}) {
-        auto found = bars_among(cells_in(picture, ground, mm, flat), picture, mm);
-        if (!found) continue;
-        found->axis = axis_of(picture, ground, *found);
-        return found;
+    // Settings for wide lines, for bars close together, and for thin ones; most pictures have not even two filled rectangles.
+    constexpr std::array<std::array<int, 2>, 3> kFlatAndWidest{{{9, 7}, {9, 5}, {5, 5}}};
+    constexpr std::ptrdiff_t kFewestFilled = 2;
+    constexpr double kMore = 1.02;
+    std::optional<InkedBars> best;
+    for (std::size_t i = 0; i < kFlatAndWidest.size() && (i < 2 || !best); ++i) {
+        const std::vector<RuledCell> cells = cells_in(picture, ground, mm, kFlatAndWidest[i][0], kFlatAndWidest[i][1]);
+        const auto is_filled = [](const RuledCell& cell) { return cell.fill != CellFill::ground; };
+        if (i == 0 && std::count_if(cells.begin(), cells.end(), is_filled) < kFewestFilled) return std::nullopt;
+        auto found = bars_among(cells, picture, mm);
+        if (found && (!best || area_of(found->bars) > kMore * area_of(best->bars))) best = std::move(found);
     }
-    return std::nullopt;
+    if (best) best->axis = axis_of(picture, ground, *best);
+    return best;
 }
 
 }  // namespace tactics

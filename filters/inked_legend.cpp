@@ -251,6 +251,12 @@ std::vector<LegendEntry> entries_of_bars(const Image& picture, const std::vector
 std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<LegendWords>& words) {
     const Image ink = ink_on_white(picture);
     const std::vector<KeySample> all = key_samples_in(picture, ink, words);
+    // What looks like the ground may be a hatch of few marks: neither it nor another hatch can be told from the others.
+    constexpr int kAsGround = 6;
+    const auto is_blank = [](const KeySample& one) { return !one.line && !one.hatch && one.off_ground <= kAsGround; };
+    const bool any_blank = std::any_of(all.begin(), all.end(), is_blank);
+    const bool any_hatch = std::any_of(all.begin(), all.end(), [](const KeySample& one) { return one.hatch; });
+    const bool of_several = any_hatch && (any_blank || has_several_fills(picture, ground_of(picture)));
     std::vector<LegendEntry> entries = entries_of_bars(picture, all);
     const std::vector<KeySample> samples = unlike_others(all);
     if (samples.size() < 2) return entries;
@@ -265,7 +271,7 @@ std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<Legen
     const std::vector<DashRow> rows = any_dashes ? dashed_lines_of(ink, picture, samples) : std::vector<DashRow>{};
     const bool of_bars = !entries.empty();
     for (const KeySample& one : samples) {
-        if (of_bars && !one.line) continue;
+        if ((of_bars && !one.line) || (of_several && one.hatch) || is_blank(one)) continue;
         if (one.line && is_grey(one.colour) && !any_dashes) continue;
         const auto at = one.hatch                         ? hatched_place(picture)
                         : one.dashes                      ? place_on_dashes(picture, ink, one, rows, elsewhere, entries)

@@ -17,7 +17,6 @@ namespace {
 // Levels, pixels and shares; settings, all.
 constexpr int kFlatLevels = 14;        // that neighbours in one colour may differ by
 constexpr int kNearFlat = 13;          // pixels that an even place is with the line along it, if it is 9 wide
-constexpr int kWidestRule = 7;         // pixels
 constexpr int kDarkRule = 50;          // levels that a line in such a pattern is darker than it, and
 constexpr double kDarkest = 0.35;      // of its darkest places
 constexpr double kRectangle = 0.85;    // of its box is the cell
@@ -64,20 +63,20 @@ Rules rules_in(const cv::Mat& pixels, const cv::Mat& uneven, const RulePixels& s
     cv::Mat grey = pixels, darkest;
     if (pixels.channels() == 3) cv::cvtColor(pixels, grey, cv::COLOR_RGB2GRAY);
     const cv::Mat dark = 255 - grey, flat = opened_by(~uneven, box_of(sizes.flat, sizes.flat));
-    cv::dilate(dark, darkest, box_of(kWidestRule, kWidestRule));
+    cv::dilate(dark, darkest, box_of(sizes.widest, sizes.widest));
     const auto along = [&](int across, int down) {
         const bool upright = down > across;
         const auto level_runs = [&](const cv::Mat& mask) -> cv::Mat {
             return upright ? without_stairs(mask.t()).t() : without_stairs(mask);
         };
-        const cv::Mat run = box_of(across, down), beside = upright ? box_of(kWidestRule, 1) : box_of(1, kWidestRule);
+        const cv::Mat run = box_of(across, down), beside = upright ? box_of(sizes.widest, 1) : box_of(1, sizes.widest);
         cv::Mat near_flat;
         cv::dilate(flat, near_flat, upright ? box_of(kNearFlat, 1) : box_of(1, kNearFlat));
         const cv::Mat dark_along = opened_by(dark, run), darker = dark_along - opened_by(dark_along, beside);
         const cv::Mat dark_lines = (darker > kDarkRule) & (darker > kDarkest * darkest);
         cv::Mat lines = opened_by(level_runs(dark_lines), run) | opened_by(level_runs(uneven & near_flat), run);
         // At a corner each of two lines hides the end of the other.
-        cv::dilate(lines, lines, upright ? box_of(1, kWidestRule) : box_of(kWidestRule, 1));
+        cv::dilate(lines, lines, upright ? box_of(1, sizes.widest) : box_of(sizes.widest, 1));
         return lines;
     };
     return {along(1, sizes.shortest), along(sizes.shortest, 1)};

@@ -20,10 +20,11 @@ struct RuledCell {
     std::array<double, 4> lines{};  ///< how wide its lines are: left, top, right, bottom; pixels
 };
 
-/// Pixels: how long lines are at least, how far apart the lines of a hatch at most, and how wide a place of one colour is beside
-/// whose border there may be a line. In a coarse hatch there are places of 5, between thin bars none of 9.
+/// Pixels: how long lines are at least, how far apart the lines of a hatch at most, how wide a place of one colour is beside
+/// whose border there may be a line, and how wide lines are at most. In a coarse hatch there are places of 5, between thin bars
+/// none of 9.
 struct RulePixels {
-    int shortest = 10, hatch = 8, flat = 9;
+    int shortest = 10, hatch = 8, flat = 9, widest = 7;
 };
 
 /// The rectangles among them. Cells that the lines of a hatch part are one. Empty where there are more than a few thousand.

@@ -168,7 +168,7 @@ InkedBars of_widths(const std::vector<std::pair<double, double>>& sides, std::si
     for (std::size_t i = 0; i < sides.size(); ++i) found.bars.push_back({sides[i].first, 100, sides[i].second, 200, i % kinds});
     for (std::size_t i = 0; i < kinds; ++i)
         found.fills.push_back(
-            {CellFill::colour, {200 - 80 * static_cast<int>(i), 0, 0}, 0.2 + 0.3 * static_cast<double>(i), 0, {}, {}});
+            {CellFill::colour, {200 - 80 * static_cast<int>(i), 0, 0}, 0.2 + 0.3 * static_cast<double>(i), 0, 0, {}, {}});
     return found;
 }
 
@@ -233,6 +233,23 @@ TEST(BarLegend, EachHatchIsNamedAtBarsOfItsOwn) {
     // Of two samples that look alike none says anything.
     bars[7].fill = kFalling;
     EXPECT_TRUE(legend_in(with_bars(480, 300, bars), words).empty());
+    // Nor where one of them is too small to show its marks.
+    bars[7].fill = kBlank;
+    EXPECT_TRUE(legend_in(with_bars(480, 300, bars), words).empty());
+}
+
+// Their samples are to the left, but as far from the words before.
+TEST(BarLegend, AllWordsHaveTheirSamplesOnOneSide) {
+    std::vector<DrawnBar> bars = beside({kGrey, kRising, kFalling});
+    std::vector<LegendWords> words;
+    const Fill fills[] = {kGrey, kRising, kFalling};
+    for (int i = 0; i < 3; ++i) {
+        bars.push_back({60 + 100 * i, 8, 90 + 100 * i, 22, fills[i]});
+        words.push_back({{104 + 100 * i, 9, 148 + 100 * i, 21}, 12});
+    }
+    const std::vector<LegendEntry> entries = legend_in(with_bars(480, 300, bars), words);
+    ASSERT_EQ(entries.size(), 3u);
+    for (const LegendEntry& entry : entries) EXPECT_EQ(static_cast<std::size_t>((entry.at.x - 40) / 70) % 3, entry.words);
 }
 
 TEST(KnownParts, BarsOfBlackAndWhiteDrawingsAreDrawnAsSuch) {
