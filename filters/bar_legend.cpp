@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "filters/inked_bars.h"
+#include "filters/darken.h"
+#include "filters/lab.h"
 
 namespace tactics {
 
@@ -200,12 +201,13 @@ bool is_even(const InkedBars& found) {
 
 }  // namespace
 
-std::vector<Point> bars_like(const Image& picture, const PixelColour& ground, const std::vector<PixelBox>& samples) {
-    if (samples.size() < 2) return {};
-    const double mm = pixel_of_page(picture);
-    const auto found = inked_bars_in(picture, ground, mm);
-    if (!found || found->fills.size() < samples.size() || found->fills.size() > kMostMatched) return {};
-    if (!is_even(*found)) return {};
+std::optional<InkedBars> bars_of(const Image& picture) {
+    return inked_bars_in(picture, ground_of(picture), pixel_of_page(picture));
+}
+
+std::vector<Point> places_like(const std::vector<PixelBox>& samples, const InkedBars& bars, const Image& picture) {
+    if (samples.size() < 2 || bars.fills.size() < samples.size() || bars.fills.size() > kMostMatched || !is_even(bars)) return {};
+    const PixelColour ground = ground_of(picture);
     std::vector<std::vector<double>> costs;
     std::vector<BarFill> fills;
     for (const PixelBox& box : samples) {
@@ -214,17 +216,12 @@ std::vector<Point> bars_like(const Image& picture, const PixelColour& ground, co
             return {};
         fills.push_back(fill);
         costs.emplace_back();
-        for (const BarFill& kind : found->fills) costs.back().push_back(unlike(fill, kind));
+        for (const BarFill& kind : bars.fills) costs.back().push_back(unlike(fill, kind));
     }
     std::vector<Point> places;
-    for (const std::size_t kind : kinds_of_samples(costs, kinds_by_order(*found, samples)))
-        places.push_back(place_on(*found, picture, kind, kWords / mm));
+    for (const std::size_t kind : kinds_of_samples(costs, kinds_by_order(bars, samples)))
+        places.push_back(place_on(bars, picture, kind, kWords / pixel_of_page(picture)));
     return places;
-}
-
-bool has_several_fills(const Image& picture, const PixelColour& ground) {
-    const auto found = inked_bars_in(picture, ground, pixel_of_page(picture));
-    return found && found->fills.size() > 1;
 }
 
 }  // namespace tactics

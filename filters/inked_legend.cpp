@@ -235,15 +235,19 @@ std::optional<Point> place_on_grey(const Image& picture, const Image& ink, const
     return farthest_on(curve, curve, ink, before);
 }
 
-std::vector<LegendEntry> entries_of_bars(const Image& picture, const std::vector<KeySample>& samples) {
-    std::vector<KeySample> surfaces = samples;
-    std::erase_if(surfaces, [](const KeySample& one) { return one.line; });
+std::vector<LegendEntry> entries_of_bars(const Image& picture, const std::vector<KeySample>& surfaces, const InkedBars& bars) {
     std::vector<PixelBox> boxes;
     for (const KeySample& one : surfaces) boxes.push_back(one.box);
-    const std::vector<Point> places = bars_like(picture, ground_of(picture), boxes);
+    const std::vector<Point> places = places_like(boxes, bars, picture);
     std::vector<LegendEntry> entries;
     for (std::size_t i = 0; i < places.size(); ++i) entries.push_back({surfaces[i].words, surfaces[i].box, places[i]});
     return entries;
+}
+
+// A hatch of few marks may look like the ground: neither it nor another hatch can be told from the others.
+bool is_blank(const KeySample& one) {
+    constexpr int kAsGround = 6;  // levels
+    return !one.line && !one.hatch && one.off_ground <= kAsGround;
 }
 
 }  // namespace
@@ -251,13 +255,11 @@ std::vector<LegendEntry> entries_of_bars(const Image& picture, const std::vector
 std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<LegendWords>& words) {
     const Image ink = ink_on_white(picture);
     const std::vector<KeySample> all = key_samples_in(picture, ink, words);
-    // What looks like the ground may be a hatch of few marks: neither it nor another hatch can be told from the others.
-    constexpr int kAsGround = 6;
-    const auto is_blank = [](const KeySample& one) { return !one.line && !one.hatch && one.off_ground <= kAsGround; };
-    const bool any_blank = std::any_of(all.begin(), all.end(), is_blank);
-    const bool any_hatch = std::any_of(all.begin(), all.end(), [](const KeySample& one) { return one.hatch; });
-    const bool of_several = any_hatch && (any_blank || has_several_fills(picture, ground_of(picture)));
-    std::vector<LegendEntry> entries = entries_of_bars(picture, all);
+    std::vector<KeySample> surfaces = all;
+    std::erase_if(surfaces, [](const KeySample& one) { return one.line; });
+    const std::optional<InkedBars> bars = surfaces.size() > 1 ? bars_of(picture) : std::nullopt;
+    std::vector<LegendEntry> entries = bars ? entries_of_bars(picture, surfaces, *bars) : std::vector<LegendEntry>();
+    const bool several = (bars && bars->fills.size() > 1) || std::any_of(surfaces.begin(), surfaces.end(), is_blank);
     const std::vector<KeySample> samples = unlike_others(all);
     if (samples.size() < 2) return entries;
     cv::Mat elsewhere(picture.height, picture.width, CV_8U, cv::Scalar(255));
@@ -271,7 +273,7 @@ std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<Legen
     const std::vector<DashRow> rows = any_dashes ? dashed_lines_of(ink, picture, samples) : std::vector<DashRow>{};
     const bool of_bars = !entries.empty();
     for (const KeySample& one : samples) {
-        if ((of_bars && !one.line) || (of_several && one.hatch) || is_blank(one)) continue;
+        if ((of_bars && !one.line) || (several && one.hatch) || is_blank(one)) continue;
         if (one.line && is_grey(one.colour) && !any_dashes) continue;
         const auto at = one.hatch                         ? hatched_place(picture)
                         : one.dashes                      ? place_on_dashes(picture, ink, one, rows, elsewhere, entries)
