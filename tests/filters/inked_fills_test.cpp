@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surfaces with one colour or a hatch, which get textures.
+#include "filters/inked_fills.h"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -7,7 +9,6 @@
 #include <vector>
 
 #include "filters/darken.h"
-#include "filters/inked_fills.h"
 #include "filters/known_parts.h"
 #include "tests/filters/pictures.h"
 
