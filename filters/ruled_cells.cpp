@@ -15,13 +15,14 @@ namespace tactics {
 namespace {
 
 // Levels, pixels and shares; settings, all.
-constexpr int kFlatLevels = 14;        // that neighbours in one colour may differ by
-constexpr int kNearFlat = 13;          // pixels that an even place is with the line along it, if it is 9 wide
-constexpr int kDarkRule = 50;          // levels that a line in such a pattern is darker than it, and
-constexpr double kDarkest = 0.35;      // of its darkest places
-constexpr double kRectangle = 0.85;    // of its box is the cell
-constexpr double kWholePicture = 0.8;  // of the picture's width; a frame
-constexpr int kSameSide = 2;           // pixels
+constexpr int kFlatLevels = 14;    // that neighbours in one colour may differ by
+constexpr int kNearFlat = 13;      // pixels that an even place is with the line along it, if it is 9 wide
+constexpr int kDarkRule = 50;      // levels that a line in such a pattern is darker than it, and
+constexpr double kDarkest = 0.35;  // of its darkest places
+constexpr double kRectangle = 0.85,
+                 kFilledRectangle = 0.95;  // of its box is the cell; and is one of one colour, which a disc is not
+constexpr double kWholePicture = 0.8;      // of the picture's width; a frame
+constexpr int kSameSide = 2;               // pixels
 constexpr int kSameLevels = 20;
 constexpr double kBlankCell = 0.05, kCrossedCell = 0.3;  // of a cell that is blank, and of one in a colour, next to other colours
 constexpr double kSpread = 0.3;                          // of that share has each ninth of a hatch
@@ -143,6 +144,7 @@ std::vector<RuledCell> cells_between(const cv::Mat& pixels, const cv::Mat& uneve
         const cv::Mat own = labels(box) == i;
         const PixelColour colour = middle_colour_of(pixels(box), own);
         const CellFill fill = fill_of_all(uneven(box) & own, size, same_colour(colour, ground));
+        if (fill == CellFill::colour && size < kFilledRectangle * box.area()) continue;
         cells.push_back({{box.x, box.y, box.br().x, box.br().y}, fill, colour, {}});
     }
     return cells;

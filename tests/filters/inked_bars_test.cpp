@@ -136,6 +136,14 @@ TEST(InkedBars, AreNoSquaresOfAPlotNorBoxesOfADiagram) {
                                       : kFalling});
     }
     EXPECT_FALSE(inked_bars_in(with_bars(480, 300, table), kWhite, pictures::kPixel));
+    // Points over each other, on the lines of a grid, so that their sides are straight.
+    const Image points = pictures::drawn(440, 300, [](int x, int y) {
+        for (int i = 0; i < 6; ++i)
+            for (const int on : {100, 150, 130 + 14 * i})
+                if (std::hypot(x - 60 - 60 * i, y - on) < 11) return 0;
+        return x % 60 == 0 || y % 50 == 0 ? 200 : 255;
+    });
+    EXPECT_FALSE(inked_bars_in(points, kWhite, pictures::kPixel));
     const Image tiny = pictures::drawn(3, 2, [](int x, int) { return x * 90; });
     EXPECT_FALSE(inked_bars_in(tiny, kWhite, 60));
 }
