@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "filters/lab.h"
 #include "filters/opencv.h"
@@ -39,6 +41,37 @@ bool is_of_marks(const BarFill& fill) {
     return *std::max_element(fill.ways.begin(), fill.ways.end()) < kNoWay;
 }
 
+void drop_kind(BarKinds& kinds, std::size_t gone) {
+    for (std::size_t& kind : kinds.of)
+        if (kind > gone) --kind;
+    kinds.fills.erase(kinds.fills.begin() + static_cast<std::ptrdiff_t>(gone));
+}
+
+// The commonest kind at that place of all groups, if most have it.
+std::optional<std::size_t> kind_at(const BarKinds& kinds, const std::vector<std::vector<std::size_t>>& groups,
+                                   std::size_t place) {
+    constexpr double kMost = 0.55;
+    std::vector<std::size_t> counts(kinds.fills.size());
+    for (const auto& group : groups) ++counts[kinds.of[group[place]]];
+    const auto most = std::max_element(counts.begin(), counts.end());
+    if (static_cast<double>(*most) < kMost * static_cast<double>(groups.size())) return std::nullopt;
+    return static_cast<std::size_t>(most - counts.begin());
+}
+
+// Those of the commonest size, if that is two or more, and most have it; else none.
+std::vector<std::vector<std::size_t>> groups_of_one_size(std::vector<std::vector<std::size_t>> groups) {
+    constexpr std::size_t kFewestGroups = 3;
+    constexpr double kMostGroups = 0.6;
+    std::map<std::size_t, std::size_t> sizes;
+    for (const auto& group : groups) ++sizes[group.size()];
+    std::size_t size = 0;
+    for (const auto& [one, count] : sizes)
+        if (one > 1 && count >= kFewestGroups && static_cast<double>(count) >= kMostGroups * static_cast<double>(groups.size()))
+            size = one;
+    std::erase_if(groups, [&](const auto& group) { return group.size() != size; });
+    return groups;
+}
+
 // A kind of one surface only that is nearly like another one is that: something crosses it.
 void join_strays(BarKinds& kinds) {
     constexpr double kNearlyLike = 2;
@@ -53,11 +86,8 @@ void join_strays(BarKinds& kinds) {
                 nearest = i;
             }
         if (nearest == stray) continue;
-        for (std::size_t& kind : kinds.of) {
-            if (kind == stray) kind = nearest;
-            if (kind > stray) --kind;
-        }
-        kinds.fills.erase(kinds.fills.begin() + static_cast<std::ptrdiff_t>(stray));
+        std::replace(kinds.of.begin(), kinds.of.end(), stray, nearest);
+        drop_kind(kinds, stray);
     }
 }
 
@@ -126,6 +156,33 @@ BarKinds kinds_of(const std::vector<BarFill>& fills, const std::vector<double>& 
     }
     join_strays(kinds);
     return kinds;
+}
+
+void even_out(BarKinds& kinds, const std::vector<BarFill>& fills, const std::vector<std::vector<std::size_t>>& groups) {
+    constexpr double kMayBe = 4;
+    const auto even = groups_of_one_size(groups);
+    if (even.empty()) return;
+    std::vector<std::size_t> common;
+    for (std::size_t place = 0; place < even[0].size(); ++place) {
+        const auto kind = kind_at(kinds, even, place);
+        if (!kind || std::find(common.begin(), common.end(), *kind) != common.end()) return;
+        common.push_back(*kind);
+    }
+    const auto off = [&](std::size_t fill, std::size_t kind) { return unlike(fills[fill], kinds.fills[kind]); };
+    const auto become = [&](std::size_t fill, std::size_t kind) {
+        if (fills[fill].fill == CellFill::hatch && off(fill, kind) < kMayBe) kinds.of[fill] = kind;
+    };
+    for (const auto& group : groups)
+        for (std::size_t place = 0; place < group.size(); ++place) {
+            if (group.size() == common.size())
+                become(group[place], common[place]);
+            else if (std::find(common.begin(), common.end(), kinds.of[group[place]]) == common.end())
+                become(group[place], *std::min_element(common.begin(), common.end(), [&](std::size_t a, std::size_t b) {
+                           return off(group[place], a) < off(group[place], b);
+                       }));
+        }
+    for (std::size_t kind = kinds.fills.size(); kind-- > 0;)
+        if (std::find(kinds.of.begin(), kinds.of.end(), kind) == kinds.of.end()) drop_kind(kinds, kind);
 }
 
 }  // namespace tactics

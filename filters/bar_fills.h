@@ -35,4 +35,8 @@ struct BarKinds {
 /// `sizes`: of the surfaces with these fills; in small ones a hatch is not seen as well.
 BarKinds kinds_of(const std::vector<BarFill>& fills, const std::vector<double>& sizes);
 
+/// In each of `groups`, numbers of fills that stand beside or on each other, the same kinds follow each other, where most groups
+/// say so: a hatch in a few pixels may look like another one. Colours stay what they are.
+void even_out(BarKinds& kinds, const std::vector<BarFill>& fills, const std::vector<std::vector<std::size_t>>& groups);
+
 }  // namespace tactics

@@ -43,12 +43,16 @@ double thinnest(const std::vector<Upright>& bars) {
     return least;
 }
 
-// The sides of two that are closer than a finger can tell are one.
+// The sides of two that are closer than a finger can tell are one, also where one was seen a bit too wide.
 void join_sides(std::vector<Upright>& bars) {
+    const double closest = std::min(kLineGap, thinnest(bars) / 2);
     std::map<double, double> moved;
     for (const Upright& a : bars)
-        for (const Upright& b : bars)
-            if (b.left > a.right && b.left - a.right < kLineGap) moved[a.right] = moved[b.left] = (a.right + b.left) / 2;
+        for (const Upright& b : bars) {
+            const double between = b.left - a.right;
+            if (b.left > a.left && b.right > a.right && between != 0 && (between > 0 ? between < kLineGap : -between < closest))
+                moved[a.right] = moved[b.left] = (a.right + b.left) / 2;
+        }
     for (Upright& bar : bars) {
         if (const auto at = moved.find(bar.left); at != moved.end()) bar.left = at->second;
         if (const auto at = moved.find(bar.right); at != moved.end()) bar.right = at->second;

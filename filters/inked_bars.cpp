@@ -276,6 +276,30 @@ double area_of(const std::vector<InkedBar>& bars) {
                            [](double sum, const InkedBar& bar) { return sum + (bar.right - bar.left) * (bar.bottom - bar.top); });
 }
 
+// Bars that stand on each other, from the base on; or if none do, those beside each other with less than half of their width
+// between.
+std::vector<std::vector<std::size_t>> groups_among(const std::vector<Standing>& bars, double base) {
+    constexpr double kBetween = 0.5;
+    std::vector<std::size_t> order(bars.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const double off = bars[a].left - bars[b].left;
+        return std::abs(off) > kTouch ? off < 0 : bars[a].top > bars[b].top;
+    });
+    const bool stacked = std::any_of(bars.begin(), bars.end(), [&](const Standing& bar) {
+        return std::min(std::abs(bar.foot - base), std::abs(bar.top - base)) > kStacked;
+    });
+    std::vector<std::vector<std::size_t>> groups;
+    for (const std::size_t i : order) {
+        const Standing* before = groups.empty() ? nullptr : &bars[groups.back().back()];
+        const bool goes_on = before != nullptr && (stacked ? std::abs(bars[i].left - before->left) <= kTouch
+                                                           : bars[i].left - before->right < kBetween * before->width());
+        if (!goes_on) groups.emplace_back();
+        groups.back().push_back(i);
+    }
+    return groups;
+}
+
 std::optional<InkedBars> bars_among(const std::vector<RuledCell>& cells, const Image& picture, double mm) {
     BarChoice best;
     InkedBars found;
@@ -297,6 +321,7 @@ std::optional<InkedBars> bars_among(const std::vector<RuledCell>& cells, const I
         sizes.push_back(bar.area());
     }
     BarKinds kinds = kinds_of(looks, sizes);
+    even_out(kinds, looks, groups_among(best.bars, best.base));
     if (kinds.fills.size() > kMostFills || are_boxes(best.bars)) return std::nullopt;
     found.fills = kinds.fills;
     const Image ink = ink_on_white(picture);

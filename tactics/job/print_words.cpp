@@ -192,20 +192,33 @@ void forget_samples(PrintWords& words) {
     }
 }
 
-// Nearly all of it is darker than what is beside it.
+// It is darker than what is beside it nearly all over, or along all of its sides.
 bool is_block(const Image& grey, const PixelBox& box) {
     constexpr double kAllOver = 0.8;
-    constexpr int kPaler = 25, kBeside = 3;  // levels; pixels
+    constexpr int kPaler = 25, kBeside = 3, kSide = 2;  // levels; pixels
     const int y = (box.top + box.bottom) / 2, before = box.left - kBeside, behind = box.right + kBeside;
     if (before < 0 || behind >= grey.width || box.bottom > grey.height || y >= grey.height) return false;
+    if (std::min(box.width(), box.height()) <= 2 * kSide) return false;
     const int ground = std::min(grey.row(y)[before], grey.row(y)[behind]);
-    int dark = 0;
-    for (int v = box.top; v < box.bottom; ++v)
-        for (int u = box.left; u < box.right; ++u) dark += grey.row(v)[u] < ground - kPaler ? 1 : 0;
-    return dark > kAllOver * box.width() * box.height();
+    const auto is_dark = [&](int left, int top, int right, int bottom) {
+        int dark = 0;
+        for (int v = top; v < bottom; ++v)
+            for (int u = left; u < right; ++u) dark += grey.row(v)[u] < ground - kPaler ? 1 : 0;
+        return dark > kAllOver * (right - left) * (bottom - top);
+    };
+    const auto has_line = [&](int left, int top, int right, int bottom) {
+        const bool upright = bottom - top > right - left;
+        for (int i = 0; i < kSide; ++i)
+            if (upright ? is_dark(left + i, top, left + i + 1, bottom) : is_dark(left, top + i, right, top + i + 1)) return true;
+        return false;
+    };
+    return is_dark(box.left, box.top, box.right, box.bottom) || (has_line(box.left, box.top, box.left + kSide, box.bottom) &&
+                                                                 has_line(box.right - kSide, box.top, box.right, box.bottom) &&
+                                                                 has_line(box.left, box.top, box.right, box.top + kSide) &&
+                                                                 has_line(box.left, box.bottom - kSide, box.right, box.bottom));
 }
 
-// Without unread print that is a dark box all over: samples of a legend are as large as letters.
+// Without unread print that is a box: samples of a legend are as large as letters.
 Lettering without_blocks(const PrintWords& words, const Image& grey) {
     Lettering print = words.lettering;
     const double across = static_cast<double>(grey.width) / print.width, down = static_cast<double>(grey.height) / print.height;

@@ -191,6 +191,31 @@ TEST(FeltBars, ShareASideWhereAFingerFeelsNoGap) {
     EXPECT_EQ(uprights_of(felt_bars(of_widths({{10, 20}, {22, 32}, {50, 60}}, 1), 1)), (std::set<double>{10, 21, 32, 50, 60}));
 }
 
+TEST(FeltBars, ShareASideThatWasSeenTooWide) {
+    EXPECT_EQ(uprights_of(felt_bars(of_widths({{10, 21}, {20, 30}, {50, 60}}, 1), 1)), (std::set<double>{10, 20.5, 30, 50, 60}));
+}
+
+BarFill hatch_of(double dark, double marks) { return {CellFill::hatch, kWhite, dark, marks, 0, {}, {1, 0, 0, 0, 0, 0, 0, 0}}; }
+
+// One of the bars, and one in a group that lacks another one, look like neither kind.
+TEST(BarFills, FollowEachOtherInAllGroupsAsInMost) {
+    const BarFill pale = hatch_of(0.1, 0.05), deep = hatch_of(0.4, 0.2), odd = hatch_of(0.2, 0.08);
+    const std::vector<BarFill> fills{pale, deep, pale, deep, pale, odd, pale, deep, odd};
+    BarKinds kinds = kinds_of(fills, std::vector<double>(fills.size(), 1));
+    EXPECT_EQ(kinds.fills.size(), 3u);
+    even_out(kinds, fills, {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {8}});
+    EXPECT_EQ(kinds.fills.size(), 2u);
+    EXPECT_EQ(kinds.of[5], kinds.of[1]);
+    EXPECT_EQ(kinds.of[8], kinds.of[0]);
+    // A colour is what it is.
+    std::vector<BarFill> colours(6, BarFill{CellFill::colour, {200, 0, 0}, 0.5, 0, 0, {}, {}});
+    for (const std::size_t i : {1u, 3u}) colours[i].colour = {0, 0, 200};
+    colours[5].colour = {0, 200, 0};
+    BarKinds three = kinds_of(colours, std::vector<double>(6, 1));
+    even_out(three, colours, {{0, 1}, {2, 3}, {4, 5}});
+    EXPECT_EQ(three.fills.size(), 3u);
+}
+
 // Thin ones take the free room between their groups; where there is none they are too thin.
 TEST(FeltBars, AreAsWideAsAFingerNeeds) {
     const std::set<double> sides =
