@@ -18,7 +18,7 @@ namespace {
 // mm on the page. The gap is that between any two lines (rules/gap.cpp), with their width. A texture needs 6.4 mm with the gap to
 // the outline on both sides, and some have two lines only on what is 14 mm wide.
 constexpr double kLineGap = 3.4, kHoldsTexture = 14, kRungs = 4.6;
-constexpr float kBarStrength = 255;  // as strong as an edge can be
+constexpr float kBarStrength = 60;  // less than that of curves over them, which say more
 
 // A bar as if it stood on y = 0 and grew with y.
 struct Upright {

@@ -340,9 +340,9 @@ std::optional<InkedBars> bars_among(const std::vector<RuledCell>& cells, const I
 }  // namespace
 
 std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& ground, double mm) {
-    // Settings for wide lines, for bars close together, and for thin ones; most pictures have not even two filled rectangles.
+    // Settings for wide lines, for bars close together, and for thin ones; most pictures have not even one filled rectangle.
     constexpr std::array<std::array<int, 2>, 3> kFlatAndWidest{{{9, 7}, {9, 5}, {5, 5}}};
-    constexpr std::ptrdiff_t kFewestFilled = 2;
+    constexpr std::ptrdiff_t kFewestFilled = 1;
     constexpr double kMore = 1.02;
     std::optional<InkedBars> best;
     for (std::size_t i = 0; i < kFlatAndWidest.size() && (i < 2 || !best); ++i) {

@@ -15,7 +15,8 @@ namespace {
 constexpr int kBarBorder = 3;  // on both sides of its outline
 constexpr int kOtherInk = 60;  // levels that what crosses a bar differs from it by
 constexpr int kLongPiece = 8, kLongInHatch = 14;
-constexpr int kOverSide = 9;                 // a line that crosses a side goes on within so much
+constexpr int kOverSide = 15,
+              kOverMarks = 9;                // a line goes on over a side of a bar, and over the marks of a hatch, within so much
 constexpr int kClosest = 3, kFarthest = 40;  // of the marks of a hatch
 constexpr double kRepeats = 0.6;             // of the marks are there again
 
@@ -89,7 +90,7 @@ cv::Mat crosses_hatch(const cv::Mat& ink) {
     const int across = period_of(ink), down = period_of(turned);
     if (across == 0 || down == 0) return cv::Mat::zeros(ink.size(), CV_8U);
     cv::Mat other = ink & ~(repeated(ink, across) & repeated(turned, down).t());
-    other = closed_by(other, std::min(kOverSide, std::max(across, down) + 1)) & ink;
+    other = closed_by(other, std::min(kOverMarks, std::max(across, down) + 1)) & ink;
     keep_long(other, std::max(kLongInHatch, 2 * std::max(across, down)));
     return other;
 }
