@@ -20,7 +20,7 @@ constexpr int kSameFill = 20;  // levels in any channel
 // Logarithms, shares and levels by which two hatches differ; settings.
 constexpr double kSameDark = 0.5, kSameMarks = 0.5, kSameWays = 0.6, kSamePieces = 0.7, kSameTint = 15;
 
-// How many begin in a row, for its length.
+// How many begin along rows, for each pixel.
 double marks_in(const cv::Mat& grey) {
     const double middle = cv::mean(grey)[0];
     int begun = 0;

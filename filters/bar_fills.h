@@ -15,8 +15,8 @@ struct BarFill {
     CellFill fill = CellFill::ground;
     PixelColour colour{};          ///< of most of it
     double dark = 0;               ///< mean, 0 white to 1
-    double marks = 0;              ///< how many begin in a pixel, in a row or column of it
-    double pieces = 0;             ///< of ink that do not touch, for a pixel
+    double marks = 0;              ///< how many begin along rows and along columns, for each pixel
+    double pieces = 0;             ///< pieces of ink that do not touch, for each pixel
     std::array<double, 3> tint{};  ///< how far its mean is off grey in each channel, levels
     std::array<double, 8> ways{};  ///< share of the steps by their direction, from 0 to 180 degrees
 };

@@ -140,53 +140,44 @@ BarFill sample_fill(const Image& picture, const PixelColour& ground, const Pixel
     return bar_fill_of(picture, cell_at(picture, ground, box));
 }
 
-// A side of a bar where words may stand, and which way is out.
-struct FreeSide {
-    Point at, out;
-    double room = 0;  // pixels to the next bar or the edge of the picture, up to what words need
-    double far = 0;   // from the base
-};
-
-// What is free before a side, so wide as a word.
+// What is free before a side that looks that way: as wide as a word, to the next bar or the edge of the picture, up to what words
+// need. Pixels.
 double room_at(const InkedBars& found, const Image& picture, Point at, Point out, double most) {
-    const double half = most / 2;
-    double room = std::min(most, out.x > 0 ? picture.width - at.x : out.x < 0 ? at.x : out.y > 0 ? picture.height - at.y : at.y);
+    const auto off = [&](double x, double y) { return (x - at.x) * out.x + (y - at.y) * out.y; };
+    double room = std::min(most, std::max(off(0, 0), off(picture.width, picture.height)));
     for (const InkedBar& bar : found.bars) {
         const double across =
             out.x != 0 ? std::max(bar.top - at.y, at.y - bar.bottom) : std::max(bar.left - at.x, at.x - bar.right);
-        if (across > half) continue;
-        const double near = out.x > 0   ? bar.left - at.x
-                            : out.x < 0 ? at.x - bar.right
-                            : out.y > 0 ? bar.top - at.y
-                                        : at.y - bar.bottom;
-        const double far = out.x > 0   ? bar.right - at.x
-                           : out.x < 0 ? at.x - bar.left
-                           : out.y > 0 ? bar.bottom - at.y
-                                       : at.y - bar.top;
-        if (far > 1) room = std::min(room, std::max(0.0, near));
+        const auto [near, far] = std::minmax({off(bar.left, bar.top), off(bar.right, bar.bottom)});
+        if (across <= most / 2 && far > 1) room = std::min(room, std::max(0.0, near));
     }
     return room;
 }
 
 // Of all bars of its kind the side with most room, and of these the one farthest from the base; or within one.
 Point place_on(const InkedBars& found, const Image& picture, std::size_t kind, double most) {
-    FreeSide best;
-    best.room = -1;
+    Point best;
+    double best_room = -1, best_far = 0;
+    const auto offer = [&](Point at, double room, double far) {
+        if (room < best_room || (room == best_room && far <= best_far)) return;
+        best = at;
+        best_room = room;
+        best_far = far;
+    };
     for (const InkedBar& bar : found.bars) {
         if (bar.fill != kind) continue;
-        const double x = (bar.left + bar.right) / 2, y = (bar.top + bar.bottom) / 2;
-        for (const auto& [at, out] : {std::pair{Point{x, bar.top}, Point{0, -1}}, std::pair{Point{x, bar.bottom}, Point{0, 1}},
-                                      std::pair{Point{bar.left, y}, Point{-1, 0}}, std::pair{Point{bar.right, y}, Point{1, 0}}}) {
+        const Point middle = middle_of(bar);
+        for (const auto& [at, out] :
+             {std::pair{Point{middle.x, bar.top}, Point{0, -1}}, std::pair{Point{middle.x, bar.bottom}, Point{0, 1}},
+              std::pair{Point{bar.left, middle.y}, Point{-1, 0}}, std::pair{Point{bar.right, middle.y}, Point{1, 0}}}) {
             const double far = std::abs((found.lying ? at.x : at.y) - found.base);
             const bool is_base = far < 2 && (found.lying ? out.x : out.y) != 0;
-            const double room = is_base ? 0 : room_at(found, picture, at, out, most);
-            if (room > best.room || (room == best.room && far > best.far)) best = {at, out, room, far};
+            offer(at, is_base ? 0 : room_at(found, picture, at, out, most), far);
         }
         constexpr double kLine = 0.4;  // of what words need: as high as a line of braille with its gaps
-        const double within = std::min({most, bar.right - bar.left, (bar.bottom - bar.top) / kLine});
-        if (within > best.room) best = {{x, y}, {}, within, 0};
+        offer(middle, std::min({most, bar.right - bar.left, (bar.bottom - bar.top) / kLine}), 0);
     }
-    return best.at;
+    return best;
 }
 
 // There are about as many bars of each kind: else some are missing, or one kind was taken for two.

@@ -118,10 +118,9 @@ Found flats_of(const cv::Mat& pixels, const MeanColour& ground, double mm) {
     const double least = kHatchGap / mm;
     std::vector<Part> parts;
     for (int i = 1; i < count; ++i) {
-        const int wide = stats.at<int>(i, cv::CC_STAT_WIDTH), high = stats.at<int>(i, cv::CC_STAT_HEIGHT);
-        const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP), wide, high);
+        const cv::Rect box = box_of_piece(stats, i);
         const bool is_cut = box.x == 0 || box.y == 0 || box.br().x == pixels.cols || box.br().y == pixels.rows;
-        if ((std::min(wide, high) < least && !is_cut) || parts.size() == kMostParts) continue;
+        if ((std::min(box.width, box.height) < least && !is_cut) || parts.size() == kMostParts) continue;
         const cv::Mat own = labels(box) == i;
         const double width = widest(own);
         if (width < least && !(is_cut && widest(gone_on(own, box, pixels.size(), least)) >= least)) continue;

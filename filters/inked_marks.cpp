@@ -255,8 +255,7 @@ ChosenPlaces choose_places(const Inks& inks, const std::vector<MarkKind>& kinds,
         const std::size_t before = trial.taken.size();
         for (const MarkPlace& place : own)
             if (!kinds[place.kind].joined && place.worth >= kOverlapped && trial.is_new(place)) trial.take(place);
-        const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
-                           stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+        const cv::Rect box = box_of_piece(stats, i);
         const cv::Mat piece = labels(box) == i;
         if (cv::countNonZero(piece & trial.seen()(box)) >= kAll * stats.at<int>(i, cv::CC_STAT_AREA) &&
             !is_any_line(piece & ~spread(trial.seen()(box), 1), box.tl(), std::span(trial.taken).subspan(before), kinds)) {

@@ -45,11 +45,6 @@ cv::Mat with_corners(const cv::Mat& core, const cv::Mat& ink, int near) {
     return own;
 }
 
-cv::Rect box_of_piece(const cv::Mat& stats, int piece) {
-    return {stats.at<int>(piece, cv::CC_STAT_LEFT), stats.at<int>(piece, cv::CC_STAT_TOP),
-            stats.at<int>(piece, cv::CC_STAT_WIDTH), stats.at<int>(piece, cv::CC_STAT_HEIGHT)};
-}
-
 cv::Rect with_margin(const cv::Rect& box) {
     return {box.x - kMarkMargin, box.y - kMarkMargin, box.width + 2 * kMarkMargin, box.height + 2 * kMarkMargin};
 }

@@ -54,6 +54,11 @@ cv::Scalar colour_near(const Image& picture, cv::Point pixel) {
     return {1.0 * at[0], picture.channels == 3 ? 1.0 * at[1] : 0, picture.channels == 3 ? 1.0 * at[2] : 0};
 }
 
+cv::Rect box_of_piece(const cv::Mat& stats, int piece) {
+    return {stats.at<int>(piece, cv::CC_STAT_LEFT), stats.at<int>(piece, cv::CC_STAT_TOP),
+            stats.at<int>(piece, cv::CC_STAT_WIDTH), stats.at<int>(piece, cv::CC_STAT_HEIGHT)};
+}
+
 cv::Mat spread(const cv::Mat& mask, int by) {
     cv::Mat wide;
     cv::dilate(mask, wide, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(2 * by + 1, 2 * by + 1)));

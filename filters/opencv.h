@@ -41,6 +41,9 @@ std::vector<PixelStep> steps_to(const std::vector<cv::Point>& pixels);
 /// The colour of that pixel, to draw with; outside the picture that of the nearest.
 cv::Scalar colour_near(const Image& picture, cv::Point pixel);
 
+/// Of a piece that cv::connectedComponentsWithStats found.
+cv::Rect box_of_piece(const cv::Mat& stats, int piece);
+
 /// A mask grown by so many pixels to all sides, and over corners.
 cv::Mat spread(const cv::Mat& mask, int by);
 

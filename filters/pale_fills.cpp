@@ -58,8 +58,7 @@ std::vector<cv::Mat> pale_surfaces(const cv::Mat& pixels, const cv::Mat& strengt
     };
     std::vector<Surface> surfaces;
     for (int i = 1; i < count; ++i) {
-        const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
-                           stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+        const cv::Rect box = box_of_piece(stats, i);
         const cv::Scalar mean = cv::mean(pixels(box), labels(box) == static_cast<double>(i));
         const PaleColour colour{mean[0], mean[1], mean[2]};
         auto same = std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& other) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <optional>
 #include <utility>
 
 #include "filters/opencv.h"
@@ -101,11 +100,7 @@ PixelColour middle_colour_of(const cv::Mat& pixels, const cv::Mat& mask) {
     return middle;
 }
 
-bool same_colour(const PixelColour& a, const PixelColour& b) {
-    for (std::size_t c = 0; c < 3; ++c)
-        if (std::abs(a[c] - b[c]) > kSameLevels) return false;
-    return true;
-}
+bool same_colour(const PixelColour& a, const PixelColour& b) { return channels_apart(a, b) <= kSameLevels; }
 
 // The marks of a hatch are all over it; a curve crosses a part of a cell.
 bool is_all_over(const cv::Mat& busy, double share) {
@@ -135,8 +130,7 @@ std::vector<RuledCell> cells_between(const cv::Mat& pixels, const cv::Mat& uneve
     const int count = cv::connectedComponentsWithStats(~rules, labels, stats, middles, 4, CV_32S);
     std::vector<RuledCell> cells;
     for (int i = 1; i < count; ++i) {
-        const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
-                           stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+        const cv::Rect box = box_of_piece(stats, i);
         const int size = stats.at<int>(i, cv::CC_STAT_AREA);
         if (std::min(box.width, box.height) < 2 || box.width > kWholePicture * pixels.cols || size < kRectangle * box.area())
             continue;

@@ -39,8 +39,7 @@ void keep_long(cv::Mat& mask, int least) {
     cv::Mat labels, stats, middles;
     const int count = cv::connectedComponentsWithStats(mask, labels, stats, middles, 8, CV_32S);
     for (int i = 1; i < count; ++i) {
-        const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
-                           stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+        const cv::Rect box = box_of_piece(stats, i);
         if (std::max(box.width, box.height) < least) mask(box).setTo(0, labels(box) == i);
     }
 }
@@ -102,8 +101,7 @@ void drop_grid(cv::Mat& own) {
     cv::Mat labels, stats, middles;
     const int count = cv::connectedComponentsWithStats(own, labels, stats, middles, 8, CV_32S);
     for (int i = 1; i < count; ++i) {
-        const cv::Rect box(stats.at<int>(i, cv::CC_STAT_LEFT), stats.at<int>(i, cv::CC_STAT_TOP),
-                           stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+        const cv::Rect box = box_of_piece(stats, i);
         if ((box.height <= kThin && box.width >= kWhole * own.cols) || (box.width <= kThin && box.height >= kWhole * own.rows))
             own(box).setTo(0, labels(box) == i);
     }

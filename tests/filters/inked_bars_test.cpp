@@ -119,6 +119,20 @@ TEST(InkedBars, AreWholeOverAGrid) {
     for (int x = 45; x < 66; ++x) EXPECT_EQ(picture.row(150)[x], 255) << x;
 }
 
+// From end to end; a whisker that ends within the bar stays.
+TEST(InkedBars, LeaveNoLineOfAGridWithinThem) {
+    Image picture = with_bars(200, 300, {{40, 50, 100, 250, kGrey}});
+    InkedBars found;
+    found.bars = {{40.5, 50.5, 100.5, 250.5, 0}};
+    found.fills = {{CellFill::colour, {150, 150, 150}, 0.4, 0, 0, {}, {}}};
+    found.base = 250.5;
+    for (int y = 20; y < 280; ++y) picture.row(y)[60] = 40;
+    for (int y = 20; y < 150; ++y) picture.row(y)[80] = 40;
+    take_out(picture, kWhite, found);
+    EXPECT_EQ(picture.row(120)[60], 255);
+    EXPECT_LT(picture.row(120)[80], 128);
+}
+
 TEST(InkedBars, AreNoSquaresOfAPlotNorBoxesOfADiagram) {
     std::vector<DrawnBar> squares, boxes;
     for (int i = 0; i < 6; ++i) squares.push_back({40 + 60 * i, 80, 58 + 60 * i, 98, kGrey});
