@@ -26,6 +26,7 @@
 #include "filters/plot_symbols.h"
 #include "filters/quieted.h"
 #include "filters/tick_marks.h"
+#include "tactics/plot.h"
 #include "tactics/text/phrase.h"
 
 namespace tactics {
@@ -321,7 +322,6 @@ std::vector<Phrase> KnownParts::told() const {
     if (left_out > 0)
         told.push_back(phrases(left_out, "{0} pale surface is left out, as a curve runs along its border.",
                                "{0} pale surfaces are left out, as curves run along their borders."));
-    constexpr std::size_t kSymbols = 5;
     if (marks > kSymbols)
         told.push_back(phrase("{0} kinds of points are more than a finger tells apart, so some have the same symbol.",
                               std::to_string(marks)));
