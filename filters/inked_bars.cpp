@@ -10,6 +10,7 @@
 #include "filters/darken.h"
 #include "filters/lab.h"
 #include "filters/opencv.h"
+#include "tactics/geometry/bars_on_base.h"
 
 namespace tactics {
 
@@ -19,93 +20,17 @@ namespace {
 constexpr double kShortestRule = 3.2, kHatch = 4.8, kThinnestBar = 0.7;
 constexpr double kLongerThanMarks = 12;  // of one at least: marks of a plot are at most 9 (known_parts.cpp)
 constexpr int kFewestOfRule = 10, kFewestOfHatch = 8;
-constexpr std::size_t kFewestBars = 3, kMostFills = 6;
+constexpr std::size_t kMostFills = 6;
 constexpr double kMostOfPicture = 0.5;
-constexpr double kTouch = 3.5,
-                 kStacked = 5;  // pixels between the middles of sides that are one, and of two that stand on each other
+constexpr BarSlack kBarSlack{3.5, 5};  // pixels
 
-// A bar as if it stood: lying ones are turned so that they do.
-struct Standing {
-    double left = 0, right = 0, top = 0, foot = 0;
-    std::size_t cell = 0;
-    bool blank = false;
-
-    double width() const { return right - left; }
-    double area() const { return (right - left) * (foot - top); }
-};
-
-Standing standing(const RuledCell& cell, std::size_t number, bool lying) {
-    const double left = cell.box.left - cell.lines[0] / 2, top = cell.box.top - cell.lines[1] / 2,
-                 right = cell.box.right + cell.lines[2] / 2, bottom = cell.box.bottom + cell.lines[3] / 2;
-    const bool blank = cell.fill == CellFill::ground;
-    if (lying) return {top, bottom, -right, -left, number, blank};
-    return {left, right, top, bottom, number, blank};
+BarRectangle rectangle_of(const RuledCell& cell) {
+    return {{cell.box.left - cell.lines[0] / 2, cell.box.top - cell.lines[1] / 2, cell.box.right + cell.lines[2] / 2,
+             cell.box.bottom + cell.lines[3] / 2},
+            cell.fill == CellFill::ground};
 }
 
-InkedBar as_it_lies(const Standing& bar, bool lying, std::size_t fill) {
-    if (lying) return {-bar.foot, bar.left, -bar.top, bar.right, fill};
-    return {bar.left, bar.top, bar.right, bar.foot, fill};
-}
-
-// One stands on the other, about as wide: the outermost line of a hatch may be taken for a side.
-bool is_on(const Standing& upper, const Standing& lower) {
-    constexpr double kAsWide = 0.12;  // of its width on each side
-    const double off = std::max(kTouch, kAsWide * lower.width());
-    return std::abs(upper.left - lower.left) <= off && std::abs(upper.right - lower.right) <= off &&
-           std::abs(upper.foot - lower.top) <= kStacked;
-}
-
-// What is filled and stands at that height, and what stands on it.
-std::vector<Standing> bars_on(double base, const std::vector<Standing>& all) {
-    std::vector<Standing> bars;
-    std::vector<bool> taken(all.size());
-    const auto take = [&](std::size_t i) {
-        bars.push_back(all[i]);
-        taken[i] = true;
-    };
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (!all[i].blank && std::abs(all[i].foot - base) <= kTouch) take(i);
-    if (bars.size() < kFewestBars) return {};
-    // Those below the base, and blank ones as wide as one that is filled.
-    const std::size_t filled = bars.size();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (taken[i]) continue;
-        const bool as_wide = std::any_of(bars.begin(), bars.begin() + static_cast<std::ptrdiff_t>(filled),
-                                         [&](const Standing& bar) { return std::abs(bar.width() - all[i].width()) <= kTouch; });
-        const double end = all[i].blank ? all[i].foot : all[i].top;
-        if (as_wide && std::abs(end - base) <= kTouch) take(i);
-    }
-    for (std::size_t k = 0; k < bars.size(); ++k)
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if (!taken[i] && is_on(all[i], bars[k])) take(i);
-    return bars;
-}
-
-double area_of_all(const std::vector<Standing>& bars) {
-    return std::accumulate(bars.begin(), bars.end(), 0.0, [](double sum, const Standing& bar) { return sum + bar.area(); });
-}
-
-struct BarChoice {
-    std::vector<Standing> bars;
-    double base = 0;
-};
-
-// The base on which most is filled.
-BarChoice best_choice(const std::vector<Standing>& all) {
-    BarChoice best;
-    double most = 0;
-    std::vector<double> tried;
-    for (const Standing& one : all) {
-        if (one.blank || std::any_of(tried.begin(), tried.end(), [&](double t) { return std::abs(t - one.foot) < 1; })) continue;
-        tried.push_back(one.foot);
-        std::vector<Standing> bars = bars_on(one.foot, all);
-        if (const double area = area_of_all(bars); area > most) {
-            most = area;
-            best = {std::move(bars), one.foot};
-        }
-    }
-    return best;
-}
+InkedBar inked(const Box& box, std::size_t fill) { return {box.left, box.top, box.right, box.bottom, fill}; }
 
 // A rectangle that is mostly within another one is a piece of its pattern.
 void drop_inner(std::vector<RuledCell>& cells) {
@@ -128,11 +53,11 @@ void drop_inner(std::vector<RuledCell>& cells) {
 // Those that stand on each other have the same sides, and the foot of one is the top of the one below. Two of one kind are one: a
 // line of a grid parts them.
 template <typename IsGrid>
-void join_stacks(std::vector<Standing>& bars, std::vector<std::size_t>& kinds, const IsGrid& is_grid) {
+void join_stacks(std::vector<StandingBar>& bars, std::vector<std::size_t>& kinds, const IsGrid& is_grid) {
     for (std::size_t i = 0; i < bars.size(); ++i)
         for (std::size_t j = 0; j < bars.size(); ++j) {
-            if (i == j || !is_on(bars[i], bars[j])) continue;
-            Standing &upper = bars[i], &lower = bars[j];
+            if (i == j || !is_stacked_on(bars[i], bars[j], kBarSlack)) continue;
+            StandingBar &upper = bars[i], &lower = bars[j];
             upper.left = lower.left = std::min(upper.left, lower.left);
             upper.right = lower.right = std::max(upper.right, lower.right);
             upper.foot = lower.top = (upper.foot + lower.top) / 2;
@@ -146,13 +71,13 @@ void join_stacks(std::vector<Standing>& bars, std::vector<std::size_t>& kinds, c
 }
 
 // Of bars of one chart those far thinner than the middle one are pieces of something else.
-void drop_thin(std::vector<Standing>& bars) {
+void drop_thin(std::vector<StandingBar>& bars) {
     constexpr double kThin = 0.5;
     std::vector<double> widths;
-    for (const Standing& bar : bars) widths.push_back(bar.width());
+    for (const StandingBar& bar : bars) widths.push_back(bar.width());
     const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
     std::nth_element(widths.begin(), middle, widths.end());
-    std::erase_if(bars, [&](const Standing& bar) { return bar.width() < kThin * *middle; });
+    std::erase_if(bars, [&](const StandingBar& bar) { return bar.width() < kThin * *middle; });
 }
 
 // How deep the line at each side of a blank cell is, and that of the frame of a bar is the same all around; a grid is paler.
@@ -182,7 +107,7 @@ void align(std::vector<InkedBar>& bars) {
         std::sort(all.begin(), all.end(), [](const double* a, const double* b) { return *a < *b; });
         for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
             double sum = 0;
-            while (end < all.size() && *all[end] - *all[begin] <= kTouch) sum += *all[end++];
+            while (end < all.size() && *all[end] - *all[begin] <= kBarSlack.touch) sum += *all[end++];
             for (std::size_t i = begin; i < end; ++i) *all[i] = sum / static_cast<double>(end - begin);
         }
     }
@@ -226,9 +151,9 @@ double line_depth(const cv::Mat& dark, const InkedBar& bar, bool upright, double
 }
 
 // What parts two pieces of a hatch is paler than the sides of the bar.
-bool is_paler_than_sides(const cv::Mat& dark, const Standing& lower, bool lying) {
+bool is_paler_than_sides(const cv::Mat& dark, const StandingBar& lower, bool lying) {
     constexpr double kPalerThanSides = 0.6;
-    const InkedBar bar = as_it_lies(lower, lying, 0);
+    const InkedBar bar = inked(as_it_lies(lower, lying), 0);
     const double end = lying ? bar.right : bar.top, side = lying ? bar.top : bar.left;
     return line_depth(dark, bar, lying, end) < kPalerThanSides * line_depth(dark, bar, !lying, side);
 }
@@ -255,84 +180,40 @@ std::vector<RuledCell> cells_in(const Image& picture, const PixelColour& ground,
     return cells;
 }
 
-// Boxes of one size in a row are those of a diagram, and cells in rows those of a table: most end where those beside them do.
-bool are_boxes(const std::vector<Standing>& bars) {
-    constexpr double kMostCellsOfTable = 0.6;
-    std::vector<double> ends, columns;
-    const auto add = [](std::vector<double>& values, double value) {
-        if (std::none_of(values.begin(), values.end(), [&](double one) { return std::abs(one - value) <= kTouch; }))
-            values.push_back(value);
-    };
-    for (const Standing& bar : bars) {
-        add(ends, bar.top);
-        add(columns, bar.left);
-    }
-    const double places = static_cast<double>(ends.size()) * static_cast<double>(columns.size());
-    return static_cast<double>(bars.size()) >= (ends.size() > 1 ? kMostCellsOfTable : 1) * places;
-}
-
 double area_of(const std::vector<InkedBar>& bars) {
     return std::accumulate(bars.begin(), bars.end(), 0.0,
                            [](double sum, const InkedBar& bar) { return sum + (bar.right - bar.left) * (bar.bottom - bar.top); });
 }
 
-// Bars that stand on each other, from the base on; or if none do, those beside each other with less than half of their width
-// between.
-std::vector<std::vector<std::size_t>> groups_among(const std::vector<Standing>& bars, double base) {
-    constexpr double kBetween = 0.5;
-    std::vector<std::size_t> order(bars.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const double off = bars[a].left - bars[b].left;
-        return std::abs(off) > kTouch ? off < 0 : bars[a].top > bars[b].top;
-    });
-    const bool stacked = std::any_of(bars.begin(), bars.end(), [&](const Standing& bar) {
-        return std::min(std::abs(bar.foot - base), std::abs(bar.top - base)) > kStacked;
-    });
-    std::vector<std::vector<std::size_t>> groups;
-    for (const std::size_t i : order) {
-        const Standing* before = groups.empty() ? nullptr : &bars[groups.back().back()];
-        const bool goes_on = before != nullptr && (stacked ? std::abs(bars[i].left - before->left) <= kTouch
-                                                           : bars[i].left - before->right < kBetween * before->width());
-        if (!goes_on) groups.emplace_back();
-        groups.back().push_back(i);
-    }
-    return groups;
-}
-
 std::optional<InkedBars> bars_among(const std::vector<RuledCell>& cells, const Image& picture, double mm) {
-    BarChoice best;
-    InkedBars found;
-    for (const bool lying : {false, true}) {
-        std::vector<Standing> all;
-        for (std::size_t i = 0; i < cells.size(); ++i) all.push_back(standing(cells[i], i, lying));
-        BarChoice choice = best_choice(all);
-        if (area_of_all(choice.bars) <= area_of_all(best.bars)) continue;
-        best = std::move(choice);
-        found.lying = lying;
-    }
+    std::vector<BarRectangle> rectangles;
+    for (const RuledCell& cell : cells) rectangles.push_back(rectangle_of(cell));
+    BarsOnBase best = bars_on_base(rectangles, kBarSlack);
     if (best.bars.empty()) return std::nullopt;
     drop_thin(best.bars);
-    found.base = found.lying ? -best.base : best.base;
+    InkedBars found;
+    found.lying = best.lying;
+    found.base = best.place();
     std::vector<BarFill> looks;
     std::vector<double> sizes;
-    for (const Standing& bar : best.bars) {
-        looks.push_back(bar_fill_of(picture, inner_of(cells[bar.cell])));
+    for (const StandingBar& bar : best.bars) {
+        looks.push_back(bar_fill_of(picture, inner_of(cells[bar.number])));
         sizes.push_back(bar.area());
     }
     BarKinds kinds = kinds_of(looks, sizes);
-    even_out(kinds, looks, groups_among(best.bars, best.base));
-    if (kinds.fills.size() > kMostFills || are_boxes(best.bars)) return std::nullopt;
+    even_out(kinds, looks, bar_groups(best, kBarSlack));
+    if (kinds.fills.size() > kMostFills || stand_as_boxes(best.bars, kBarSlack.touch)) return std::nullopt;
     found.fills = kinds.fills;
     const Image ink = ink_on_white(picture);
     const cv::Mat dark = 255 - view_of(ink);
-    join_stacks(best.bars, kinds.of, [&](std::size_t kind, const Standing& lower) {
+    join_stacks(best.bars, kinds.of, [&](std::size_t kind, const StandingBar& lower) {
         return kinds.fills[kind].fill != CellFill::hatch || is_paler_than_sides(dark, lower, found.lying);
     });
     if (std::none_of(best.bars.begin(), best.bars.end(),
-                     [&](const Standing& bar) { return (bar.foot - bar.top) * mm >= kLongerThanMarks; }))
+                     [&](const StandingBar& bar) { return (bar.foot - bar.top) * mm >= kLongerThanMarks; }))
         return std::nullopt;
-    for (std::size_t i = 0; i < best.bars.size(); ++i) found.bars.push_back(as_it_lies(best.bars[i], found.lying, kinds.of[i]));
+    for (std::size_t i = 0; i < best.bars.size(); ++i)
+        found.bars.push_back(inked(as_it_lies(best.bars[i], found.lying), kinds.of[i]));
     align(found.bars);
     return found;
 }

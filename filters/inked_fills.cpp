@@ -14,10 +14,10 @@
 #include "filters/opencv.h"
 #include "filters/outline.h"
 #include "filters/smooth.h"
-#include "filters/texture_choice.h"
 #include "tactics/geometry/course.h"
 #include "tactics/geometry/skeleton.h"
 #include "tactics/layout/texture.h"
+#include "tactics/layout/texture_choice.h"
 
 namespace tactics {
 

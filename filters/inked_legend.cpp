@@ -245,7 +245,7 @@ std::vector<LegendEntry> entries_of_bars(const Image& picture, const std::vector
 }
 
 // A hatch of few marks may look like the ground: neither it nor another hatch can be told from the others.
-bool is_blank(const KeySample& one) {
+bool is_blank_sample(const KeySample& one) {
     constexpr int kAsGround = 6;  // levels
     return !one.line && !one.hatch && one.off_ground <= kAsGround;
 }
@@ -259,7 +259,7 @@ std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<Legen
     std::erase_if(surfaces, [](const KeySample& one) { return one.line; });
     const std::optional<InkedBars> bars = surfaces.size() > 1 ? bars_of(picture) : std::nullopt;
     std::vector<LegendEntry> entries = bars ? entries_of_bars(picture, surfaces, *bars) : std::vector<LegendEntry>();
-    const bool several = (bars && bars->fills.size() > 1) || std::any_of(surfaces.begin(), surfaces.end(), is_blank);
+    const bool several = (bars && bars->fills.size() > 1) || std::any_of(surfaces.begin(), surfaces.end(), is_blank_sample);
     const std::vector<KeySample> samples = unlike_others(all);
     if (samples.size() < 2) return entries;
     cv::Mat elsewhere(picture.height, picture.width, CV_8U, cv::Scalar(255));
@@ -273,7 +273,7 @@ std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<Legen
     const std::vector<DashRow> rows = any_dashes ? dashed_lines_of(ink, picture, samples) : std::vector<DashRow>{};
     const bool of_bars = !entries.empty();
     for (const KeySample& one : samples) {
-        if ((of_bars && !one.line) || (several && one.hatch) || is_blank(one)) continue;
+        if ((of_bars && !one.line) || (several && one.hatch) || is_blank_sample(one)) continue;
         if (one.line && is_grey(one.colour) && !any_dashes) continue;
         const auto at = one.hatch                         ? hatched_place(picture)
                         : one.dashes                      ? place_on_dashes(picture, ink, one, rows, elsewhere, entries)

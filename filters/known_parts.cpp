@@ -15,7 +15,6 @@
 #include "filters/dash_rows.h"
 #include "filters/dashed_whiskers.h"
 #include "filters/error_bars.h"
-#include "filters/felt_bars.h"
 #include "filters/inked_bars.h"
 #include "filters/inked_fills.h"
 #include "filters/inked_marks.h"
@@ -26,6 +25,7 @@
 #include "filters/plot_symbols.h"
 #include "filters/quieted.h"
 #include "filters/tick_marks.h"
+#include "tactics/layout/felt_bars.h"
 #include "tactics/plot.h"
 #include "tactics/text/phrase.h"
 
@@ -259,13 +259,23 @@ void add_thin_strokes(const std::vector<std::array<Point, 2>>& strokes, double m
     for (const auto& [from, to] : strokes) parts.strokes.push_back({{{from.x * mm, from.y * mm}, {to.x * mm, to.y * mm}}, false});
 }
 
+ChartBars chart_bars_of(const InkedBars& found, double mm) {
+    ChartBars bars{{}, {}, found.lying, found.base * mm, found.axis.has_value()};
+    for (const InkedBar& b : found.bars) bars.bars.push_back({{b.left * mm, b.top * mm, b.right * mm, b.bottom * mm}, b.fill});
+    for (const BarFill& fill : found.fills)
+        bars.looks.push_back({fill.fill == CellFill::ground, fill.fill == CellFill::hatch, fill.dark});
+    return bars;
+}
+
 // Bars of a chart; whether there are any.
 bool take_bars(Image& picture, const PixelColour& ground, KnownParts& parts) {
+    constexpr float kBarStrength = 60;  // less than that of curves over them, which say more
     const auto found = inked_bars_in(picture, ground, picture.mm_per_pixel);
     if (!found) return false;
-    FeltBars felt = felt_bars(*found, picture.mm_per_pixel);
+    FeltBars felt = felt_bars(chart_bars_of(*found, picture.mm_per_pixel));
     if (felt.strokes.empty()) return false;
     take_out(picture, ground, *found);
+    for (Stroke& stroke : felt.strokes) stroke.strength = kBarStrength;
     std::move(felt.strokes.begin(), felt.strokes.end(), std::back_inserter(parts.strokes));
     std::move(felt.areas.begin(), felt.areas.end(), std::back_inserter(parts.areas));
     return true;

@@ -17,7 +17,7 @@ namespace tactics {
 /// In mm, from the picture's left and top.
 struct KnownParts {
     /// Role::arrow: a head, from barb to tip to barb; Role::dash, Role::dots: such a line, whole; Role::line: a noisy curve, a
-    /// stem or cap of an error bar, a tick, a side of a bar (felt_bars.h).
+    /// stem or cap of an error bar, a tick, a side of a bar (tactics/layout/felt_bars.h).
     std::vector<Stroke> strokes;
     std::size_t noisy = 0;     ///< of the strokes: curves through the middle of their noise (noisy_curves.h)
     std::size_t marks = 0;     ///< kinds of points of a plot

@@ -18,9 +18,9 @@
 #include "filters/region_borders.h"
 #include "filters/region_map.h"
 #include "filters/spacing.h"
-#include "filters/texture_choice.h"
 #include "tactics/filter.h"
 #include "tactics/layout/texture.h"
+#include "tactics/layout/texture_choice.h"
 #include "tactics/units.h"
 
 namespace tactics {

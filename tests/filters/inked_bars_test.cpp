@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bars of charts in pictures: found, told apart, drawn, and named by their legend.
+// Bars of charts in pictures: found, told apart, and named by their legend.
 #include "filters/inked_bars.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "filters/darken.h"
-#include "filters/felt_bars.h"
 #include "filters/inked_legend.h"
 #include "filters/known_parts.h"
 #include "tests/filters/pictures.h"
@@ -184,31 +183,6 @@ TEST(InkedBars, LeaveTheLineThatCrossesThem) {
     }
 }
 
-InkedBars of_widths(const std::vector<std::pair<double, double>>& sides, std::size_t kinds) {
-    InkedBars found;
-    found.base = 200;
-    for (std::size_t i = 0; i < sides.size(); ++i) found.bars.push_back({sides[i].first, 100, sides[i].second, 200, i % kinds});
-    for (std::size_t i = 0; i < kinds; ++i)
-        found.fills.push_back(
-            {CellFill::colour, {200 - 80 * static_cast<int>(i), 0, 0}, 0.2 + 0.3 * static_cast<double>(i), 0, 0, {}, {}});
-    return found;
-}
-
-std::set<double> uprights_of(const FeltBars& felt) {
-    std::set<double> at;
-    for (const Stroke& stroke : felt.strokes)
-        if (stroke.points.front().x == stroke.points.back().x) at.insert(stroke.points.front().x);
-    return at;
-}
-
-TEST(FeltBars, ShareASideWhereAFingerFeelsNoGap) {
-    EXPECT_EQ(uprights_of(felt_bars(of_widths({{10, 20}, {22, 32}, {50, 60}}, 1), 1)), (std::set<double>{10, 21, 32, 50, 60}));
-}
-
-TEST(FeltBars, ShareASideThatWasSeenTooWide) {
-    EXPECT_EQ(uprights_of(felt_bars(of_widths({{10, 21}, {20, 30}, {50, 60}}, 1), 1)), (std::set<double>{10, 20.5, 30, 50, 60}));
-}
-
 BarFill hatch_of(double dark, double marks) { return {CellFill::hatch, kWhite, dark, marks, 0, {}, {1, 0, 0, 0, 0, 0, 0, 0}}; }
 
 // One of the bars, and one in a group that lacks another one, look like neither kind.
@@ -228,38 +202,6 @@ TEST(BarFills, FollowEachOtherInAllGroupsAsInMost) {
     BarKinds three = kinds_of(colours, std::vector<double>(6, 1));
     even_out(three, colours, {{0, 1}, {2, 3}, {4, 5}});
     EXPECT_EQ(three.fills.size(), 3u);
-}
-
-// Thin ones take the free room between their groups; where there is none they are too thin.
-TEST(FeltBars, AreAsWideAsAFingerNeeds) {
-    const std::set<double> sides =
-        uprights_of(felt_bars(of_widths({{10, 12}, {12, 14}, {40, 42}, {42, 44}, {70, 72}, {72, 74}}, 2), 1));
-    EXPECT_EQ(sides, (std::set<double>{7, 12, 17, 37, 42, 47, 67, 72, 77}));
-    EXPECT_TRUE(felt_bars(of_widths({{10, 12}, {12, 14}, {14, 16}, {16, 18}}, 2), 1).strokes.empty());
-}
-
-TEST(FeltBars, StandOnAnAxisWithoutALineOfTheirOwn) {
-    InkedBars found = of_widths({{10, 20}, {30, 40}, {50, 60}}, 1);
-    const std::size_t own = felt_bars(found, 1).strokes.size();
-    found.axis = {199, 200};
-    EXPECT_EQ(own - felt_bars(found, 1).strokes.size(), 3u);
-}
-
-TEST(FeltBars, WideOnesHaveTexturesAndNarrowOnesRungsOrBlack) {
-    std::set<int> textures;
-    for (const Area& area : felt_bars(of_widths({{10, 30}, {50, 70}, {90, 110}}, 3), 1).areas) textures.insert(area.texture);
-    EXPECT_EQ(textures.size(), 3u);
-    EXPECT_EQ(textures.count(0), 0u);
-    const FeltBars narrow = felt_bars(of_widths({{10, 16}, {30, 36}, {50, 56}}, 3), 1);
-    ASSERT_EQ(narrow.areas.size(), 1u);  // the darkest
-    EXPECT_EQ(narrow.areas[0].texture, 0);
-    EXPECT_EQ(narrow.areas[0].rings[0][0].x, 50);
-    const auto rungs = std::count_if(narrow.strokes.begin(), narrow.strokes.end(), [](const Stroke& stroke) {
-        return stroke.points.front().y == stroke.points.back().y && stroke.points.front().x == 30 &&
-               stroke.points.front().y > 101 && stroke.points.front().y < 199;
-    });
-    EXPECT_GT(rungs, 15);
-    EXPECT_EQ(felt_bars(of_widths({{10, 16}, {30, 36}, {50, 56}, {70, 76}, {90, 96}}, 5), 1).areas.size(), 0u);
 }
 
 // Two hatches in a legend, that only their direction tells apart.

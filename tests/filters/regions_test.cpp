@@ -10,10 +10,10 @@
 
 #include "filters/list.h"
 #include "filters/region_borders.h"
-#include "filters/texture_choice.h"
 #include "samples/draw/noise.h"
 #include "tactics/layout/lay_out.h"
 #include "tactics/layout/texture.h"
+#include "tactics/layout/texture_choice.h"
 #include "tactics/page.h"
 #include "tactics/rules/page_geometry.h"
 #include "tactics/rules/rule.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "filters/texture_choice.h"
+#include "tactics/layout/texture_choice.h"
 
 #include <algorithm>
 #include <numeric>

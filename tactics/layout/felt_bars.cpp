@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "filters/felt_bars.h"
+#include "tactics/layout/felt_bars.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <numeric>
 #include <utility>
 
-#include "filters/texture_choice.h"
 #include "tactics/layout/texture.h"
+#include "tactics/layout/texture_choice.h"
 
 namespace tactics {
 
@@ -18,21 +18,20 @@ namespace {
 // mm on the page. The gap is that between any two lines (rules/gap.cpp), with their width. A texture needs 6.4 mm with the gap to
 // the outline on both sides, and some have two lines only on what is 14 mm wide.
 constexpr double kLineGap = 3.4, kHoldsTexture = 14, kRungs = 4.6;
-constexpr float kBarStrength = 60;  // less than that of curves over them, which say more
 
 // A bar as if it stood on y = 0 and grew with y.
 struct Upright {
     double left = 0, right = 0, foot = 0, top = 0;
-    std::size_t fill = 0;
+    std::size_t look = 0;
 };
 
-std::vector<Upright> standing_up(const InkedBars& found, double mm) {
+std::vector<Upright> standing_up(const ChartBars& found) {
     std::vector<Upright> bars;
-    for (const InkedBar& b : found.bars) {
+    for (const auto& [b, look] : found.bars) {
         if (found.lying)
-            bars.push_back({b.top * mm, b.bottom * mm, (b.left - found.base) * mm, (b.right - found.base) * mm, b.fill});
+            bars.push_back({b.top, b.bottom, b.left - found.base, b.right - found.base, look});
         else
-            bars.push_back({b.left * mm, b.right * mm, (found.base - b.bottom) * mm, (found.base - b.top) * mm, b.fill});
+            bars.push_back({b.left, b.right, found.base - b.bottom, found.base - b.top, look});
     }
     return bars;
 }
@@ -122,22 +121,20 @@ private:
 };
 
 // Darker kinds get what has more ink.
-std::vector<std::size_t> by_darkness(const std::vector<BarFill>& fills) {
-    std::vector<std::size_t> order(fills.size());
+std::vector<std::size_t> by_darkness(const std::vector<BarPaint>& looks) {
+    std::vector<std::size_t> order(looks.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return fills[a].dark < fills[b].dark; });
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return looks[a].dark < looks[b].dark; });
     return order;
 }
 
 // Of the upright bars, back on the page.
 class Placed {
 public:
-    Placed(const InkedBars& found, double mm) : lying_(found.lying), base_(found.base * mm) {}
+    explicit Placed(const ChartBars& found) : lying_(found.lying), base_(found.base) {}
 
     Point at(double across, double up) const { return lying_ ? Point{base_ + up, across} : Point{across, base_ - up}; }
-    Stroke line(Point from, Point to) const {
-        return {{at(from.x, from.y), at(to.x, to.y)}, false, LineClass::normal, kBarStrength, Role::line};
-    }
+    Stroke line(Point from, Point to) const { return {{at(from.x, from.y), at(to.x, to.y)}, false}; }
     Area area(const Upright& bar, int texture) const {
         Area area;
         area.rings.push_back({at(bar.left, bar.foot), at(bar.right, bar.foot), at(bar.right, bar.top), at(bar.left, bar.top)});
@@ -163,20 +160,20 @@ void add_outlines(const std::vector<Upright>& bars, bool on_axis, const Placed& 
     for (const auto& [at, from, to] : ends.joined()) felt.strokes.push_back(placed.line({from, at}, {to, at}));
 }
 
-void add_textures(const std::vector<Upright>& bars, const std::vector<BarFill>& fills, const Placed& placed, FeltBars& felt) {
+void add_textures(const std::vector<Upright>& bars, const std::vector<BarPaint>& looks, const Placed& placed, FeltBars& felt) {
     std::vector<double> grey{255};  // the ground is blank, and beside all of them; so is what looks like it
-    std::vector<std::size_t> number(fills.size(), 0);
-    for (std::size_t i = 0; i < fills.size(); ++i) {
-        if (fills[i].fill == CellFill::ground) continue;
+    std::vector<std::size_t> number(looks.size(), 0);
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        if (looks[i].blank) continue;
         number[i] = grey.size();
-        grey.push_back(255 * (1 - fills[i].dark));
+        grey.push_back(255 * (1 - looks[i].dark));
     }
     if (grey.size() - 1 > textures().size()) return;
     std::vector<std::vector<double>> beside(grey.size(), std::vector<double>(grey.size(), 1));
     for (std::size_t i = 0; i < grey.size(); ++i) beside[i][0] = beside[0][i] = 100;
     const std::vector<int> chosen = choose_textures(beside, grey);
     for (const Upright& bar : bars)
-        if (const int texture = chosen[number[bar.fill]]; texture > 0) felt.areas.push_back(placed.area(bar, texture));
+        if (const int texture = chosen[number[bar.look]]; texture > 0) felt.areas.push_back(placed.area(bar, texture));
 }
 
 void add_rungs(const Upright& bar, double pitch, const Placed& placed, FeltBars& felt) {
@@ -185,11 +182,11 @@ void add_rungs(const Upright& bar, double pitch, const Placed& placed, FeltBars&
         felt.strokes.push_back(placed.line({bar.left, bar.foot + way * along}, {bar.right, bar.foot + way * along}));
 }
 
-enum class Filling { blank, few_rungs, middle, rungs, black };
+enum class BarFilling { blank, few_rungs, middle, rungs, black };
 
 // So many that are told apart in bars of that width, the palest first; none if there are not so many. Much black swells unevenly.
-std::vector<Filling> narrow_fillings(std::size_t count, double width) {
-    using enum Filling;
+std::vector<BarFilling> narrow_fillings(std::size_t count, double width) {
+    using enum BarFilling;
     const bool holds_middle = width >= 2 * kRungs;
     if (count == 2) return {blank, rungs};
     if (count == 3) return holds_middle ? std::vector{blank, middle, rungs} : std::vector{blank, rungs, black};
@@ -199,40 +196,40 @@ std::vector<Filling> narrow_fillings(std::size_t count, double width) {
     return {};
 }
 
-void add_narrow_fillings(const std::vector<Upright>& bars, const std::vector<BarFill>& fills, const Placed& placed,
+void add_narrow_fillings(const std::vector<Upright>& bars, const std::vector<BarPaint>& looks, const Placed& placed,
                          FeltBars& felt) {
     constexpr double kFew = 2.5;  // as far apart
-    const std::vector<Filling> all = narrow_fillings(fills.size(), thinnest(bars));
+    const std::vector<BarFilling> all = narrow_fillings(looks.size(), thinnest(bars));
     if (all.empty()) return;
-    const std::vector<std::size_t> order = by_darkness(fills);
-    std::vector<Filling> filling(fills.size());
+    const std::vector<std::size_t> order = by_darkness(looks);
+    std::vector<BarFilling> filling(looks.size());
     for (std::size_t i = 0; i < order.size(); ++i) filling[order[i]] = all[i];
     for (const Upright& bar : bars) {
-        const Filling own = filling[bar.fill];
-        if (own == Filling::rungs || own == Filling::few_rungs)
-            add_rungs(bar, own == Filling::rungs ? kRungs : kFew * kRungs, placed, felt);
-        if (own == Filling::black) felt.areas.push_back(placed.area(bar, 0));
-        if (const double middle = (bar.left + bar.right) / 2; own == Filling::middle)
+        const BarFilling own = filling[bar.look];
+        if (own == BarFilling::rungs || own == BarFilling::few_rungs)
+            add_rungs(bar, own == BarFilling::rungs ? kRungs : kFew * kRungs, placed, felt);
+        if (own == BarFilling::black) felt.areas.push_back(placed.area(bar, 0));
+        if (const double middle = (bar.left + bar.right) / 2; own == BarFilling::middle)
             felt.strokes.push_back(placed.line({middle, bar.foot}, {middle, bar.top}));
     }
 }
 
 }  // namespace
 
-FeltBars felt_bars(const InkedBars& found, double mm) {
-    std::vector<Upright> bars = standing_up(found, mm);
+FeltBars felt_bars(const ChartBars& found) {
+    std::vector<Upright> bars = standing_up(found);
     if (bars.empty()) return {};
     join_sides(bars);
     widen(bars);
     if (thinnest(bars) < kLineGap) return {};
     FeltBars felt;
-    const Placed placed(found, mm);
-    add_outlines(bars, found.axis.has_value(), placed, felt);
-    const bool tells = found.fills.size() > 1;
+    const Placed placed(found);
+    add_outlines(bars, found.on_axis, placed, felt);
+    const bool tells = found.looks.size() > 1;
     if (thinnest(bars) >= kHoldsTexture) {
-        if (tells || found.fills[0].fill == CellFill::hatch) add_textures(bars, found.fills, placed, felt);
+        if (tells || found.looks[0].hatched) add_textures(bars, found.looks, placed, felt);
     } else if (tells) {
-        add_narrow_fillings(bars, found.fills, placed, felt);
+        add_narrow_fillings(bars, found.looks, placed, felt);
     }
     return felt;
 }
