@@ -158,7 +158,6 @@ std::optional<MarkForm> mark_form_of(const Image& share) {
 
 std::vector<PlotSymbol> symbols_for(const std::vector<MarkForm>& kinds) {
     using enum PlotSymbol;
-    constexpr std::size_t kSymbols = 5;
     // The nearest first; filled or not is felt before corners.
     const auto liked = [](MarkForm shape) -> std::array<PlotSymbol, kSymbols> {
         switch (shape) {
