@@ -10,6 +10,7 @@
 
 #include "filters/darken.h"
 #include "filters/lab.h"
+#include "tactics/layout/bar_names.h"
 
 namespace tactics {
 
@@ -140,46 +141,6 @@ BarFill sample_fill(const Image& picture, const PixelColour& ground, const Pixel
     return bar_fill_of(picture, cell_at(picture, ground, box));
 }
 
-// What is free before a side that looks that way: as wide as a word, to the next bar or the edge of the picture, up to what words
-// need. Pixels.
-double room_at(const InkedBars& found, const Image& picture, Point at, Point out, double most) {
-    const auto off = [&](double x, double y) { return (x - at.x) * out.x + (y - at.y) * out.y; };
-    double room = std::min(most, std::max(off(0, 0), off(picture.width, picture.height)));
-    for (const InkedBar& bar : found.bars) {
-        const double across =
-            out.x != 0 ? std::max(bar.top - at.y, at.y - bar.bottom) : std::max(bar.left - at.x, at.x - bar.right);
-        const auto [near, far] = std::minmax({off(bar.left, bar.top), off(bar.right, bar.bottom)});
-        if (across <= most / 2 && far > 1) room = std::min(room, std::max(0.0, near));
-    }
-    return room;
-}
-
-// Of all bars of its kind the side with most room, and of these the one farthest from the base; or within one.
-Point place_on(const InkedBars& found, const Image& picture, std::size_t kind, double most) {
-    Point best;
-    double best_room = -1, best_far = 0;
-    const auto offer = [&](Point at, double room, double far) {
-        if (room < best_room || (room == best_room && far <= best_far)) return;
-        best = at;
-        best_room = room;
-        best_far = far;
-    };
-    for (const InkedBar& bar : found.bars) {
-        if (bar.fill != kind) continue;
-        const Point middle = middle_of(bar);
-        for (const auto& [at, out] :
-             {std::pair{Point{middle.x, bar.top}, Point{0, -1}}, std::pair{Point{middle.x, bar.bottom}, Point{0, 1}},
-              std::pair{Point{bar.left, middle.y}, Point{-1, 0}}, std::pair{Point{bar.right, middle.y}, Point{1, 0}}}) {
-            const double far = std::abs((found.lying ? at.x : at.y) - found.base);
-            const bool is_base = far < 2 && (found.lying ? out.x : out.y) != 0;
-            offer(at, is_base ? 0 : room_at(found, picture, at, out, most), far);
-        }
-        constexpr double kLine = 0.4;  // of what words need: as high as a line of braille with its gaps
-        offer(middle, std::min({most, bar.right - bar.left, (bar.bottom - bar.top) / kLine}), 0);
-    }
-    return best;
-}
-
 // There are about as many bars of each kind: else some are missing, or one kind was taken for two.
 bool is_even(const InkedBars& found) {
     std::vector<std::ptrdiff_t> counts;
@@ -211,7 +172,8 @@ std::vector<Point> places_like(const std::vector<PixelBox>& samples, const Inked
     }
     std::vector<Point> places;
     for (const std::size_t kind : kinds_of_samples(costs, kinds_by_order(bars, samples)))
-        places.push_back(place_on(bars, picture, kind, kWords / pixel_of_page(picture)));
+        places.push_back(
+            place_of_bar_name(chart_bars_of(bars, 1), kind, picture.width, picture.height, kWords / pixel_of_page(picture)));
     return places;
 }
 

@@ -237,4 +237,12 @@ std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& 
     return best;
 }
 
+ChartBars chart_bars_of(const InkedBars& found, double mm) {
+    ChartBars bars{{}, {}, found.lying, found.base * mm, found.axis.has_value()};
+    for (const InkedBar& b : found.bars) bars.bars.push_back({{b.left * mm, b.top * mm, b.right * mm, b.bottom * mm}, b.fill});
+    for (const BarFill& fill : found.fills)
+        bars.looks.push_back({fill.fill == CellFill::ground, fill.fill == CellFill::hatch, fill.dark});
+    return bars;
+}
+
 }  // namespace tactics

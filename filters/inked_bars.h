@@ -11,6 +11,7 @@
 
 #include "filters/bar_fills.h"
 #include "tactics/image.h"
+#include "tactics/layout/felt_bars.h"
 
 namespace tactics {
 
@@ -31,6 +32,9 @@ struct InkedBars {
 /// Of a picture whose words are painted over. `mm`: of a pixel on the page. Nothing unless at least three stand on one base, not
 /// all of one length, with no more than six kinds of filling.
 std::optional<InkedBars> inked_bars_in(const Image& picture, const PixelColour& ground, double mm);
+
+/// `mm`: of a pixel.
+ChartBars chart_bars_of(const InkedBars& found, double mm);
 
 /// The ground comes where they are, but for their base, if that is an axis, and for what crosses their colours.
 void take_out(Image& picture, const PixelColour& ground, const InkedBars& bars);

@@ -259,14 +259,6 @@ void add_thin_strokes(const std::vector<std::array<Point, 2>>& strokes, double m
     for (const auto& [from, to] : strokes) parts.strokes.push_back({{{from.x * mm, from.y * mm}, {to.x * mm, to.y * mm}}, false});
 }
 
-ChartBars chart_bars_of(const InkedBars& found, double mm) {
-    ChartBars bars{{}, {}, found.lying, found.base * mm, found.axis.has_value()};
-    for (const InkedBar& b : found.bars) bars.bars.push_back({{b.left * mm, b.top * mm, b.right * mm, b.bottom * mm}, b.fill});
-    for (const BarFill& fill : found.fills)
-        bars.looks.push_back({fill.fill == CellFill::ground, fill.fill == CellFill::hatch, fill.dark});
-    return bars;
-}
-
 // Bars of a chart; whether there are any.
 bool take_bars(Image& picture, const PixelColour& ground, KnownParts& parts) {
     constexpr float kBarStrength = 60;  // less than that of curves over them, which say more

@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "tactics/readers/svg/chart_bars.h"
 #include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/dash_marks.h"
 #include "tactics/readers/svg/hidden_lines.h"
@@ -115,6 +116,7 @@ Rect box_of(const FoundPage& figure, const FoundLook& look) {
 
 void tidy_chart(FoundPage& figure, bool with_words) {
     leave_out_grid(figure);
+    find_chart_bars(figure);
     if (with_words) name_by_legend(figure);
     tell_dashes_apart(figure);
     hide_behind_covers(figure);

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <utility>
 
 #include "tactics/geometry/course.h"
+#include "tactics/readers/svg/chart_bars.h"
 #include "tactics/readers/svg/felt_heads.h"
 
 namespace tactics {
@@ -102,13 +105,25 @@ private:
 
 }  // namespace
 
+ChartBars scaled(ChartBars bars, double scale) {
+    for (ChartBar& bar : bars.bars)
+        bar.box = {bar.box.left * scale, bar.box.top * scale, bar.box.right * scale, bar.box.bottom * scale};
+    bars.base *= scale;
+    return bars;
+}
+
 Drawing drawing_of_figure(const FoundPage& figure, double width) {
     const double scale = width / figure.page.width, common = common_width(figure);
     Drawing drawing;
     drawing.width = width;
     drawing.height = figure.page.height * scale;
+    FeltBars bars = figure.bars ? felt_bars(scaled(*figure.bars, scale)) : FeltBars{};
+    const auto is_of_bar = [&](const std::vector<Point>& line) {  // which is felt in another way
+        return !bars.strokes.empty() && outlines_bar(*figure.bars, line);
+    };
     Drawn drawn;
     for (const PageStroke& stroke : figure.page.strokes) {
+        if (is_of_bar(stroke.points)) continue;
         Stroke line;
         std::vector<Point> points = scaled(stroke.points, scale);
         line.closed = stroke.closed;
@@ -131,9 +146,12 @@ Drawing drawing_of_figure(const FoundPage& figure, double width) {
             Area moved = area;
             moved.rings.clear();
             for (const auto& ring : area.rings)
-                if (auto points = scaled(ring, scale); points.size() > 2) moved.rings.push_back(std::move(points));
+                if (auto points = scaled(ring, scale); points.size() > 2 && !is_of_bar(ring))
+                    moved.rings.push_back(std::move(points));
             if (!moved.rings.empty()) drawing.areas.push_back(std::move(moved));
         }
+    std::move(bars.strokes.begin(), bars.strokes.end(), std::back_inserter(drawing.strokes));
+    std::move(bars.areas.begin(), bars.areas.end(), std::back_inserter(drawing.areas));
     make_heads_felt(drawing);
     drawing.regions = figure.page.regions;
     for (Region& region : drawing.regions) {

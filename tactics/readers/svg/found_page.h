@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tactics/layout/felt_bars.h"
 #include "tactics/page.h"
 #include "tactics/text/phrase.h"
 
@@ -84,6 +85,8 @@ struct FoundPage {
     std::vector<FoundCover> covers = {};  ///< of a figure
     /// Of a figure: rings of each shape no larger than letters that is as light as paper, and so not drawn.
     std::vector<std::vector<std::vector<Point>>> light_shapes = {};
+    /// Of a figure, mm on the page; their outlines are among its lines, too.
+    std::optional<ChartBars> bars = {};
     std::vector<FoundPicture> pictures = {};  ///< of a figure; that of a page is in its `picture`
     bool tells_size = true;                   ///< in mm, cm, in or pt; pixels are for screens
     /// mm, as the file has it, with 96 pixels to the inch. The page of a figure is 200 mm wide or high.

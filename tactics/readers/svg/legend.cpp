@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "tactics/geometry/course.h"
+#include "tactics/layout/bar_names.h"
 #include "tactics/readers/svg/chart_parts.h"
 #include "tactics/readers/svg/legend_fills.h"
 #include "tactics/text/utf8.h"
@@ -37,13 +39,14 @@ bool alike(const FoundLook& a, const FoundLook& b) {
     return a.fill == b.fill;
 }
 
-// How far it stands to the left of its words or to the right, in line with them. Nothing: it does not.
-std::optional<double> beside(const Rect& sample, const FoundWords& words) {
+enum class SampleSide { left, right };
+
+// How far it stands on that side of its words, in line with them. Nothing: it does not.
+std::optional<double> beside(const Rect& sample, const FoundWords& words, SampleSide side) {
     const double h = words.height, left = words.middle.x - words.width / 2, right = words.middle.x + words.width / 2;
     if (words.upwards || !(h > 0) || std::abs(sample.middle().y - words.middle.y) > kInLine * h) return std::nullopt;
     if (sample.width < kLeastWide * h || sample.width > kMostWide * h || sample.height > kMostHigh * h) return std::nullopt;
-    const double before = left - (sample.left + sample.width), behind = sample.left - right;
-    const double away = before > behind ? before : behind;
+    const double away = side == SampleSide::left ? left - (sample.left + sample.width) : sample.left - right;
     // The width of words that are text is a guess.
     return away > -h && away < kMostAway * h ? std::optional(away) : std::nullopt;
 }
@@ -64,7 +67,6 @@ public:
 
     void run() {
         find_entries();
-        keep_aligned();
         if (entries_.size() < 2) return;  // a scale bar, say, or the only pond of a map
         if (entries_.size() * kMostPlaces > kMostTries / (points() + 1)) return;
         std::vector<Phrase> told;
@@ -87,7 +89,20 @@ private:
         return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return entry.sample == look; });
     }
 
+    // All samples of a legend stand on the same side of their words: in a row one may be as near to those before it.
     void find_entries() {
+        std::vector<Entry> left = entries_on(SampleSide::left), right = entries_on(SampleSide::right), all = left;
+        all.insert(all.end(), right.begin(), right.end());
+        left = aligned(unlike_others(left, all));
+        right = aligned(unlike_others(right, all));
+        const auto away = [](const std::vector<Entry>& some) {
+            return std::accumulate(some.begin(), some.end(), 0.0, [](double sum, const Entry& one) { return sum + one.away; });
+        };
+        const bool more_left = left.size() > right.size() || (left.size() == right.size() && away(left) <= away(right));
+        entries_ = more_left ? std::move(left) : std::move(right);
+    }
+
+    std::vector<Entry> entries_on(SampleSide side) const {
         std::vector<std::size_t> downwards;
         for (std::size_t w = 0; w < figure_.words.size(); ++w)
             if (std::isfinite(figure_.words[w].middle.y)) downwards.push_back(w);
@@ -96,35 +111,40 @@ private:
                   [&](std::size_t a, std::size_t b) { return std::pair(level(a), a) < std::pair(level(b), b); });
         double highest = 0;
         for (const FoundWords& one : figure_.words) highest = std::max(highest, one.height);
-        // Numbers of an axis may have the sample on their other side: it belongs to the nearest words.
+        std::vector<Entry> entries;
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
             std::optional<Entry> nearest;
             const double y = boxes_[i].middle().y;
             const auto first = std::partition_point(downwards.begin(), downwards.end(),
                                                     [&](std::size_t w) { return level(w) < y - kInLine * highest; });
             for (auto w = first; w != downwards.end() && level(*w) <= y + kInLine * highest; ++w)
-                if (const auto away = beside(boxes_[i], figure_.words[*w]); away && (!nearest || *away < nearest->away))
+                if (const auto away = beside(boxes_[i], figure_.words[*w], side); away && (!nearest || *away < nearest->away))
                     nearest = Entry{*w, i, *away};
-            if (nearest && is_sample_of_something(i)) entries_.push_back(*nearest);
+            if (nearest && is_sample_of_something(i)) entries.push_back(*nearest);
         }
-        // Ticks beside numbers look alike; the samples of a legend do not. A sample that is drawn twice is one.
+        return entries;
+    }
+
+    // Ticks beside numbers look alike; the samples of a legend do not. A sample that is drawn twice is one.
+    std::vector<Entry> unlike_others(const std::vector<Entry>& entries, const std::vector<Entry>& all) const {
         std::vector<Entry> unique;
-        for (const Entry& entry : entries_) {
-            const bool common = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& other) {
-                return other.words != entry.words && alike(figure_.looks[entry.sample], figure_.looks[other.sample]);
+        for (const Entry& entry : entries) {
+            const bool common = std::any_of(all.begin(), all.end(), [&](const Entry& other) {
+                return other.words != entry.words && other.sample != entry.sample &&
+                       alike(figure_.looks[entry.sample], figure_.looks[other.sample]);
             });
             const bool twice =
                 std::any_of(unique.begin(), unique.end(), [&](const Entry& other) { return other.words == entry.words; });
             if (!common && !twice) unique.push_back(entry);
         }
-        entries_ = std::move(unique);
+        return unique;
     }
 
     // Samples of a legend stand below each other, or side by side.
-    void keep_aligned() {
+    std::vector<Entry> aligned(const std::vector<Entry>& entries) const {
         std::vector<Entry> aligned;
-        for (const Entry& entry : entries_)
-            if (std::any_of(entries_.begin(), entries_.end(), [&](const Entry& other) {
+        for (const Entry& entry : entries)
+            if (std::any_of(entries.begin(), entries.end(), [&](const Entry& other) {
                     const double h = figure_.words[entry.words].height;
                     const Point a = boxes_[entry.sample].middle(), b = boxes_[other.sample].middle();
                     const double across = std::abs(a.x - b.x), down = std::abs(a.y - b.y);
@@ -132,7 +152,7 @@ private:
                            ((across < kInLine * h && down < kNextRow * h) || (down < kInLine * h && across < kNextColumn * h));
                 }))
                 aligned.push_back(entry);
-        entries_ = std::move(aligned);
+        return aligned;
     }
 
     // Something else is painted so, and is larger.
@@ -160,7 +180,17 @@ private:
                 most = size;
                 best = i;
             }
-        return is_line(sample) ? clearest_on(figure_.looks[best]) : boxes_[best].middle();
+        return is_line(sample) ? clearest_on(figure_.looks[best]) : place_on_surface(boxes_[best]);
+    }
+
+    Point place_on_surface(const Rect& surface) const {
+        constexpr double kRoomOfWords = 19;  // mm of a figure that is 200 mm wide or high
+        const Point middle = surface.middle();
+        if (figure_.bars)
+            for (const ChartBar& bar : figure_.bars->bars)
+                if (bar.box.holds(middle))
+                    return place_of_bar_name(*figure_.bars, bar.look, page_.width, page_.height, kRoomOfWords);
+        return middle;
     }
 
     // Where all else is farthest: nobody is to take it for the name of another.
@@ -222,6 +252,7 @@ private:
             for (const Entry& entry : entries_)
                 inside += within(box, figure_.words[entry.words].middle) && within(box, boxes_[entry.sample].middle()) ? 1 : 0;
             if (inside < entries_.size() || words > inside + 1) continue;  // it may have a heading
+            if (figure_.bars && within(box, figure_.bars->bars[0].box.middle())) continue;
             // Curves of the chart have it around their legend, too: they are wider than its words.
             double right = 0, left = std::numeric_limits<double>::max();
             for (const Entry& entry : entries_) {

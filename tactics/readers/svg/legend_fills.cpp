@@ -6,6 +6,7 @@
 
 #include "tactics/geometry/course.h"
 #include "tactics/layout/texture.h"
+#include "tactics/readers/svg/chart_bars.h"
 #include "tactics/readers/svg/chart_parts.h"
 
 namespace tactics {
@@ -88,7 +89,7 @@ std::vector<Surface> surfaces_like(const FoundPage& figure, const std::vector<st
         for (std::size_t s = look.stroke; s < look.strokes_end; ++s)
             if (const PageStroke& stroke = figure.page.strokes[s]; stroke.closed && stroke.points.size() > 2)
                 surface.rings.push_back(stroke.points);
-        if (surface.rings.empty()) continue;
+        if (surface.rings.empty() || (figure.bars && outlines_bar(*figure.bars, surface.rings[0]))) continue;
         for (const auto& ring : surface.rings) corners += ring.size();
         surfaces.push_back(std::move(surface));
     }

@@ -148,7 +148,7 @@ TEST(Legend, NamesTheLargestOfSurfaces) {
     EXPECT_EQ(found.page.strokes.size(), 3u);
     ASSERT_TRUE(words_named(found, "Men").thing);
     EXPECT_NEAR(words_named(found, "Men").thing->x, 70, 1e-6);
-    EXPECT_NEAR(words_named(found, "Women").thing->y, 80, 1e-6);
+    EXPECT_NEAR(words_named(found, "Women").thing->x, 50, 1e-6);
 }
 
 // As ggplot2 has them, of "1999" and "2008" in 8.8 points.
@@ -164,13 +164,13 @@ TEST(Legend, HasBoxesThatAreHigherThanItsRows) {
     EXPECT_NEAR(words_named(found, "2008").thing->x, 70, 1e-6);
 }
 
-// Three bars of two kinds with samples; what is drawn last lies on the others.
-std::string bars(std::string_view one, std::string_view other, std::string_view last) {
+// Three fields of two kinds, that lean, with samples; what is drawn last lies on the others.
+std::string fields(std::string_view one, std::string_view other, std::string_view last) {
     const auto fill = [](std::string_view paint) { return " fill='" + std::string(paint) + "'/>"; };
-    return "<rect x='20' y='50' width='20' height='40'" + fill(one) + "<rect x='60' y='30' width='20' height='60'" + fill(one) +
-           "<rect x='40' y='60' width='20' height='30'" + fill(other) + std::string(last) +
-           "<rect x='120' y='4' width='10' height='4'" + fill(one) + "<text x='133' y='7.5' font-size='4'>Men</text>" +
-           "<rect x='120' y='11' width='10' height='4'" + fill(other) + "<text x='133' y='14.5' font-size='4'>Women</text>";
+    return "<path d='M20 50 L40 52 V90 H20 Z'" + fill(one) + "<path d='M60 30 L80 32 V90 H60 Z'" + fill(one) +
+           "<path d='M40 60 L60 62 V90 H40 Z'" + fill(other) + std::string(last) + "<rect x='120' y='4' width='10' height='4'" +
+           fill(one) + "<text x='133' y='7.5' font-size='4'>Men</text>" + "<rect x='120' y='11' width='10' height='4'" +
+           fill(other) + "<text x='133' y='14.5' font-size='4'>Women</text>";
 }
 
 std::vector<int> textures_in(const FoundPage& found) {
@@ -180,7 +180,7 @@ std::vector<int> textures_in(const FoundPage& found) {
 }
 
 TEST(Legend, FillsWhatItTellsApartWithTextures) {
-    const FoundPage found = figure(bars("#1f77b4", "#ff7f0e", ""));
+    const FoundPage found = figure(fields("#1f77b4", "#ff7f0e", ""));
     const std::vector<int> textures = textures_in(found);
     ASSERT_EQ(textures.size(), 3u);
     EXPECT_EQ(textures[0], textures[1]);
@@ -191,7 +191,7 @@ TEST(Legend, FillsWhatItTellsApartWithTextures) {
 }
 
 TEST(Legend, FillsPatternsByTheirNames) {
-    const FoundPage found = figure(bars("url(#a)", "url(#b)", ""));
+    const FoundPage found = figure(fields("url(#a)", "url(#b)", ""));
     const std::vector<int> textures = textures_in(found);
     ASSERT_EQ(textures.size(), 3u);
     EXPECT_EQ(textures[0], textures[1]);
@@ -200,7 +200,7 @@ TEST(Legend, FillsPatternsByTheirNames) {
 
 // As in a page of a PDF, where each surface has a pattern of its own.
 TEST(Legend, FillsPatternsByTheirContent) {
-    std::string body = bars("url(#a)", "url(#b)", ""), defs;
+    std::string body = fields("url(#a)", "url(#b)", ""), defs;
     for (int i = 0; i < 3; ++i) {
         const std::string id = "a" + std::to_string(i);
         body.replace(body.find("#a)"), 2, "#" + id);
@@ -214,9 +214,9 @@ TEST(Legend, FillsPatternsByTheirContent) {
 
 TEST(Legend, FillsNothingWhereSurfacesLieOnEachOther) {
     EXPECT_TRUE(
-        textures_in(figure(bars("#1f77b4", "#ff7f0e", "<rect x='30' y='55' width='20' height='20' fill='#ff7f0e'/>"))).empty());
+        textures_in(figure(fields("#1f77b4", "#ff7f0e", "<rect x='30' y='55' width='20' height='20' fill='#ff7f0e'/>"))).empty());
     EXPECT_EQ(
-        textures_in(figure(bars("#1f77b4", "#ff7f0e", "<rect x='85' y='55' width='20' height='20' fill='#ff7f0e'/>"))).size(),
+        textures_in(figure(fields("#1f77b4", "#ff7f0e", "<rect x='85' y='55' width='20' height='20' fill='#ff7f0e'/>"))).size(),
         4u);
 }
 
