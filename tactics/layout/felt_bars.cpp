@@ -147,10 +147,17 @@ private:
     double base_;
 };
 
+// Lower than two lines apart: it is felt as a wider piece of what it stands on.
+bool is_low(const Upright& bar) { return std::abs(bar.top - bar.foot) < kLineGap; }
+
 void add_outlines(const std::vector<Upright>& bars, bool on_axis, const Placed& placed, FeltBars& felt) {
     RuledLines sides, ends;
     for (const Upright& bar : bars) {
         const auto [low, high] = std::minmax(bar.foot, bar.top);
+        if (is_low(bar)) {
+            felt.areas.push_back(placed.area(bar, 0));
+            continue;
+        }
         sides.add(bar.left, low, high);
         sides.add(bar.right, low, high);
         for (const double end : {low, high})
@@ -173,7 +180,8 @@ void add_textures(const std::vector<Upright>& bars, const std::vector<BarPaint>&
     for (std::size_t i = 0; i < grey.size(); ++i) beside[i][0] = beside[0][i] = 100;
     const std::vector<int> chosen = choose_textures(beside, grey);
     for (const Upright& bar : bars)
-        if (const int texture = chosen[number[bar.look]]; texture > 0) felt.areas.push_back(placed.area(bar, texture));
+        if (const int texture = chosen[number[bar.look]]; texture > 0 && !is_low(bar))
+            felt.areas.push_back(placed.area(bar, texture));
 }
 
 void add_rungs(const Upright& bar, double pitch, const Placed& placed, FeltBars& felt) {
@@ -205,6 +213,7 @@ void add_narrow_fillings(const std::vector<Upright>& bars, const std::vector<Bar
     std::vector<BarFilling> filling(looks.size());
     for (std::size_t i = 0; i < order.size(); ++i) filling[order[i]] = all[i];
     for (const Upright& bar : bars) {
+        if (is_low(bar)) continue;
         const BarFilling own = filling[bar.look];
         if (own == BarFilling::rungs || own == BarFilling::few_rungs)
             add_rungs(bar, own == BarFilling::rungs ? kRungs : kFew * kRungs, placed, felt);

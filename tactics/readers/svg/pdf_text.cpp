@@ -16,9 +16,9 @@ namespace tactics {
 
 namespace {
 
-// In em. What a letter takes on average; a gap over which a line does not go on, as between the numbers of an axis; and one that
-// is no space.
-constexpr double kPdfLetterWidth = 0.55, kPiece = 0.9, kWide = 3, kSpace = 0.12;
+// In em. What a letter takes on average; a gap over which a line does not go on, and one over which a number does not, as between
+// those of an axis: the spaces of a line may be wide, those within a number are not; and one that is no space.
+constexpr double kPdfLetterWidth = 0.55, kPiece = 0.9, kPieceOfNumber = 0.45, kWide = 3, kSpace = 0.12;
 // Shares of the size of a line: an exponent or an index is smaller, and off its base line.
 constexpr double kSmall = 0.85, kOffLine = 0.1;
 
@@ -226,12 +226,16 @@ std::vector<std::vector<SeenWord>> seen_words(const std::vector<PdfLine>& lines,
     return seen;
 }
 
+bool is_plain_number(std::string_view text) { return text.find_first_not_of("0123456789.,") == std::string_view::npos; }
+
 // Without a gap, or over a letter that was drawn by itself.
 bool goes_on(const Run& run, const SeenWord& next, double size, CairoGlyphs& glyphs) {
     const SeenWord& last = run.words.back();
     const double gap = std::abs(along(*run.line, *next.word).from - along(*run.line, *last.word).to);
-    return gap < kPiece * size || (gap < kWide * size && glyphs.has_shape_between(last.word->box, next.word->box, last.letters,
-                                                                                  runs_of(*run.line), size));
+    const bool numbers = is_plain_number(last.word->text) && is_plain_number(next.word->text);
+    return gap < (numbers ? kPieceOfNumber : kPiece) * size ||
+           (gap < kWide * size &&
+            glyphs.has_shape_between(last.word->box, next.word->box, last.letters, runs_of(*run.line), size));
 }
 
 // What cannot be told by a letter that there is.

@@ -67,5 +67,16 @@ TEST(FeltBars, WideOnesHaveTexturesAndNarrowOnesRungsOrBlack) {
     EXPECT_EQ(felt_bars(of_widths({{10, 16}, {30, 36}, {50, 56}, {70, 76}, {90, 96}}, 5)).areas.size(), 0u);
 }
 
+// Two lines would be felt as one.
+TEST(FeltBars, LowerThanTwoLinesApartAreBlack) {
+    ChartBars found = of_widths({{10, 30}, {50, 70}, {90, 110}}, 1);
+    found.on_axis = true;
+    found.bars[1].box.top = 198;
+    const FeltBars felt = felt_bars(found);
+    ASSERT_EQ(felt.areas.size(), 1u);
+    EXPECT_EQ(felt.areas[0].texture, 0);
+    EXPECT_EQ(uprights_of(felt), (std::set<double>{10, 30, 90, 110}));
+}
+
 }  // namespace
 }  // namespace tactics::felt_bars_test

@@ -73,6 +73,17 @@ TEST(PdfText, ALineEndsWhereItsGapIsNoSpace) {
     ASSERT_EQ(words.size(), 3u);
     EXPECT_EQ(words[1].text, "20");
     EXPECT_NEAR(words[1].middle.x / kWidth, 156.0 / 400, 0.002);
+    // Over as much as part numbers the words of a justified line go on; the thousands of a number are as near as words mostly
+    // are.
+    const auto count = [](const std::string& first, const std::string& second, double gap) {
+        const double next = 62 + gap;
+        return words_in(page(use(0, 1, 50, 290) + use(0, 1, next, 290)),
+                        told({{{first, 50, 280, 62, 292}, {second, next, 280, next + 12, 292}}}))
+            .size();
+    };
+    EXPECT_EQ(count("10", "20", 7), 2u);
+    EXPECT_EQ(count("to", "20", 7), 1u);
+    EXPECT_EQ(count("10", "200", 3), 1u);
 }
 
 TEST(PdfText, ExponentsStayExponents) {
