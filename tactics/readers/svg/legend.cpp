@@ -93,8 +93,8 @@ private:
     void find_entries() {
         std::vector<Entry> left = entries_on(SampleSide::left), right = entries_on(SampleSide::right), all = left;
         all.insert(all.end(), right.begin(), right.end());
-        left = aligned(unlike_others(left, all));
-        right = aligned(unlike_others(right, all));
+        left = aligned(with_sample_like_axes(unlike_others(left, all), left));
+        right = aligned(with_sample_like_axes(unlike_others(right, all), right));
         const auto away = [](const std::vector<Entry>& some) {
             return std::accumulate(some.begin(), some.end(), 0.0, [](double sum, const Entry& one) { return sum + one.away; });
         };
@@ -141,18 +141,41 @@ private:
     }
 
     // Samples of a legend stand below each other, or side by side.
+    bool are_in_line(const Entry& one, const Entry& other) const {
+        const double h = figure_.words[one.words].height;
+        const Point a = boxes_[one.sample].middle(), b = boxes_[other.sample].middle();
+        const double across = std::abs(a.x - b.x), down = std::abs(a.y - b.y);
+        return one.words != other.words &&
+               ((across < kInLine * h && down < kNextRow * h) || (down < kInLine * h && across < kNextColumn * h));
+    }
+
     std::vector<Entry> aligned(const std::vector<Entry>& entries) const {
         std::vector<Entry> aligned;
         for (const Entry& entry : entries)
-            if (std::any_of(entries.begin(), entries.end(), [&](const Entry& other) {
-                    const double h = figure_.words[entry.words].height;
-                    const Point a = boxes_[entry.sample].middle(), b = boxes_[other.sample].middle();
-                    const double across = std::abs(a.x - b.x), down = std::abs(a.y - b.y);
-                    return entry.words != other.words &&
-                           ((across < kInLine * h && down < kNextRow * h) || (down < kInLine * h && across < kNextColumn * h));
-                }))
+            if (std::any_of(entries.begin(), entries.end(), [&](const Entry& other) { return are_in_line(entry, other); }))
                 aligned.push_back(entry);
         return aligned;
+    }
+
+    // A whole black line looks like the axes and their ticks. It is a sample if it stands in line with those that are, and is as
+    // long as they are, and the only one.
+    std::vector<Entry> with_sample_like_axes(std::vector<Entry> entries, const std::vector<Entry>& all) const {
+        constexpr double kAsLong = 0.1;
+        std::vector<Entry> fitting;
+        for (const Entry& one : all) {
+            const FoundLook& look = figure_.looks[one.sample];
+            if (!is_line(look) || look.dashes > 0) continue;
+            const bool fits = std::any_of(entries.begin(), entries.end(), [&](const Entry& known) {
+                const double wide = boxes_[known.sample].width;
+                return are_in_line(one, known) && is_line(figure_.looks[known.sample]) &&
+                       std::abs(boxes_[one.sample].width - wide) < kAsLong * wide;
+            });
+            const bool known =
+                std::any_of(entries.begin(), entries.end(), [&](const Entry& other) { return other.words == one.words; });
+            if (fits && !known && curve_like(one)) fitting.push_back(one);
+        }
+        if (fitting.size() == 1) entries.push_back(fitting.front());
+        return entries;
     }
 
     // Something else is painted so, and is larger.
@@ -169,18 +192,54 @@ private:
         return count;
     }
 
-    Point place_for(const Entry& entry) const {
-        const FoundLook& sample = figure_.looks[entry.sample];
-        // The largest: of bars that is the tallest, where its colour is seen best.
+    // As a curve does somewhere, and no axis.
+    bool leans(std::size_t look) const {
+        constexpr double kLeans = 0.3;  // mm
+        for (std::size_t s = figure_.looks[look].stroke; s < figure_.looks[look].strokes_end; ++s) {
+            const auto& points = page_.strokes[s].points;
+            for (std::size_t i = 1; i < points.size(); ++i)
+                if (std::abs(points[i].x - points[i - 1].x) > kLeans && std::abs(points[i].y - points[i - 1].y) > kLeans)
+                    return true;
+        }
+        return false;
+    }
+
+    double extent_of(std::size_t look) const {
+        constexpr double kOfAxis = 1e-6;
+        const double size = boxes_[look].width * boxes_[look].height + 1e-3 * boxes_[look].width;
+        return is_line(figure_.looks[look]) && !leans(look) ? kOfAxis * size : size;
+    }
+
+    // The largest that looks like the sample: of bars that is the tallest, where its colour is seen best. The sample itself:
+    // there is none.
+    std::size_t largest_like(const Entry& entry) const {
         std::size_t best = entry.sample;
         double most = 0;
         for (std::size_t i = 0; i < boxes_.size(); ++i)
-            if (const double size = boxes_[i].width * boxes_[i].height + 1e-3 * boxes_[i].width;
-                !is_sample(i) && alike(figure_.looks[i], sample) && size > most) {
-                most = size;
-                best = i;
-            }
-        return is_line(sample) ? clearest_on(figure_.looks[best]) : place_on_surface(boxes_[best]);
+            if (!is_sample(i) && i != entry.sample && alike(figure_.looks[i], figure_.looks[entry.sample]))
+                if (const double size = extent_of(i); size > most) {
+                    most = size;
+                    best = i;
+                }
+        return best;
+    }
+
+    // Of all that looks like it there is one curve, which is wider than it.
+    std::optional<std::size_t> curve_like(const Entry& entry) const {
+        std::optional<std::size_t> curve;
+        for (std::size_t i = 0; i < boxes_.size(); ++i) {
+            if (i == entry.sample || !alike(figure_.looks[i], figure_.looks[entry.sample]) || !leans(i) ||
+                boxes_[i].width < 2 * boxes_[entry.sample].width)
+                continue;
+            if (curve) return std::nullopt;
+            curve = i;
+        }
+        return curve;
+    }
+
+    Point place_for(const Entry& entry) const {
+        const std::size_t best = largest_like(entry);
+        return is_line(figure_.looks[entry.sample]) ? clearest_on(figure_.looks[best]) : place_on_surface(boxes_[best]);
     }
 
     Point place_on_surface(const Rect& surface) const {

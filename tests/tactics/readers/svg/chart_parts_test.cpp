@@ -220,6 +220,26 @@ TEST(Legend, FillsNothingWhereSurfacesLieOnEachOther) {
         4u);
 }
 
+// As black and whole as the axes and the ticks, it is known by its place in the legend and by the only curve that is so.
+TEST(Legend, ASampleMayLookLikeAxes) {
+    const std::string black = "' fill='none' stroke='black'", text = "<text font-size='4' ",
+                      axes = "<path d='M20 10 V90 H180" + black + "/>",
+                      ticks = "<path d='M16 70 h4" + black + "/>" + text + "x='10' y='71.5'>10</text><path d='M16 50 h4" + black +
+                              "/>" + text + "x='10' y='51.5'>20</text>",
+                      legend = "<path d='M120 10 h12" + black + "/>" + text + "x='136' y='11.5'>Oak</text><path d='M120 16 h12" +
+                               black + " stroke-dasharray='4'/>" + text + "x='136' y='17.5'>Elm</text>",
+                      dashed = "<path d='M20 80 L100 60 L180 70" + black + " stroke-dasharray='4'/>",
+                      whole = "<path d='M20 30 L100 50 L180 40" + black + "/>";
+    const FoundPage found = figure(axes + ticks + dashed + whole + legend);
+    ASSERT_TRUE(words_named(found, "Oak").thing);
+    EXPECT_NEAR(words_named(found, "Oak").thing->y, 40, 11);
+    ASSERT_TRUE(words_named(found, "Elm").thing);
+    EXPECT_FALSE(words_named(found, "10").thing);
+    // Which of two it names nobody knows.
+    const FoundPage two = figure(axes + ticks + dashed + whole + "<path d='M20 20 L100 25 L180 15" + black + "/>" + legend);
+    EXPECT_FALSE(words_named(two, "Oak").thing);
+}
+
 // Long ticks beside numbers look like samples, but all alike.
 TEST(Legend, TicksAreNoSamples) {
     std::string axis = "<path d='M30 10 V90 H180' fill='none' stroke='black'/>";
