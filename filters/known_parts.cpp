@@ -25,6 +25,7 @@
 #include "filters/plot_symbols.h"
 #include "filters/quieted.h"
 #include "filters/tick_marks.h"
+#include "tactics/geometry/ink_columns.h"
 #include "tactics/layout/felt_bars.h"
 #include "tactics/plot.h"
 #include "tactics/text/phrase.h"
@@ -327,10 +328,7 @@ std::vector<Phrase> KnownParts::told() const {
     if (marks > kSymbols)
         told.push_back(phrase("{0} kinds of points are more than a finger tells apart, so some have the same symbol.",
                               std::to_string(marks)));
-    if (noisy > 0)
-        told.push_back(
-            phrases(noisy, "{0} curve goes up and down faster than a finger can follow, and is drawn through the middle of that.",
-                    "{0} curves go up and down faster than a finger can follow, and are drawn through the middle of that."));
+    if (noisy > 0) told.push_back(told_of_noise(noisy));
     return told;
 }
 

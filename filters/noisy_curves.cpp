@@ -7,10 +7,10 @@
 #include <optional>
 #include <utility>
 
-#include "filters/ink_columns.h"
 #include "filters/ink_hues.h"
 #include "filters/opencv.h"
 #include "filters/straight_lines.h"
+#include "tactics/geometry/ink_columns.h"
 
 namespace tactics {
 

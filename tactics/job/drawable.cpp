@@ -190,6 +190,7 @@ Drawable drawable_of_figure(Source& source, const Job& job, const Sheet& sheet, 
                                     DrawingWay& way) {
         const double width = place.width / part.width;
         Drawing drawing = drawing_of_figure(figure->page, width);
+        way.told = drawing.remarks;
         draw_parts(*parts, width / figure->page.page.width, !words.told.empty(), on, drawing, way);
         return cut_out(std::move(drawing), part);
     };

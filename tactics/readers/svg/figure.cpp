@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "tactics/geometry/course.h"
+#include "tactics/geometry/ink_columns.h"
 #include "tactics/readers/svg/chart_bars.h"
 #include "tactics/readers/svg/felt_heads.h"
+#include "tactics/readers/svg/noisy_lines.h"
 
 namespace tactics {
 
@@ -121,11 +123,17 @@ Drawing drawing_of_figure(const FoundPage& figure, double width) {
     const auto is_of_bar = [&](const std::vector<Point>& line) {  // which is felt in another way
         return !bars.strokes.empty() && outlines_bar(*figure.bars, line);
     };
+    std::size_t noisy_lines = 0;
     Drawn drawn;
     for (const PageStroke& stroke : figure.page.strokes) {
         if (is_of_bar(stroke.points)) continue;
         Stroke line;
         std::vector<Point> points = scaled(stroke.points, scale);
+        if (const auto noisy = stroke.closed || stroke.role != Role::line ? std::nullopt : noisy_line(points)) {
+            points = noisy->course;
+            for (const auto& [foot, tip] : noisy->spikes) drawing.strokes.push_back({{foot, tip}, false});
+            ++noisy_lines;
+        }
         line.closed = stroke.closed;
         if (line.closed && points.size() > 1) points.push_back(points.front());
         line.points = course_of(points, kTolerance);
@@ -152,6 +160,7 @@ Drawing drawing_of_figure(const FoundPage& figure, double width) {
         }
     std::move(bars.strokes.begin(), bars.strokes.end(), std::back_inserter(drawing.strokes));
     std::move(bars.areas.begin(), bars.areas.end(), std::back_inserter(drawing.areas));
+    if (noisy_lines > 0) drawing.remarks.push_back(told_of_noise(noisy_lines));
     make_heads_felt(drawing);
     drawing.regions = figure.page.regions;
     for (Region& region : drawing.regions) {

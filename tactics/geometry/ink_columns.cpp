@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "filters/ink_columns.h"
+#include "tactics/geometry/ink_columns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -221,6 +221,11 @@ std::vector<std::array<Point, 2>> spikes_of(const std::vector<InkColumn>& column
             spikes.push_back({off.foot, off.tip});
     }
     return spikes;
+}
+
+Phrase told_of_noise(std::size_t curves) {
+    return phrases(curves, "{0} curve goes up and down faster than a finger can follow, and is drawn through the middle of that.",
+                   "{0} curves go up and down faster than a finger can follow, and are drawn through the middle of that.");
 }
 
 }  // namespace tactics

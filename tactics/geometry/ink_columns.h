@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "tactics/drawing.h"
+#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -30,5 +32,8 @@ std::vector<double> heights_along(const std::vector<Point>& line, const std::vec
 
 /// Peaks that stand far out of the noise, from that line to their tips, with a finger's gap between them, the highest first.
 std::vector<std::array<Point, 2>> spikes_of(const std::vector<InkColumn>& columns, const std::vector<Point>& line, double mm);
+
+/// That so many curves are drawn through the middle of their noise.
+Phrase told_of_noise(std::size_t curves);
 
 }  // namespace tactics
