@@ -22,10 +22,12 @@
 #include "filters/noisy_curves.h"
 #include "filters/opencv.h"
 #include "filters/pale_fills.h"
+#include "filters/pale_grid.h"
 #include "filters/plot_symbols.h"
 #include "filters/quieted.h"
 #include "filters/tick_marks.h"
 #include "tactics/geometry/ink_columns.h"
+#include "tactics/geometry/line_styles.h"
 #include "tactics/layout/felt_bars.h"
 #include "tactics/plot.h"
 #include "tactics/text/phrase.h"
@@ -328,6 +330,7 @@ std::vector<Phrase> KnownParts::told() const {
     if (marks > kSymbols)
         told.push_back(phrase("{0} kinds of points are more than a finger tells apart, so some have the same symbol.",
                               std::to_string(marks)));
+    if (grid_lines > 0) told.push_back(told_of_grid(grid_lines));
     if (noisy > 0) told.push_back(told_of_noise(noisy));
     return told;
 }
@@ -339,7 +342,9 @@ KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 
         add_thin_strokes(take_error_bars(picture), picture.mm_per_pixel, parts);
         add_thin_strokes(take_tick_marks(picture), picture.mm_per_pixel, parts);
     }
-    const bool bars = take_bars(picture, ground ? *ground : ground_of(picture), parts);
+    const std::array<int, 3> ground_there = ground ? *ground : ground_of(picture);
+    parts.grid_lines = leave_out_pale_grid(picture, ground_there);
+    const bool bars = take_bars(picture, ground_there, parts);
     if (ground && !bars) parts.areas = take_fills(picture, *ground);
     if (ground && !bars && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
     KnownOfPicture known(picture);

@@ -19,11 +19,12 @@ struct KnownParts {
     /// Role::arrow: a head, from barb to tip to barb; Role::dash, Role::dots: such a line, whole; Role::line: a noisy curve, a
     /// stem or cap of an error bar, a tick, a side of a bar (tactics/layout/felt_bars.h).
     std::vector<Stroke> strokes;
-    std::size_t noisy = 0;     ///< of the strokes: curves through the middle of their noise (noisy_curves.h)
-    std::size_t marks = 0;     ///< kinds of points of a plot
-    std::size_t left_out = 0;  ///< colours of pale surfaces behind curves (pale_fills.h)
-    std::vector<Area> areas;   ///< Role::symbol: a point, each kind of a plot with a symbol of its own (inked_marks.h); with a
-                               ///< texture: a surface
+    std::size_t noisy = 0;       ///< of the strokes: curves through the middle of their noise (noisy_curves.h)
+    std::size_t marks = 0;       ///< kinds of points of a plot
+    std::size_t grid_lines = 0;  ///< pale ones, which are left out (pale_grid.h)
+    std::size_t left_out = 0;    ///< colours of pale surfaces behind curves (pale_fills.h)
+    std::vector<Area> areas;     ///< Role::symbol: a point, each kind of a plot with a symbol of its own (inked_marks.h); with a
+                                 ///< texture: a surface
 
     void add_to(Drawing& drawing) &&;
     std::vector<Phrase> told() const;  ///< what a reader of the picture would not expect

@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "tactics/geometry/line_styles.h"
 #include "tactics/readers/svg/chart_bars.h"
 #include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/dash_marks.h"
@@ -65,9 +66,7 @@ void leave_out_grid(FoundPage& figure) {
         for (const std::size_t i : row.strokes) figure.page.strokes[i].points.clear();
         gone += row.strokes.size();
     }
-    if (gone > 0)
-        figure.notes.push_back(
-            phrase("{0} lines of a grid are left out; draw them in black and whole to have them drawn", std::to_string(gone)));
+    if (gone > 0) figure.notes.push_back(told_of_grid(gone));
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The grid behind a chart in a picture, whose lines are paler than axes and curves, whole, dashed or dotted.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "tactics/image.h"
+
+namespace tactics {
+
+/// Gives the ground's colour to such lines, level and upright ones, where they do not touch darker ink. Returns how many they
+/// were; fewer than three one way are none, nor are those that are not evenly apart.
+std::size_t leave_out_pale_grid(Image& picture, const std::array<int, 3>& ground);
+
+}  // namespace tactics
