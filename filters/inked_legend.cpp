@@ -25,12 +25,6 @@ namespace {
 constexpr int kSame = 45;          // levels in each channel
 constexpr int kSameOfDashes = 70;  // thin dashes are blurred, and thin curves
 constexpr int kPalestDash = 0xb0;
-constexpr double kColour = 40;  // levels between the channels of what is not grey
-
-bool is_grey(const PixelColour& c) {
-    return *std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end()) < kColour;
-}
-
 std::optional<Point> highest_in(const cv::Mat& field, const cv::Mat& mask) {
     double most = 0;
     cv::Point at;
@@ -57,7 +51,10 @@ std::optional<Point> farthest_on(const cv::Mat& mask, const cv::Mat& own, const 
 // is of the ink that explains it best.
 cv::Mat thinly_painted(const Image& picture, const KeySample& sample, const std::vector<KeySample>& samples) {
     constexpr double kLeastInk = 0.4, kMostInk = 1.2;  // a pale band around a curve has less. Settings
+    constexpr double kMostOfThin = 2.2;                // of a sample whose line is half in each of two rows
+    constexpr int kThinSample = 2;                     // pixels
     constexpr double kRest = 32, kSameInk = 12;        // levels
+    const double most = sample.box.height() <= kThinSample ? kMostOfThin : kMostInk;
     const PixelColour ground = ground_of(picture);
     cv::Mat own = cv::Mat::zeros(picture.height, picture.width, CV_8U);
     for (const KeySample& other : samples)
@@ -66,7 +63,7 @@ cv::Mat thinly_painted(const Image& picture, const KeySample& sample, const std:
         for (int x = 0; x < own.cols; ++x) {
             const PixelColour pixel = pixel_colour(picture, x, y);
             const InkShare found = share_of_ink(pixel, ground, sample.colour);
-            if (found.rest > kRest || found.share < kLeastInk || found.share > kMostInk) continue;
+            if (found.rest > kRest || found.share < kLeastInk || found.share > most) continue;
             const bool is_best = std::none_of(samples.begin(), samples.end(), [&](const KeySample& other) {
                 return other.words != sample.words && share_of_ink(pixel, ground, other.colour).rest < found.rest;
             });
@@ -135,23 +132,51 @@ std::vector<DashRow> dashed_lines_of(const Image& ink, const Image& picture, con
     return dash_rows_in(black, picture, {kLongest * height, std::max(2.0, kWidest * height), kWidestGap * height});
 }
 
+DashLengths lengths_of(const DashRow& row) {
+    std::vector<double> marks, gaps;
+    for (std::size_t i = 1; i < row.points.size(); ++i)
+        (i % 2 == 1 ? marks : gaps).push_back(distance(row.points[i - 1], row.points[i]));
+    return {middle_length(marks), middle_length(gaps)};
+}
+
+// Its deepest ink has its colour; borders are paler.
+PixelColour colour_of(const DashRow& row, const Image& picture, const Image& ink) {
+    int deepest = 256;
+    PixelColour colour{};
+    for (const Run& run : row.ink)
+        for (int x = run.begin; x < run.end; ++x) {
+            if (ink.row(run.row)[x] >= deepest) continue;
+            deepest = ink.row(run.row)[x];
+            colour = pixel_colour(picture, x, run.row);
+        }
+    return colour;
+}
+
+// Of the samples of its colour; nothing where none is much like it.
+const KeySample* most_like(const DashRow& row, const PixelColour& colour, const std::vector<KeySample>& samples) {
+    constexpr double kMostUnlike = 0.4;
+    const DashLengths own = lengths_of(row);
+    const bool both = row.kind == DashKind::dashes_and_dots;
+    const KeySample* best = nullptr;
+    double least = kMostUnlike;
+    for (const KeySample& one : samples) {
+        if (!one.dashes || (*one.dashes == DashKind::dashes_and_dots) != both) continue;
+        if (channels_apart(colour, one.colour) > kSameOfDashes) continue;
+        if (const double off = both ? 0 : unlike(own, one.lengths); off < least) {
+            least = off;
+            best = &one;
+        }
+    }
+    return best;
+}
+
 // The dashed lines that are like it.
 std::optional<Point> place_on_dashes(const Image& picture, const Image& ink, const KeySample& sample,
-                                     const std::vector<DashRow>& rows, const cv::Mat& elsewhere,
-                                     const std::vector<LegendEntry>& before) {
+                                     const std::vector<KeySample>& samples, const std::vector<DashRow>& rows,
+                                     const cv::Mat& elsewhere, const std::vector<LegendEntry>& before) {
     cv::Mat own = cv::Mat::zeros(picture.height, picture.width, CV_8U);
     for (const DashRow& row : rows) {
-        if (row.leads || row.kind != *sample.dashes) continue;
-        // Its deepest ink has its colour; borders are paler.
-        int deepest = 256;
-        PixelColour own_colour{};
-        for (const Run& run : row.ink)
-            for (int x = run.begin; x < run.end; ++x) {
-                if (ink.row(run.row)[x] >= deepest) continue;
-                deepest = ink.row(run.row)[x];
-                own_colour = pixel_colour(picture, x, run.row);
-            }
-        if (channels_apart(own_colour, sample.colour) > kSameOfDashes) continue;
+        if (row.leads || most_like(row, colour_of(row, picture, ink), samples) != &sample) continue;
         for (std::size_t i = 0; i + 1 < row.points.size(); ++i)
             cv::line(own, cv::Point(static_cast<int>(row.points[i].x), static_cast<int>(row.points[i].y)),
                      cv::Point(static_cast<int>(row.points[i + 1].x), static_cast<int>(row.points[i + 1].y)), cv::Scalar(255),
@@ -276,7 +301,7 @@ std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<Legen
         if ((of_bars && !one.line) || (several && one.hatch) || is_blank_sample(one)) continue;
         if (one.line && is_grey(one.colour) && !any_dashes) continue;
         const auto at = one.hatch                         ? hatched_place(picture)
-                        : one.dashes                      ? place_on_dashes(picture, ink, one, rows, elsewhere, entries)
+                        : one.dashes                      ? place_on_dashes(picture, ink, one, samples, rows, elsewhere, entries)
                         : one.line && is_grey(one.colour) ? place_on_grey(picture, ink, one, rows, elsewhere, entries)
                                                           : place_of(picture, ink, one, samples, elsewhere, entries);
         if (at) entries.push_back({one.words, one.box, *at});

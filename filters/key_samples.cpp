@@ -24,8 +24,17 @@ constexpr double kMostSwatch = 3.2, kSwatchRow = 0.5;  // the boxes of ggplot2 a
 constexpr double kSwatchWide = 0.7;                    // of its height
 constexpr int kAlikeSamples = 25;                      // levels in each channel
 
+// Dots and dashes of little samples may be taken for each other, if they are told apart by how long they are.
+bool dashed_alike(const KeySample& a, const KeySample& b) {
+    constexpr double kAlikeLengths = 0.3;
+    if (a.dashes.has_value() != b.dashes.has_value()) return false;
+    if (!a.dashes) return true;
+    const bool both = *a.dashes == DashKind::dashes_and_dots;
+    return both == (*b.dashes == DashKind::dashes_and_dots) && (both || unlike(a.lengths, b.lengths) < kAlikeLengths);
+}
+
 bool alike(const KeySample& a, const KeySample& b) {
-    return a.line == b.line && a.hatch == b.hatch && a.dashes == b.dashes &&
+    return a.line == b.line && a.hatch == b.hatch && dashed_alike(a, b) &&
            (a.hatch || channels_apart(a.colour, b.colour) <= kAlikeSamples);
 }
 
@@ -153,7 +162,8 @@ void find_look(const Image& picture, const Image& ink, KeySample& sample) {
 }
 
 // By the ink along it. The last mark may be cut off.
-std::optional<DashKind> dashes_along(const Image& ink, const PixelBox& box) {
+void find_dashes(const Image& ink, KeySample& sample) {
+    const PixelBox& box = sample.box;
     std::vector<int> columns;
     double all = 0;
     for (int x = box.left; x < box.right; ++x) {
@@ -165,18 +175,20 @@ std::optional<DashKind> dashes_along(const Image& ink, const PixelBox& box) {
         columns.push_back(darkest);
     }
     const int darkest = *std::min_element(columns.begin(), columns.end()), halfway = (darkest + 255) / 2;
-    std::vector<double> lengths;
+    std::vector<double> marks, gaps;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        if (columns[i] >= halfway) continue;
-        if (i == 0 || columns[i - 1] >= halfway) lengths.push_back(0);
+        const bool inked = columns[i] < halfway, begins = i == 0 || (columns[i - 1] < halfway) != inked;
+        std::vector<double>& lengths = inked ? marks : gaps;
+        if (begins) lengths.push_back(0);
         ++lengths.back();
     }
-    if (lengths.size() < 2) return std::nullopt;
+    if (marks.size() < 2) return;
     // As much ink as that is, if it were evenly dark.
-    const double width = all / (255.0 - darkest) / std::accumulate(lengths.begin(), lengths.end(), 0.0);
-    if (lengths.size() > 2) lengths.pop_back();
-    for (double& length : lengths) length /= std::max(1.0, width);
-    return dash_kind(std::move(lengths));
+    const double width = all / (255.0 - darkest) / std::accumulate(marks.begin(), marks.end(), 0.0);
+    if (marks.size() > 2) marks.pop_back();
+    sample.lengths = {middle_length(marks), middle_length(gaps)};
+    for (double& length : marks) length /= std::max(1.0, width);
+    sample.dashes = dash_kind(std::move(marks));
 }
 
 // Pixels that touch along their sides, of one colour.
@@ -292,8 +304,13 @@ std::optional<KeySample> sample_beside(const Image& picture, const Image& ink, c
         return std::nullopt;
     KeySample sample{number, *box, box->height() <= kLineHigh * h || is_marked_line(ink, *box), false, {}, h};
     find_look(picture, ink, sample);
-    if (sample.line) sample.dashes = dashes_along(ink, *box);
-    if (sample.dashes && (box->height() > kLineHigh * h || goes_on(ink, *box, left, h))) return std::nullopt;
+    if (sample.line) find_dashes(ink, sample);
+    if (sample.dashes && goes_on(ink, *box, left, h)) return std::nullopt;
+    // With a mark on it nobody knows what its dashes are: its colour must do.
+    if (sample.dashes && box->height() > kLineHigh * h) {
+        if (is_grey(sample.colour)) return std::nullopt;
+        sample.dashes.reset();
+    }
     return sample;
 }
 
@@ -341,6 +358,17 @@ double mean_off_words(const std::vector<KeySample>& samples, const std::vector<L
 }
 
 }  // namespace
+
+double middle_length(std::vector<double> lengths) {
+    const auto half = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), half, lengths.end());
+    return *half;
+}
+
+double unlike(const DashLengths& a, const DashLengths& b) {
+    const double one = a.mark + a.gap, other = b.mark + b.gap;
+    return std::abs(std::log(one / other)) + std::abs(a.mark / one - b.mark / other);
+}
 
 // In a row the sample of the next words may be as close, so all words have theirs on the side where most have one.
 std::vector<KeySample> key_samples_in(const Image& picture, const Image& ink, const std::vector<LegendWords>& words) {

@@ -2,6 +2,7 @@
 // Samples of a legend: what is painted beside its words, and how it looks.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -15,6 +16,20 @@ namespace tactics {
 
 constexpr int kInkOfKeys = 215;  ///< of 255 is the ground; paler is the border of something, or noise
 
+/// The middle ones of a dashed line, in pixels.
+struct DashLengths {
+    double mark = 0, gap = 0;
+};
+double middle_length(std::vector<double> lengths);  ///< of some
+
+/// How different they are: 0 for the same, 0.7 for what repeats after twice as much, 0.5 more for another half of which is ink.
+double unlike(const DashLengths& a, const DashLengths& b);
+
+inline bool is_grey(const PixelColour& c) {
+    constexpr int kColour = 40;  // levels between the channels of what is not
+    return *std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end()) < kColour;
+}
+
 struct KeySample {
     std::size_t words = 0;  ///< their number
     PixelBox box;
@@ -23,6 +38,7 @@ struct KeySample {
     double height = 0;                    ///< of the letters beside it
     int off_ground = 0;                   ///< levels
     std::optional<DashKind> dashes = {};  ///< of a line that is not whole
+    DashLengths lengths = {};             ///< its
 };
 
 /// Samples in a row or a column. `ink` is ink_on_white of the picture.
