@@ -28,6 +28,34 @@ bool is_straight(const DashRow& row) {
     return distance(row.points.front(), row.points.back()) >= kStraight * way;
 }
 
+DashLengths lengths_of(const DashRow& row) {
+    std::vector<double> marks, steps;
+    for (std::size_t i = 0; i < row.points.size(); i += 2) {
+        marks.push_back(std::max(row.width, distance(row.points[i], row.points[i + 1])));  // a dot has no length
+        if (i > 0) steps.push_back(distance(row.points[i - 2], row.points[i]));
+    }
+    const double mark = middle_length(marks);
+    return {mark, std::max(0.0, middle_length(steps) - mark)};
+}
+
+double middle_length(std::vector<double> lengths) {
+    const auto half = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), half, lengths.end());
+    return *half;
+}
+
+bool is_dense(const DashRow& row) {
+    constexpr std::size_t kMany = 6;                               // marks
+    constexpr double kMostGap = 2.2, kUneven = 0.15, kEven = 0.7;  // of a mark; of the step from one to the next; of the steps
+    if (row.points.size() < 2 * kMany) return false;
+    const DashLengths usual = lengths_of(row);
+    const double step = usual.mark + usual.gap;
+    std::size_t even = 0, all = 0;
+    for (std::size_t i = 2; i < row.points.size(); i += 2, ++all)
+        even += std::abs(distance(row.points[i - 2], row.points[i]) - step) < kUneven * step ? 1 : 0;
+    return usual.gap <= kMostGap * usual.mark && static_cast<double>(even) >= kEven * static_cast<double>(all);
+}
+
 DashKind dash_kind(std::vector<double> lengths) {
     constexpr double kDot = 2.1;          // widths
     constexpr double kFarLonger = 1.8;    // a dash than the mark beside it

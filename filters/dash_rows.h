@@ -43,6 +43,16 @@ std::optional<bool> is_level(const DashRow& row);
 /// Straight, and of clear dashes.
 bool is_straight(const DashRow& row);
 
+/// The middle ones of a dashed line's marks and gaps, in pixels.
+struct DashLengths {
+    double mark = 0, gap = 0;
+};
+DashLengths lengths_of(const DashRow& row);
+double middle_length(std::vector<double> lengths);  ///< of one at least
+
+/// Of several marks at one distance, with little more than their length between them: no points of a plot.
+bool is_dense(const DashRow& row);
+
 /// What a dashed line's marks are, whose lengths these are, in widths of the line. Few may be cut short by what they cross.
 DashKind dash_kind(std::vector<double> lengths);
 

@@ -132,13 +132,6 @@ std::vector<DashRow> dashed_lines_of(const Image& ink, const Image& picture, con
     return dash_rows_in(black, picture, {kLongest * height, std::max(2.0, kWidest * height), kWidestGap * height});
 }
 
-DashLengths lengths_of(const DashRow& row) {
-    std::vector<double> marks, gaps;
-    for (std::size_t i = 1; i < row.points.size(); ++i)
-        (i % 2 == 1 ? marks : gaps).push_back(distance(row.points[i - 1], row.points[i]));
-    return {middle_length(marks), middle_length(gaps)};
-}
-
 // Its deepest ink has its colour; borders are paler.
 PixelColour colour_of(const DashRow& row, const Image& picture, const Image& ink) {
     int deepest = 256;

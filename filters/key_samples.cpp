@@ -359,12 +359,6 @@ double mean_off_words(const std::vector<KeySample>& samples, const std::vector<L
 
 }  // namespace
 
-double middle_length(std::vector<double> lengths) {
-    const auto half = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::nth_element(lengths.begin(), half, lengths.end());
-    return *half;
-}
-
 double unlike(const DashLengths& a, const DashLengths& b) {
     const double one = a.mark + a.gap, other = b.mark + b.gap;
     return std::abs(std::log(one / other)) + std::abs(a.mark / one - b.mark / other);

@@ -16,12 +16,6 @@ namespace tactics {
 
 constexpr int kInkOfKeys = 215;  ///< of 255 is the ground; paler is the border of something, or noise
 
-/// The middle ones of a dashed line, in pixels.
-struct DashLengths {
-    double mark = 0, gap = 0;
-};
-double middle_length(std::vector<double> lengths);  ///< of some
-
 /// How different they are: 0 for the same, 0.7 for what repeats after twice as much, 0.5 more for another half of which is ink.
 double unlike(const DashLengths& a, const DashLengths& b);
 

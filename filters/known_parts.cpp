@@ -276,10 +276,24 @@ bool take_bars(Image& picture, const PixelColour& ground, KnownParts& parts) {
     return true;
 }
 
+// Large dots and short dashes of a line are alike, as the points of a plot are: so they go before these are looked for.
+InkedMarks marks_in(const Image& picture, KnownOfPicture& known) {
+    const double mm = picture.mm_per_pixel, least = std::max(kFewestPixels, kLeastMark / mm), most = kMostMark / mm;
+    InkedMarks found = inked_marks_in(picture, known.ink(), least, most);
+    if (found.marks.empty()) return found;
+    std::vector<Run> dashes;
+    for (const DashRow& row : known.rows())
+        if (is_dense(row)) dashes.insert(dashes.end(), row.ink.begin(), row.ink.end());
+    if (dashes.empty()) return found;
+    Image without = picture;
+    paint_over(without, known.ink_of_dashes(), dashes);
+    return inked_marks_in(without, ink_on_white(without), least, most);
+}
+
 // Points of a plot, each kind with a symbol of its own.
 void take_marks(Image& picture, KnownOfPicture& known, KnownParts& parts) {
     const double mm = picture.mm_per_pixel;
-    const InkedMarks found = inked_marks_in(picture, known.ink(), std::max(kFewestPixels, kLeastMark / mm), kMostMark / mm);
+    const InkedMarks found = marks_in(picture, known);
     if (found.marks.empty()) return;
     take_out(picture, found);
     known.forget();
