@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "filters/dash_crossings.h"
+#include "filters/dash_pieces.h"
 #include "tactics/geometry/vectors.h"
 
 namespace tactics {
@@ -23,66 +24,6 @@ constexpr double kThinnest = 1.3;          // pixels; what is thinner is blurred
 constexpr double kLongDash = 2.5;          // widths of a dash that has a direction of its own
 constexpr std::size_t kMostDashes = 4000;  // of a picture; more is a pattern or noise
 
-using InkHue = std::array<double, 3>;  // what the ink takes from white, of length 1
-
-struct Dash {
-    Point ends[2];  // pixels, of its middle line
-    double width = 0;
-    std::uint32_t piece = 0;  // of the picture's
-    InkHue hue{};
-    double whole_length() const { return length() + width; }
-    Point middle() const { return {(ends[0].x + ends[1].x) / 2, (ends[0].y + ends[1].y) / 2}; }
-    double length() const { return distance(ends[0], ends[1]); }
-};
-
-// Along its main axis (of the second moments), if it is thin across it.
-std::optional<Dash> dash_of(const std::vector<const Run*>& runs, double longest, double widest) {
-    double n = 0, sx = 0, sy = 0, sxx = 0, syy = 0, sxy = 0;
-    for (const Run* run : runs)
-        for (int x = run->begin; x < run->end; ++x) {
-            const double px = x + 0.5, py = run->row + 0.5;
-            ++n;
-            sx += px;
-            sy += py;
-            sxx += px * px;
-            syy += py * py;
-            sxy += px * py;
-        }
-    const double mx = sx / n, my = sy / n, cxx = sxx / n - mx * mx + 1.0 / 12, cyy = syy / n - my * my + 1.0 / 12,
-                 cxy = sxy / n - mx * my;
-    const double mean = (cxx + cyy) / 2, off = std::hypot((cxx - cyy) / 2, cxy);
-    // A bar of length l has a variance of l^2 / 12.
-    const double length = std::sqrt(12 * (mean + off)), width = std::sqrt(12 * std::max(0.0, mean - off));
-    const bool clear = length > 2 * width && width <= 1.4 * widest;  // no letter, no point
-    if (length > longest || (width > widest && !clear)) return std::nullopt;
-    const double angle = std::atan2(2 * cxy, cxx - cyy) / 2, half = std::max(0.0, length - width) / 2;
-    const Point along{half * std::cos(angle), half * std::sin(angle)};
-    return Dash{{{mx - along.x, my - along.y}, {mx + along.x, my + along.y}}, width};
-}
-
-// Soft borders are pale, but of the same hue.
-InkHue hue_of(const Image& picture, const std::vector<const Run*>& runs) {
-    InkHue hue{};
-    for (const Run* run : runs)
-        for (int x = run->begin; x < run->end; ++x)
-            for (std::size_t c = 0; c < 3; ++c)
-                hue[c] += 255 - picture.row(run->row)[x * picture.channels + (picture.channels == 3 ? static_cast<int>(c) : 0)];
-    const double size = std::sqrt(hue[0] * hue[0] + hue[1] * hue[1] + hue[2] * hue[2]);
-    for (double& channel : hue) channel = size > 0 ? channel / size : 1 / std::sqrt(3.0);
-    return hue;
-}
-
-bool have_one_hue(const Dash& a, const Dash& b) {
-    constexpr double kOneHue = 0.93;  // cosine; red and black have 0.82, blue and green 0.5
-    return a.hue[0] * b.hue[0] + a.hue[1] * b.hue[1] + a.hue[2] * b.hue[2] >= kOneHue;
-}
-
-double middle_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 struct Link {
     std::size_t a, b;  // ends: 2 * dash + which
     double gap;
@@ -90,7 +31,7 @@ struct Link {
 
 class Rows {
 public:
-    Rows(std::vector<Dash> dashes, double reach, const std::vector<HidingMark>& marks)
+    Rows(std::vector<InkedDash> dashes, double reach, const std::vector<HidingMark>& marks)
         : dashes_(std::move(dashes)), links_(2 * dashes_.size(), kNone), hidden_(2 * dashes_.size()) {
         std::vector<Link> all;
         for (std::size_t i = 0; i < dashes_.size(); ++i)
@@ -108,6 +49,7 @@ public:
         part_from_dashes();
         for (const HidingMark& mark : marks) join_behind(mark, reach);
         join(bridges());
+        join(corners(), false);
     }
 
     // Of rows that are long enough, the ends at which each of their dashes begins, in their order.
@@ -136,7 +78,7 @@ public:
                 all.push_back(distance(dash(chain[i]).ends[1 - (chain[i] & 1)], dash(chain[i + 1]).ends[chain[i + 1] & 1]));
         return all;
     }
-    const Dash& dash(std::size_t end) const { return dashes_[end / 2]; }
+    const InkedDash& dash(std::size_t end) const { return dashes_[end / 2]; }
     // It may be longer than what is seen of it.
     bool is_cut(std::size_t end) const { return hidden_[end] || hidden_[end ^ 1]; }
 
@@ -149,10 +91,11 @@ private:
         return std::clamp(kGapOfDash * std::min(dashes_[i].whole_length(), dashes_[j].whole_length()), reach, kMostReach * reach);
     }
 
-    void join(std::vector<Link> all) {
+    void join(std::vector<Link> all, bool on_course = true) {
         std::stable_sort(all.begin(), all.end(), [](const Link& a, const Link& b) { return a.gap < b.gap; });
         for (const Link& link : all)
-            if (links_[link.a] == kNone && links_[link.b] == kNone && links_[link.a ^ 1] != link.b && keeps_course(link)) {
+            if (links_[link.a] == kNone && links_[link.b] == kNone && links_[link.a ^ 1] != link.b &&
+                (!on_course || keeps_course(link))) {
                 links_[link.a] = link.b;
                 links_[link.b] = link.a;
             }
@@ -186,38 +129,78 @@ private:
             }
     }
 
-    // From the end of a row over what it crosses, where dashes are one piece of ink with that, to the row that goes on behind it.
-    std::vector<Link> bridges() const {
-        constexpr double kPeriods = 3;       // of dash and gap
-        constexpr double kStraightOn = 0.8;  // cosine of 37 degrees, of an arc from its chord
-        struct RowEnd {
-            std::size_t end, row;
-            Point at, out;
-            double period;
-            DashKind kind;
-        };
+    struct RowEnd {
+        std::size_t end, row, dashes;
+        Point at, out;  // its way, from the dash `back` of it
+        double gap, width, length, period;
+        DashKind kind;
+    };
+    // Of rows of so many dashes that do not run around.
+    std::vector<RowEnd> row_ends(std::size_t least, std::size_t back) const {
         std::vector<RowEnd> ends;
         std::size_t number = 0;
         for (const std::vector<std::size_t>& chain : chains()) {
             ++number;
-            if (chain.size() < kLeast || links_[chain.front()] != kNone || gaps(chain).empty()) continue;
+            if (chain.size() < least || links_[chain.front()] != kNone || gaps(chain).empty()) continue;
             std::vector<double> lengths, widths;
             for (const std::size_t end : chain) {
                 lengths.push_back(dash(end).whole_length());
                 widths.push_back(dash(end).width);
             }
-            const double width = middle_of(std::move(widths)),
-                         period = *std::max_element(lengths.begin(), lengths.end()) + middle_of(gaps(chain));
-            for (double& length : lengths) length /= std::max(kThinnest, width);
+            const double gap = middle_length(gaps(chain)), width = middle_length(widths), length = middle_length(lengths),
+                         period = *std::max_element(lengths.begin(), lengths.end()) + gap;
+            for (double& one : lengths) one /= std::max(kThinnest, width);
             const DashKind kind = dash_kind(std::move(lengths));
-            const auto end_of = [&](std::size_t end, std::size_t before) {
+            const auto add = [&](std::size_t end, std::size_t before) {
                 const Point at = dash(end).ends[end & 1], from = dash(before).middle();
                 const double way = std::max(1e-6, distance(from, at));
-                ends.push_back({end, number, at, {(at.x - from.x) / way, (at.y - from.y) / way}, period, kind});
+                ends.push_back({end,
+                                number,
+                                chain.size(),
+                                at,
+                                {(at.x - from.x) / way, (at.y - from.y) / way},
+                                gap,
+                                width,
+                                length,
+                                period,
+                                kind});
             };
-            end_of(chain.front(), chain[std::min<std::size_t>(2, chain.size() - 1)]);
-            end_of(chain.back() ^ 1, chain[chain.size() - std::min<std::size_t>(3, chain.size())]);
+            const std::size_t last = chain.size() - 1, inner = std::min(back, last);
+            add(chain.front(), chain[inner]);
+            add(chain.back() ^ 1, chain[last - inner]);
         }
+        return ends;
+    }
+
+    // Where a row ends and another one begins after the usual gap, in another direction: the corner of a curve that joins
+    // measurements by straight lines.
+    std::vector<Link> corners() const {
+        constexpr std::size_t kFew = 2, kRow = 3;           // dashes of both, and of one of them
+        constexpr double kUsualGap = 1.5, kWider = 1.6;     // times
+        constexpr double kTurns = -0.2, kTurnsBack = -0.6;  // cosines
+        const auto alike = [](double one, double other) { return std::max(one, other) <= kWider * std::min(one, other) + 1; };
+        const std::vector<RowEnd> ends = row_ends(kFew, 1);
+        std::vector<Link> all;
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            for (std::size_t j = i + 1; j < ends.size(); ++j) {
+                const RowEnd &a = ends[i], &b = ends[j];
+                const double gap = distance(a.at, b.at);
+                if (a.row == b.row || std::max(a.dashes, b.dashes) < kRow || gap > kUsualGap * std::min(a.gap, b.gap) + 1)
+                    continue;
+                if (!alike(a.width, b.width) || !alike(a.length, b.length) || !alike(a.gap, b.gap)) continue;
+                if (!have_one_hue(dash(a.end), dash(b.end))) continue;
+                const Point way{b.at.x - a.at.x, b.at.y - a.at.y}, on{-b.out.x, -b.out.y};
+                if (std::min(cosine(a.out, way), cosine(on, way)) < kTurns || cosine(a.out, on) < kTurnsBack) continue;
+                all.push_back({a.end, b.end, gap});
+            }
+        return all;
+    }
+
+    // From the end of a row over what it crosses, where dashes are one piece of ink with that, to the row that goes on behind it.
+    std::vector<Link> bridges() const {
+        constexpr double kPeriods = 3;       // of dash and gap
+        constexpr double kStraightOn = 0.8;  // cosine of 37 degrees, of an arc from its chord
+        const std::vector<RowEnd> ends = row_ends(kLeast, 2);
         std::vector<Link> all;
         for (std::size_t i = 0; i < ends.size(); ++i)
             for (std::size_t j = i + 1; j < ends.size(); ++j) {
@@ -234,7 +217,7 @@ private:
 
     // A dash has a direction if it is clearly longer than wide; a dot has that of the pixels' corners.
     Point direction(std::size_t dash, std::size_t end) const {
-        const Dash& one = dashes_[dash];
+        const InkedDash& one = dashes_[dash];
         if (one.length() < std::max(one.width, kClearLength)) return {};
         return {one.ends[end].x - one.ends[1 - end].x, one.ends[end].y - one.ends[1 - end].y};
     }
@@ -250,7 +233,7 @@ private:
     bool keeps_course(const Link& link) const {
         for (const auto& [end, next] : {std::pair{link.a, link.b}, std::pair{link.b, link.a}}) {
             const std::size_t other = links_[end ^ 1];
-            const Dash& own = dashes_[end / 2];
+            const InkedDash& own = dashes_[end / 2];
             if (other == kNone || own.whole_length() > kLongDash * own.width) continue;
             const Point from = near_end(other), to = near_end(next), middle = own.middle();
             if (cosine({middle.x - from.x, middle.y - from.y}, {to.x - middle.x, to.y - middle.y}) < kOnCourse) return false;
@@ -260,7 +243,7 @@ private:
 
     Point near_end(std::size_t end) const {
         constexpr double kIn = 0.3;  // of half a dash: the end itself may be a pixel off
-        const Dash& one = dashes_[end / 2];
+        const InkedDash& one = dashes_[end / 2];
         const Point at = one.ends[end & 1], middle = one.middle();
         return {at.x + kIn * (middle.x - at.x), at.y + kIn * (middle.y - at.y)};
     }
@@ -274,7 +257,7 @@ private:
                 lengths.push_back(dash(end).whole_length());
                 widths.push_back(dash(end).width);
             }
-            const double width = std::max(kThinnest, middle_of(std::move(widths)));
+            const double width = std::max(kThinnest, middle_length(std::move(widths)));
             std::vector<double> in_widths = lengths;
             for (double& length : in_widths) length /= width;
             if (chain.size() < 2 * kLeast || dash_kind(std::move(in_widths)) != DashKind::dots) continue;
@@ -285,7 +268,7 @@ private:
         }
     }
 
-    std::vector<Dash> dashes_;
+    std::vector<InkedDash> dashes_;
     std::vector<std::size_t> links_;  // of each end
     std::vector<bool> hidden_;        // an end behind a mark
 };
@@ -293,7 +276,7 @@ private:
 // Longer gaps are over what a row crosses.
 double most_alike(const std::vector<double>& gaps) {
     constexpr double kLonger = 1.7;
-    return kLonger * middle_of(gaps) + 1;
+    return kLonger * middle_length(gaps) + 1;
 }
 
 // Pieces that only happen to stand in a row have gaps of any length.
@@ -339,10 +322,10 @@ std::vector<DashRow> dash_rows_in(const Image& ink, const Image& picture, const 
     std::vector<std::vector<const Run*>> runs(pieces.count);
     for (const Run& run : pieces.runs)
         if (static_cast<double>(extents[run.component]) <= limits.longest) runs[run.component].push_back(&run);
-    std::vector<Dash> dashes;
+    std::vector<InkedDash> dashes;
     for (std::uint32_t piece = 0; piece < pieces.count; ++piece) {
         if (runs[piece].empty()) continue;
-        if (auto dash = dash_of(runs[piece], limits.longest, limits.widest)) {
+        if (auto dash = inked_dash(runs[piece], limits.longest, limits.widest)) {
             dash->piece = piece;
             dash->hue = hue_of(picture, runs[piece]);
             dashes.push_back(*dash);
@@ -357,14 +340,14 @@ std::vector<DashRow> dash_rows_in(const Image& ink, const Image& picture, const 
         DashRow row;
         std::vector<double> widths, lengths;
         for (const std::size_t end : chain) {
-            const Dash& dash = found.dash(end);
+            const InkedDash& dash = found.dash(end);
             row.points.push_back(dash.ends[end & 1]);
             row.points.push_back(dash.ends[1 - (end & 1)]);
             widths.push_back(dash.width);
             if (!found.is_cut(end)) lengths.push_back(dash.whole_length());
             for (const Run* run : runs[dash.piece]) row.ink.push_back(*run);
         }
-        row.width = middle_of(widths);
+        row.width = middle_length(widths);
         if (lengths.empty()) continue;
         std::sort(lengths.begin(), lengths.end());
         row.longest = lengths[lengths.size() * 17 / 20];
