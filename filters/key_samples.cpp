@@ -278,7 +278,8 @@ bool is_marked_line(const Image& ink, const PixelBox& box) {
         double middle = 0;
         for (int y = box.top; y < box.bottom; ++y)
             if (ink.row(y)[x] < kInkOfKeys) ++inked, middle += y + 0.5;
-        return inked > 0 && inked <= kThin * box.height() &&
+        if (inked == 0) return true;  // between dashes
+        return inked <= kThin * box.height() &&
                std::abs(middle / inked - (box.top + box.bottom) / 2.0) <= kOffMiddle * box.height();
     };
     for (int i = 0; i < ends; ++i)

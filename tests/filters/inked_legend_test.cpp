@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "tests/filters/pictures.h"
@@ -146,6 +147,56 @@ TEST(InkedLegend, NoSampleGoesOnInDashes) {
         for (LegendWords& one : words) one.height = 11;
         EXPECT_EQ(legend_in(picture, words).size(), goes_on ? 0u : 2u);
     }
+}
+
+TEST(InkedLegend, DashesMayDifferByTheirLengthsAlone) {
+    constexpr TestColour kBlack = {0, 0, 0};
+    const auto legend = [&](int second, int second_step) {
+        Image picture = make_image(400, 340, 3, 0, 255);
+        const auto dashed = [&](int left, int y, int length, int step) {
+            for (int x = left; x + length <= (y < 100 ? 90 : 380); x += step) paint(picture, {x, y, x + length, y + 3}, kBlack);
+        };
+        for (const int y : {38, 180}) dashed(y > 100 ? 20 : 40, y, 14, 22);
+        for (const int y : {68, 260}) dashed(y > 100 ? 20 : 41, y, second, second_step);
+        std::vector<LegendWords> words = kTwoWords;
+        for (LegendWords& one : words) one.height = 11;
+        return legend_in(picture, words);
+    };
+    const auto entries = legend(7, 11);
+    ASSERT_EQ(entries.size(), 2u);
+    for (const LegendEntry& entry : entries) EXPECT_NEAR(entry.at.y, entry.words == 0 ? 181.5 : 261.5, 4) << entry.words;
+    EXPECT_TRUE(legend(14, 22).empty()) << "which is which nobody knows";
+}
+
+// Half of its line is in each of two rows of pixels, and the curve is in whole ones.
+TEST(InkedLegend, AThinSampleIsPalerThanItsCurve) {
+    Image picture = make_image(400, 340, 3, 0, 255);
+    const auto half = [](const TestColour& colour) {
+        TestColour pale = colour;
+        for (auto& channel : pale) channel = static_cast<std::uint8_t>((255 + channel) / 2);
+        return pale;
+    };
+    for (const auto& [y, colour, at] : {std::tuple{38, kRed, 180}, std::tuple{68, kBlue, 260}}) {
+        paint(picture, {40, y, 90, y + 2}, half(colour));
+        for (int x = 20; x < 380; ++x) paint(picture, {x, at + x / 8, x + 1, at + x / 8 + 1}, colour);
+    }
+    const auto entries = legend_in(picture, kTwoWords);
+    ASSERT_EQ(entries.size(), 2u);
+    for (const LegendEntry& entry : entries) EXPECT_NEAR(entry.at.y, (entry.words == 0 ? 180 : 260) + entry.at.x / 8, 2);
+}
+
+// What dashes a mark covers nobody sees, but their colour.
+TEST(InkedLegend, ADashedSampleMayHaveAMark) {
+    Image picture = make_image(400, 340, 3, 0, 255);
+    for (const auto& [y, colour, at] : {std::tuple{38, kRed, 180}, std::tuple{68, kBlue, 260}}) {
+        for (int x = 30; x < 90; x += 10) paint(picture, {x, y, x + 6, y + 2}, colour);
+        paint(picture, {55, y - 5, 67, y + 7}, colour);
+        for (int x = 20; x < 360; x += 30) paint(picture, {x, at, x + 24, at + 2}, colour);
+        for (int x = 40; x < 380; x += 60) paint(picture, {x, at - 5, x + 12, at + 7}, colour);
+    }
+    const auto entries = legend_in(picture, kTwoWords);
+    ASSERT_EQ(entries.size(), 2u);
+    for (const LegendEntry& entry : entries) EXPECT_NEAR(entry.at.y, entry.words == 0 ? 181 : 261, 7) << entry.words;
 }
 
 // Pale dashes with blurred ends on black.
