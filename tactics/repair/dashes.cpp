@@ -72,6 +72,25 @@ void leave_out_crowded(std::vector<Stroke>& marks, const Medium& medium) {
     marks = std::move(kept);
 }
 
+Stroke dash_of(const Stroke& line, const DashSpan& dash) {
+    return {part_of(line.points, line.closed, dash.from, dash.to), false, line.line, line.strength, Role::dash};
+}
+
+// Around a bend it is less far straight across than along the line: the longer of two dashes beside it becomes shorter.
+void part_at_bends(const Stroke& line, std::vector<DashSpan>& dashes, double least) {
+    constexpr double kStep = 0.25, kLeast = 2;  // mm
+    const auto length = [](const DashSpan& dash) { return dash.to - dash.from; };
+    for (std::size_t i = 1; i < dashes.size(); ++i) {
+        DashSpan &one = dashes[i - 1], &next = dashes[i];
+        while (std::max(length(one), length(next)) > kLeast && are_nearer(dash_of(line, one), dash_of(line, next), least)) {
+            if (length(one) > length(next))
+                one.to -= kStep;
+            else
+                next.from += kStep;
+        }
+    }
+}
+
 class Dashing {
 public:
     Dashing(const Drawing& drawing, const Medium& medium)
@@ -112,11 +131,10 @@ public:
             if (dashes.front().from < 0) dashes.front() = {dashes.front().from + length, dashes.front().to + length};
         }
         if (dashes.size() < 2) return {line};
+        part_at_bends(line, dashes, page_.strokes[number].width + medium_.gap + kPageSteps);
         std::vector<Stroke> strokes;
-        for (const DashSpan& dash : dashes) {
-            Stroke stroke{part_of(line.points, line.closed, dash.from, dash.to), false, line.line, line.strength, Role::dash};
-            if (stroke.points.size() > 1) strokes.push_back(std::move(stroke));
-        }
+        for (const DashSpan& dash : dashes)
+            if (Stroke stroke = dash_of(line, dash); stroke.points.size() > 1) strokes.push_back(std::move(stroke));
         if (line.line == LineClass::thick) leave_out_crowded(strokes, medium_);
         return strokes;
     }

@@ -112,6 +112,24 @@ TEST(Dashes, HaveNoGapBetweenTwoCloseCorners) {
     }
 }
 
+// Too round for a dash that goes round a corner, and less far straight across than a gap.
+TEST(Dashes, HaveTheirGapAcrossARoundCorner) {
+    const Medium& swell = find_medium("swell", "test");
+    for (double radius = 0.5; radius < 4; radius += 0.5)
+        for (double before = 20; before < 34; before += 0.5) {
+            Drawing drawing = blank();
+            std::vector<Point> line{{20, 20 + before}};
+            for (int i = 0; i <= 6; ++i) {
+                const double angle = i * 3.14159265 / 12;
+                line.push_back({20 + radius * (1 - std::cos(angle)), 20 + radius * (1 - std::sin(angle))});
+            }
+            line.push_back({110, 20});
+            drawing.strokes.push_back(dashed(line));
+            ASSERT_TRUE(cut_dashes(drawing, swell));
+            EXPECT_EQ(places(drawing, swell, {"gap"}), 0u) << radius << ", " << before;
+        }
+}
+
 // So many corners that a dash round each would leave no gap.
 TEST(Dashes, HaveGapsBetweenCloseCorners) {
     const Medium& swell = find_medium("swell", "test");
