@@ -76,19 +76,21 @@ Stroke dash_of(const Stroke& line, const DashSpan& dash) {
     return {part_of(line.points, line.closed, dash.from, dash.to), false, line.line, line.strength, Role::dash};
 }
 
-// Around a bend it is less far straight across than along the line: the longer of two dashes beside it becomes shorter.
+// Around a bend it is less far straight across than along the line: the longer of two dashes on its sides becomes shorter.
 void part_at_bends(const Stroke& line, std::vector<DashSpan>& dashes, double least) {
     constexpr double kStep = 0.25, kLeast = 2;  // mm
+    constexpr std::size_t kBack = 3;            // a sharp bend has a dash in it
     const auto length = [](const DashSpan& dash) { return dash.to - dash.from; };
-    for (std::size_t i = 1; i < dashes.size(); ++i) {
-        DashSpan &one = dashes[i - 1], &next = dashes[i];
-        while (std::max(length(one), length(next)) > kLeast && are_nearer(dash_of(line, one), dash_of(line, next), least)) {
-            if (length(one) > length(next))
-                one.to -= kStep;
-            else
-                next.from += kStep;
+    for (std::size_t i = 1; i < dashes.size(); ++i)
+        for (std::size_t back = std::min(i, kBack); back > 0; --back) {
+            DashSpan &one = dashes[i - back], &next = dashes[i];
+            while (std::max(length(one), length(next)) > kLeast && are_nearer(dash_of(line, one), dash_of(line, next), least)) {
+                if (length(one) > length(next))
+                    one.to -= kStep;
+                else
+                    next.from += kStep;
+            }
         }
-    }
 }
 
 class Dashing {

@@ -129,9 +129,11 @@ Drawing drawing_of_figure(const FoundPage& figure, double width) {
         if (is_of_bar(stroke.points)) continue;
         Stroke line;
         std::vector<Point> points = scaled(stroke.points, scale);
-        if (const auto noisy = stroke.closed || stroke.role != Role::line ? std::nullopt : noisy_line(points)) {
+        const bool dashed = stroke.role == Role::dash || stroke.role == Role::dots, may = dashed || stroke.role == Role::line;
+        if (const auto noisy = stroke.closed || !may ? std::nullopt : noisy_line(points)) {
             points = noisy->course;
-            for (const auto& [foot, tip] : noisy->spikes) drawing.strokes.push_back({{foot, tip}, false});
+            if (!dashed)
+                for (const auto& [foot, tip] : noisy->spikes) drawing.strokes.push_back({{foot, tip}, false});
             ++noisy_lines;
         }
         line.closed = stroke.closed;
