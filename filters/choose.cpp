@@ -37,6 +37,8 @@ constexpr double kPaper = 0.7, kPaperFew = 0.87, kPaperSoft = 0.33;
 // Very few colours on white: small icons, soft all over as their borders are, and shaded ones. 45 of 100 of the latter are told
 // by it, 33 without, and hardly any photograph.
 constexpr double kVeryFew = 0.92, kIconSoft = 0.4;
+// Dense hatches on white have many greys, as they are halved, but hardly a soft place.
+constexpr double kHatchedFew = 0.8, kHatchedSoft = 0.13;
 // A dense grid leaves no plain parts either, and hardly another colour than its own and the ground's.
 constexpr double kNearlyAll = 0.97;
 // Pale maps of streets and blocks are all soft. This line takes one photograph more of 100 for a map.
@@ -87,7 +89,9 @@ Choice choose_recipe(const Image& picture) {
     const double least = (traits.soft <= kIconSoft ? kVeryFew : kNearlyAll) + kFewOfGrain * traits.noise;
     const bool bare = traits.lightest && traits.few >= least && traits.ground >= kFewGround;
     const bool pale = few && colourful && traits.clear >= kPaleClear;
-    const bool drawn = parts || lines || panels || bare;
+    const bool hatched = traits.lightest && traits.ground >= kGreyGround && traits.soft <= kHatchedSoft &&
+                         traits.few >= kHatchedFew + kFewOfGrain * traits.noise;
+    const bool drawn = parts || lines || panels || bare || hatched;
     if (traits.noise <= kMapNoise && traits.soft <= kMapSoft && traits.ground <= kMapGround &&
         is_coloured_map(map_traits_of(picture)))
         return {"borders", phrase("a map in plain colours: {0}", seen)};

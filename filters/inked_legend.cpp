@@ -25,6 +25,7 @@ namespace {
 constexpr int kSame = 45;          // levels in each channel
 constexpr int kSameOfDashes = 70;  // thin dashes are blurred, and thin curves
 constexpr int kPalestDash = 0xb0;
+
 std::optional<Point> highest_in(const cv::Mat& field, const cv::Mat& mask) {
     double most = 0;
     cv::Point at;

@@ -16,7 +16,7 @@ namespace tactics {
 
 constexpr int kInkOfKeys = 215;  ///< of 255 is the ground; paler is the border of something, or noise
 
-/// How different they are: 0 for the same, 0.7 for what repeats after twice as much, 0.5 more for another half of which is ink.
+/// How different they are, 0 for the same: 0.7 if one repeats after twice as much, and by how much more of one is ink.
 double unlike(const DashLengths& a, const DashLengths& b);
 
 inline bool is_grey(const PixelColour& c) {

@@ -21,6 +21,7 @@ constexpr double kPaler = 0.55;      // of the deepest ink's depth
 constexpr int kAroundGrid = 5;       // pixels across, in which there is no darker ink: its border is as pale as a grid
 constexpr double kLeastInked = 0.1;  // of the picture: a dotted line is hardly more than a fifth of its length
 constexpr double kAsInked = 0.5;     // of the line with most ink
+constexpr double kClosestLines = 8;  // mm on the page: closer ones are a hatch
 constexpr int kWidestGridLine = 4;   // pixels
 
 // How deep the deepest hundredth of what is not the ground is.
@@ -37,13 +38,14 @@ int deepest_of(const cv::Mat& depth) {
 }
 
 // At least three places, whose distances are multiples of the least one: one may be missing where something covers it.
-bool are_evenly_apart(std::vector<double> places) {
+bool are_evenly_apart(std::vector<double> places, double closest) {
     constexpr std::size_t kFewest = 3;
     constexpr double kUnevenly = 0.12, kOfPixels = 1.5;
     if (places.size() < kFewest) return false;
     std::sort(places.begin(), places.end());
     double least = places.back() - places.front();
     for (std::size_t i = 1; i < places.size(); ++i) least = std::min(least, places[i] - places[i - 1]);
+    if (least < closest) return false;
     for (std::size_t i = 1; i < places.size(); ++i) {
         const double steps = std::round((places[i] - places[i - 1]) / least);
         if (std::abs(places[i] - places[i - 1] - steps * least) > std::max(kOfPixels, kUnevenly * least) * steps) return false;
@@ -55,7 +57,7 @@ bool are_evenly_apart(std::vector<double> places) {
 using Columns = std::pair<int, int>;
 
 // Where so many of the pixels of a column are pale; none if there are surfaces or noise, too.
-std::vector<Columns> upright_lines(const cv::Mat& pale) {
+std::vector<Columns> upright_lines(const cv::Mat& pale, double mm) {
     std::vector<int> counts(static_cast<std::size_t>(pale.cols));
     for (int x = 0; x < pale.cols; ++x) counts[static_cast<std::size_t>(x)] = cv::countNonZero(pale.col(x));
     const int most = *std::max_element(counts.begin(), counts.end());
@@ -69,7 +71,7 @@ std::vector<Columns> upright_lines(const cv::Mat& pale) {
     }
     std::vector<double> places;
     for (const auto& [first, last] : lines) places.push_back((first + last) / 2.0);
-    return are_evenly_apart(places) ? lines : std::vector<Columns>{};
+    return are_evenly_apart(places, kClosestLines / mm) ? lines : std::vector<Columns>{};
 }
 
 void widen_columns(std::vector<Columns>& lines, int columns) {
@@ -82,7 +84,7 @@ void widen_columns(std::vector<Columns>& lines, int columns) {
 }  // namespace
 
 std::size_t leave_out_pale_grid(Image& picture, const std::array<int, 3>& ground) {
-    if (picture.width < kAroundGrid || picture.height < kAroundGrid) return 0;
+    if (picture.width < kAroundGrid || picture.height < kAroundGrid || !(picture.mm_per_pixel > 0)) return 0;
     const Image ink = ink_on_white(picture);
     const cv::Mat depth = 255 - view_of(ink);
     const double dark = kPaler * deepest_of(depth);
@@ -90,7 +92,8 @@ std::size_t leave_out_pale_grid(Image& picture, const std::array<int, 3>& ground
     cv::dilate(depth, deepest, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(kAroundGrid, kAroundGrid)));
     cv::dilate(depth, beside, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(3, 3)));
     const cv::Mat pale = (depth >= kSeenDepth) & (deepest < dark), free = beside < dark;
-    std::vector<Columns> upright = upright_lines(pale), level = upright_lines(pale.t());
+    std::vector<Columns> upright = upright_lines(pale, picture.mm_per_pixel),
+                         level = upright_lines(pale.t(), picture.mm_per_pixel);
     widen_columns(upright, pale.cols);
     widen_columns(level, pale.rows);
     cv::Mat grid = cv::Mat::zeros(pale.size(), CV_8U);

@@ -234,6 +234,7 @@ FeltBars felt_bars(const ChartBars& found) {
     FeltBars felt;
     const Placed placed(found);
     add_outlines(bars, found.on_axis, placed, felt);
+    if (felt.strokes.empty()) return {};  // all are too low
     const bool tells = found.looks.size() > 1;
     if (thinnest(bars) >= kHoldsTexture) {
         if (tells || found.looks[0].hatched) add_textures(bars, found.looks, placed, felt);

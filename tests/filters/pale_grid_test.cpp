@@ -57,6 +57,8 @@ TEST(PaleGrid, FewUnevenOrDarkLinesSurfacesAndPaleCurvesAreNone) {
     EXPECT_TRUE(nothing_goes([](int x, int y) { return x % 80 == 0 && y < 260 ? 60 : 255; })) << "dark";
     EXPECT_TRUE(nothing_goes([](int x, int y) { return x > 100 && x < 300 && y > 230 && y < 255 ? 200 : 255; })) << "a surface";
     EXPECT_TRUE(nothing_goes([](int x, int y) { return x > 50 && y == 250 - x / 3 ? 180 : 255; })) << "a pale line that leans";
+    EXPECT_TRUE(nothing_goes([](int x, int y) { return x > 60 && x < 360 && y > 200 && y < 255 && y % 9 == 0 ? 170 : 255; }))
+        << "a hatch";
 }
 
 }  // namespace

@@ -169,8 +169,9 @@ void find_chart_bars(FoundPage& figure) {
     figure.bars = bars_among(candidates, chosen);
     if (!figure.bars) return;
     figure.bars->on_axis = has_axis(figure, *figure.bars);
-    for (const StandingBar& bar : chosen.bars)
-        for (const std::size_t stroke : hatches[bar.number].strokes) figure.page.strokes[stroke].points.clear();
+    // Those of the samples of a legend, too, which would be taken for samples of lines.
+    for (const LineHatch& hatch : hatches)
+        for (const std::size_t stroke : hatch.strokes) figure.page.strokes[stroke].points.clear();
 }
 
 bool outlines_bar(const ChartBars& bars, const std::vector<Point>& line) {

@@ -10,7 +10,7 @@ namespace tactics {
 
 /// Fills in `bars` of the figure if there is a bar chart in it: upright rectangles on one base or on each other, not all of one
 /// length, of no more than six kinds. Rectangles with a hatch that is drawn line by line are painted with it from then on, and
-/// those lines of bars are gone. All else stays.
+/// if there are bars, those lines are gone. All else stays.
 void find_chart_bars(FoundPage& figure);
 
 /// Whether this line is no more than a part of the outline of one of these bars.

@@ -130,6 +130,33 @@ TEST(ChartBars, AreToldApartByHatchesOfLines) {
                 << "a line of the hatch is left";
 }
 
+// The level lines of a small sample look like samples of lines.
+TEST(ChartBars, OfLevelAndRisingLinesAreNamedByTheirSamples) {
+    const auto level = [](double x, double y, double wide, double high) {
+        std::string text;
+        for (double off = 1.2; off < high; off += 1.2) text += line(x, y + off, x + wide, y + off);
+        return text + rectangle(x, y, wide, high, "fill='none' stroke='black'");
+    };
+    const auto rising = [](double x, double y) {  // a sample, with its corners cut
+        return line(x, y + 2, x + 2, y) + line(x + 1, y + 4, x + 4, y + 1) + line(x + 3, y + 4, x + 4, y + 3) +
+               rectangle(x, y, 4, 4, "fill='none' stroke='black'");
+    };
+    std::string body = kAxis;
+    for (int i = 0; i < 6; ++i)
+        body += i % 2 == 0 ? level(30 + 25 * (i / 2), 90 - kHeights[i], kWide, kHeights[i])
+                           : hatched(30 + 25 * (i / 2) + kWide, kHeights[i], true);
+    const FoundPage figure = read(body + level(140, 8, 4, 4) + "<text font-size='4' x='147' y='11.5'>Boys</text>" +
+                                  rising(140, 15) + "<text font-size='4' x='147' y='18.5'>Girls</text>");
+    ASSERT_TRUE(figure.bars);
+    for (const FoundWords& words : figure.words) {
+        ASSERT_TRUE(words.thing) << words.text;
+        const auto at = std::find_if(figure.bars->bars.begin(), figure.bars->bars.end(),
+                                     [&](const ChartBar& bar) { return grown(bar.box, 0.1).holds(*words.thing); });
+        ASSERT_NE(at, figure.bars->bars.end()) << words.text;
+        EXPECT_EQ(at->look, words.text == "Boys" ? 0u : 1u) << words.text;
+    }
+}
+
 // A frame with the lines of a grid from side to side is none.
 TEST(ChartBars, FramesWithLinesAreNoHatches) {
     std::string body;
