@@ -209,6 +209,23 @@ TEST(Choice, OfADenseGridIsDiagram) {
 }
 
 // Half of it is the panel's grey, and the lines of its grid are hardly lighter.
+// Bars with a hatch whose lines are a bit farther apart than whole pixels, and so of many greys.
+TEST(Choice, OfHatchedBarsOnWhiteIsDiagram) {
+    const auto covered = [](double at, double width) {  // of a pixel, by lines of that pitch
+        constexpr double kPitch = 6.94;
+        const double off = std::fmod(at + 100 * kPitch, kPitch);
+        return std::clamp(std::min(off + 1, width) - std::max(off, 0.0), 0.0, 1.0) +
+               std::clamp(std::min(off + 1 - kPitch, width), 0.0, 1.0);
+    };
+    const Image picture = pictures::drawn(600, 450, [&](int x, int y) {
+        const int bar = (x - 80) / 100, within = (x - 80) % 100;
+        if (x < 80 || bar > 4 || within > 64 || y > 400 || y < 90 + 40 * ((bar * 3) % 5)) return 255.0;
+        if (within == 0 || within == 64 || y == 400) return 0.0;
+        return 255 * (1 - std::min(1.0, covered(x, 1.4) + covered(y, 1.4)));
+    });
+    EXPECT_EQ(choose_recipe(picture).recipe, "diagram");
+}
+
 TEST(Choice, OfAChartOnAPanelIsDiagram) {
     const Image chart = coloured(kLook, 360, [](double x, double y) -> std::array<double, 3> {
         if (x < 60 || x >= 460 || y < 40 || y >= 310) return {255, 255, 255};
