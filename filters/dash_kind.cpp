@@ -31,7 +31,7 @@ bool is_straight(const DashRow& row) {
 DashLengths lengths_of(const DashRow& row) {
     std::vector<double> marks, steps;
     for (std::size_t i = 0; i < row.points.size(); i += 2) {
-        marks.push_back(std::max(row.width, distance(row.points[i], row.points[i + 1])));  // a dot has no length
+        marks.push_back(distance(row.points[i], row.points[i + 1]) + row.width);  // of their middle lines, with their ends
         if (i > 0) steps.push_back(distance(row.points[i - 2], row.points[i]));
     }
     const double mark = middle_length(marks);
@@ -48,12 +48,16 @@ bool is_dense(const DashRow& row) {
     constexpr std::size_t kMany = 6;                               // marks
     constexpr double kMostGap = 2.2, kUneven = 0.15, kEven = 0.7;  // of a mark; of the step from one to the next; of the steps
     if (row.points.size() < 2 * kMany) return false;
+    // Dots and dashes take turns.
+    const std::size_t turn = row.kind == DashKind::dashes_and_dots ? 4 : 2;
+    std::vector<double> steps;
+    for (std::size_t i = turn; i < row.points.size(); i += 2) steps.push_back(distance(row.points[i - turn], row.points[i]));
+    const double step = middle_length(steps);
+    const auto even =
+        std::count_if(steps.begin(), steps.end(), [&](double one) { return std::abs(one - step) < kUneven * step; });
     const DashLengths usual = lengths_of(row);
-    const double step = usual.mark + usual.gap;
-    std::size_t even = 0, all = 0;
-    for (std::size_t i = 2; i < row.points.size(); i += 2, ++all)
-        even += std::abs(distance(row.points[i - 2], row.points[i]) - step) < kUneven * step ? 1 : 0;
-    return usual.gap <= kMostGap * usual.mark && static_cast<double>(even) >= kEven * static_cast<double>(all);
+    return usual.gap <= kMostGap * std::max(usual.mark, turn > 2 ? row.longest : 0) &&
+           static_cast<double>(even) >= kEven * static_cast<double>(steps.size());
 }
 
 DashKind dash_kind(std::vector<double> lengths) {

@@ -175,12 +175,19 @@ void find_dashes(const Image& ink, KeySample& sample) {
         columns.push_back(darkest);
     }
     const int darkest = *std::min_element(columns.begin(), columns.end()), halfway = (darkest + 255) / 2;
-    std::vector<double> marks, gaps;
+    std::vector<double> marks, gaps;  // before the first mark and behind the last one its blurred ends are no gaps
+    double gap = 0;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        const bool inked = columns[i] < halfway, begins = i == 0 || (columns[i - 1] < halfway) != inked;
-        std::vector<double>& lengths = inked ? marks : gaps;
-        if (begins) lengths.push_back(0);
-        ++lengths.back();
+        if (columns[i] >= halfway) {
+            ++gap;
+            continue;
+        }
+        if (marks.empty() || gap > 0) {
+            if (!marks.empty()) gaps.push_back(gap);
+            marks.push_back(0);
+        }
+        ++marks.back();
+        gap = 0;
     }
     if (marks.size() < 2) return;
     // As much ink as that is, if it were evenly dark.
