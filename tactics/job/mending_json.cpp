@@ -18,7 +18,8 @@ std::string_view name_of(Mend::Kind kind) {
         case Mend::Kind::broken: return "broken";
         case Mend::Kind::shortened: return "shortened";
         case Mend::Kind::merged: return "merged";
-        case Mend::Kind::left_out: return "left out";
+        case Mend::Kind::left_out:
+        case Mend::Kind::crowded: return "left out";
     }
     return "";
 }

@@ -378,7 +378,8 @@ Mends outline_areas(Drawing& drawing, Seen& seen) {
         }
         double length = 0;
         for (const auto& ring : area.rings) length += length_of(Stroke{ring, true});
-        changes.push_back({Mend::Kind::left_out, first_point(area), length});
+        const auto kind = area.role == Role::symbol ? Mend::Kind::crowded : Mend::Kind::left_out;
+        changes.push_back({kind, first_point(area), length});
         area.rings.clear();
     }
     drop_empty(drawing.areas);

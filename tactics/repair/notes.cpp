@@ -77,6 +77,10 @@ std::vector<Phrase> notes_of(const Repaired& repaired) {
         return phrases(s.count, "{0} line or area too close to others was left out, {1}.",
                        "{0} lines or areas too close to others were left out, {1} together.", s.all);
     });
+    tell(Kind::crowded, [](const Sum& s) {
+        return phrases(s.count, "{0} point was left out, as it has no room beside others.",
+                       "{0} points were left out, as they have no room beside others.");
+    });
     return notes;
 }
 

@@ -30,6 +30,7 @@ struct Mend {
         shortened,  ///< the end of a line went
         merged,     ///< a line ran along another and both are one now; `mm`: for how long
         left_out,   ///< a whole line or area; `mm`: its length
+        crowded,    ///< a point symbol is left out, as others are too close; `mm`: the length of its outline
     };
     Kind kind = Kind::moved;
     Point at;  ///< in the drawing

@@ -255,7 +255,13 @@ TEST(Repair, PointsThatCannotMoveFarEnoughGoUntilNoneIsTooClose) {
     EXPECT_EQ(hard_places(repaired.drawing), 0u);
     EXPECT_EQ(repaired.broken_after, 0u);
     EXPECT_GE(repaired.drawing.areas.size(), 3u);
-    EXPECT_GT(count(repaired, Mend::Kind::left_out), 0u);
+    const std::size_t gone = count(repaired, Mend::Kind::left_out);
+    EXPECT_GT(gone, 0u);
+    // Those of a plot are told as points.
+    for (Area& area : drawing.areas) area.role = Role::symbol;
+    const Repaired plot = repair(drawing, swell());
+    EXPECT_EQ(count(plot, Mend::Kind::crowded), gone);
+    EXPECT_EQ(count(plot, Mend::Kind::left_out), 0u);
 }
 
 // A texture lies along its outline; only things near the outline conflict, and the pattern yields on its own.
