@@ -162,15 +162,9 @@ TEST(Dashes, CuttingBreaksNothingAndWhatIsBrokenIsCounted) {
     const Medium& swell = find_medium("swell", "test");
     for (int scene = 0; scene < 80; ++scene) {
         Drawing drawing = blank();
-        if (scene % 2 == 0) {
-            const double angle = (29 + scene % 8) * std::numbers::pi / 180, leg = 40 + scene / 8;
-            drawing.strokes.push_back(
-                dashed({{20 + leg, 100}, {20, 100}, {20 + leg * std::cos(angle), 100 + leg * std::sin(angle)}}));
-        } else {
-            std::vector<Point> zigzag;
-            for (int i = 0; i < 30; ++i) zigzag.push_back({10 + (4 + 0.05 * scene) * i, i % 2 == 0 ? 50.0 : 54.0 + 0.05 * scene});
-            drawing.strokes.push_back(dashed(zigzag));
-        }
+        const double angle = (29 + scene % 8) * std::numbers::pi / 180, leg = 40 + scene / 8;
+        drawing.strokes.push_back(
+            dashed({{20 + leg, 100}, {20, 100}, {20 + leg * std::cos(angle), 100 + leg * std::sin(angle)}}));
         const Repaired repaired = repair(drawing, swell);
         std::size_t broken = 0;
         for (const Demand& demand : demands_of(swell))
