@@ -276,14 +276,29 @@ bool take_bars(Image& picture, const PixelColour& ground, KnownParts& parts) {
     return true;
 }
 
-// Large dots and short dashes of a line are alike, as the points of a plot are: so they go before these are looked for.
+// How many of the marks are dashes of that line.
+std::size_t count_dashes_among(const InkedMarks& found, const DashRow& row) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i + 1 < row.points.size(); i += 2) {
+        const Point a = row.points[i], b = row.points[i + 1], middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+        count += std::any_of(found.marks.begin(), found.marks.end(),
+                             [&](const InkedMark& mark) { return distance(mark.middle, middle) <= row.width / 2; })
+                     ? 1
+                     : 0;
+    }
+    return count;
+}
+
+// Large dots and short dashes of a line are alike, as the points of a plot are: so they go before these are looked for. A line
+// with points on it has more dashes than points.
 InkedMarks marks_in(const Image& picture, KnownOfPicture& known) {
     const double mm = picture.mm_per_pixel, least = std::max(kFewestPixels, kLeastMark / mm), most = kMostMark / mm;
     InkedMarks found = inked_marks_in(picture, known.ink(), least, most);
     if (found.marks.empty()) return found;
     std::vector<Run> dashes;
     for (const DashRow& row : known.rows())
-        if (is_dense(row)) dashes.insert(dashes.end(), row.ink.begin(), row.ink.end());
+        if (is_dense(row) && 4 * count_dashes_among(found, row) > row.points.size())  // half of them
+            dashes.insert(dashes.end(), row.ink.begin(), row.ink.end());
     if (dashes.empty()) return found;
     Image without = picture;
     paint_over(without, known.ink_of_dashes(), dashes);
