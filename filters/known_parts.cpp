@@ -21,6 +21,7 @@
 #include "filters/inked_points.h"
 #include "filters/noisy_curves.h"
 #include "filters/opencv.h"
+#include "filters/pale_curves.h"
 #include "filters/pale_fills.h"
 #include "filters/pale_grid.h"
 #include "filters/plot_symbols.h"
@@ -373,6 +374,7 @@ KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 
     }
     const std::array<int, 3> ground_there = ground ? *ground : ground_of(picture);
     parts.grid_lines = leave_out_pale_grid(picture, ground_there);
+    if (!ground) deepen_pale_curves(picture, ground_there);  // one cut parts ink and ground
     const bool bars = take_bars(picture, ground_there, parts);
     if (ground && !bars) parts.areas = take_fills(picture, *ground);
     if (ground && !bars && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
