@@ -39,6 +39,16 @@ cv::Mat thin_pale_ink(const cv::Mat& depth, double cut) {
     return pale & ~wide;
 }
 
+// As plotting programs draw it: grain, uneven light and what JPEG leaves are off the ground, too, and would be taken for curves.
+bool has_clean_ground(const cv::Mat& depth) {
+    constexpr int kClean = 5;             // levels
+    constexpr double kMostUneven = 0.01;  // of the places that are not beside ink
+    cv::Mat around;
+    cv::dilate(depth, around, box_of_ones(kBesideInk, kBesideInk));
+    const cv::Mat free = around < kFaintest;
+    return cv::countNonZero(free & (depth > kClean)) <= kMostUneven * cv::countNonZero(free);
+}
+
 struct PalePiece {
     cv::Rect box;
     int label = 0;
@@ -74,6 +84,7 @@ std::vector<PalePiece> pieces_of_curves(const cv::Mat& depth, double cut, cv::Ma
 void deepen_pale_curves(Image& picture, const std::array<int, 3>& ground) {
     const Image ink = ink_on_white(picture);
     const cv::Mat depth = 255 - view_of(ink);
+    if (!has_clean_ground(depth)) return;
     cv::Mat inked, labels;
     const double cut = cv::threshold(depth, inked, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
     for (const PalePiece& piece : pieces_of_curves(depth, cut, labels)) {

@@ -53,6 +53,11 @@ TEST(PaleCurves, GridsFramesSurfacesAndShortPiecesStayAsTheyAre) {
     EXPECT_TRUE(stays([](int x, int y) { return std::hypot(x - 200, y - 210) < 50 ? 200 : 255; })) << "a surface";
     EXPECT_TRUE(stays([](int x, int y) { return x > 100 && x < 150 && std::abs(y - wave(x)) < 1 ? 180 : 255; }))
         << "a short piece";
+    pictures::Chance chance(3);
+    Image scan = with([&](int x, int y) { return std::abs(y - wave(x)) < 1 ? 180 : 240 + chance.below(16); });
+    const Image before = scan;
+    deepen_pale_curves(scan, kWhite);
+    EXPECT_EQ(scan.pixels, before.pixels) << "grain";
 }
 
 }  // namespace
