@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bar charts of Matplotlib, R and gnuplot as chance will have them: plain, side by side, stacked, histograms, with a line over them or
 with whiskers; filled by colours, greys or the hatches of each maker, with and without outlines, upright and lying."""
-import os
-import random
-
-import figure
+import chance_charts
 import matplotlib_plots
+from chance_charts import BOTTOM, HIGH, LEFT, RIGHT, TELL_PLACE, TOP, WIDE, boxes_of, gnuplot_frame, r_numbers, r_texts, run_gnuplot, run_r, save_matplotlib
 
 try:
     import numpy as np
     from matplotlib import pyplot as plt
-    from matplotlib.backends import backend_agg
 except ImportError:
     plt = None
 
@@ -76,9 +73,7 @@ class Chart:
 
 
 def by_matplotlib(stem, chart):
-    painted, drawn = {}, []
-    draw_text = backend_agg.RendererAgg.draw_text
-    shown, axes = plt.subplots(figsize=(6, 4.5))
+    shown, axes = plt.subplots(figsize=(WIDE, HIGH))
     for one, (name, fill) in enumerate(zip(chart.series, chart.fills)):
         mine = [bar for bar in chart.bars() if bar[0] == one]
         if chart.hatched:
@@ -105,20 +100,8 @@ def by_matplotlib(stem, chart):
     if len(chart.series) > 1:
         axes.legend(ncol=1 if chart.lying else len(chart.series), loc="best" if chart.lying else "upper center")
 
-    def listen(self, gc, x, y, s, prop, angle, ismath=False, mtext=None):
-        box = mtext.get_window_extent(self)
-        label = (s, 50 * (box.x0 + box.x1) / self.width, 100 - 50 * (box.y0 + box.y1) / self.height)
-        if label not in drawn:
-            drawn.append(label)
-        draw_text(self, gc, x, y, s, prop, angle, ismath, mtext)
-
-    backend_agg.RendererAgg.draw_text = listen
-    shown.savefig(stem + ".png", dpi=chart.dpi)
-    backend_agg.RendererAgg.draw_text = draw_text
-    shown.savefig(stem + ".svg", metadata={"Date": None})
-    shown.savefig(stem + ".pdf", metadata={"CreationDate": None})
-    shown.set_dpi(chart.dpi)
-    truth = matplotlib_plots.truth_of(shown, 6 * chart.dpi, 4.5 * chart.dpi)
+    drawn = save_matplotlib(shown, stem, chart.dpi)
+    truth = matplotlib_plots.truth_of(shown, WIDE * chart.dpi, HIGH * chart.dpi)
     plt.close(shown)
     return {"words": drawn, **truth}
 
@@ -128,13 +111,11 @@ def grey(fill):
 
 
 def by_r(stem, chart):
-    numbers = lambda values: "c(" + ",".join(f"{v:.4f}" for v in values) + ")"
-    texts = lambda values: "c(" + ",".join(f'"{v}"' for v in values) + ")"
     low, high, count = -0.7, len(chart.categories) - 0.3, len(chart.series)
     limits = (f"c(0, {chart.top()})", f"c({low}, {high})") if chart.lying else (f"c({low}, {high})", f"c(0, {chart.top()})")
     script = [f'plot(NULL, xlim = {limits[0]}, ylim = {limits[1]}, axes = FALSE, xlab = "", ylab = "", xaxs = "i", yaxs = "i")']
     if chart.grid:
-        script.append(f"abline({'v' if chart.lying else 'h'} = {numbers(chart.ticks())}, col = \"grey80\")")
+        script.append(f"abline({'v' if chart.lying else 'h'} = {r_numbers(chart.ticks())}, col = \"grey80\")")
     if chart.hatched:
         looks = [f'density = {density}, angle = {angle}, col = "black"' for density, angle in chart.fills]
     else:
@@ -146,40 +127,35 @@ def by_r(stem, chart):
             middle, off = (left + right) / 2, chart.error(end)
             script.append(f"arrows({middle}, {end - off}, {middle}, {end + off}, angle = 90, code = 3, length = 0.06)")
     if chart.line:
-        script.append(f'lines({numbers(range(len(chart.line)))}, {numbers(chart.line)}, lwd = 2, col = "{"black" if chart.hatched else "#8c564b"}")')
+        script.append(f'lines({r_numbers(range(len(chart.line)))}, {r_numbers(chart.line)}, lwd = 2, col = "{"black" if chart.hatched else "#8c564b"}")')
     across, up = (2, 1) if chart.lying else (1, 2)
-    script += [f"axis({across}, at = {numbers(range(len(chart.categories)))}, labels = {texts(chart.categories)}, gap.axis = -1, tick = FALSE)",
-               f"axis({up}, at = {numbers(chart.ticks())}, gap.axis = -1)",
+    script += [f"axis({across}, at = {r_numbers(range(len(chart.categories)))}, labels = {r_texts(chart.categories)}, gap.axis = -1, tick = FALSE)",
+               f"axis({up}, at = {r_numbers(chart.ticks())}, gap.axis = -1)",
                f'title(main = "{chart.title}", {"xlab" if chart.lying else "ylab"} = "{chart.axis}")']
     if count > 1:
         if chart.hatched:
-            fills = f'density = {numbers(f[0] for f in chart.fills)}, angle = {numbers(f[1] for f in chart.fills)}, fill = "black"'
+            fills = f'density = {r_numbers(f[0] for f in chart.fills)}, angle = {r_numbers(f[1] for f in chart.fills)}, fill = "black"'
         else:
-            fills = f"fill = {texts(grey(f) for f in chart.fills)}"
-        script += [f'made <- legend("{"right" if chart.lying else "top"}", legend = {texts(chart.series)}, {fills}, horiz = {"FALSE" if chart.lying else "TRUE"}, bg = "white")',
+            fills = f"fill = {r_texts(grey(f) for f in chart.fills)}"
+        script += [f'made <- legend("{"right" if chart.lying else "top"}", legend = {r_texts(chart.series)}, {fills}, horiz = {"FALSE" if chart.lying else "TRUE"}, bg = "white")',
                    "w <- xinch(par('cin')[1]); h <- yinch(par('cin')[2])",
-                   "ndc <- function(x, y) cat(grconvertX(x, 'user', 'ndc'), grconvertY(y, 'user', 'ndc'), '')",
+                   TELL_PLACE,
                    f"for (i in 1:{count}) {{ ndc(made$text$x[i] - 1.8 * w, made$text$y[i] + h / 4); ndc(made$text$x[i] - w, made$text$y[i] - h / 4) }}"]
-    script += ['cat(grconvertX(par("usr")[1:2], "user", "ndc"), grconvertY(par("usr")[3:4], "user", "ndc"))', "invisible(dev.off())"]
-    for open_it in (f'svg("{stem}.svg", 6, 4.5)', f'pdf("{stem}.pdf", 6, 4.5)',
-                    f'png("{stem}.png", 6 * {chart.dpi}, 4.5 * {chart.dpi}, res = {chart.dpi}, type = "cairo")'):
-        *swatches, left, right, bottom, top = (float(n) for n in figure.run("Rscript", "-", text="\n".join([open_it] + script)).split())
+    swatches, (left, right, bottom, top) = run_r(script, stem, chart.dpi)
     x_of = lambda x: 100 * (left + (right - left) * (x - low) / (high - low))
     y_of = lambda y: 100 - 100 * (bottom + (top - bottom) * y / chart.top())
     if chart.lying:
         x_of, y_of = (lambda x: 100 * (left + (right - left) * x / chart.top())), (lambda y: 100 - 100 * (bottom + (top - bottom) * (y - low) / (high - low)))
-    samples = [(f"fill {one}", chart.series[one], 100 * a, 100 - 100 * b, 100 * c, 100 - 100 * d)
-               for one, (a, b, c, d) in enumerate(zip(*[iter(swatches)] * 4))]
+    samples = [(f"fill {one}", chart.series[one], *box) for one, box in enumerate(boxes_of(swatches))]
     return {"words": [(str(text), None, None) for text in words_of(chart)], "samples": samples, "title": chart.title, **marks_of(chart, x_of, y_of)}
 
 
 def by_gnuplot(stem, chart):
-    left, right, bottom, top = 0.14, 0.95, 0.16, 0.88
+    chart.lying = False  # it has no such bars
     low, high = -0.7, len(chart.categories) - 0.3
-    script = ["set encoding utf8", f"set lmargin at screen {left}", f"set rmargin at screen {right}", f"set bmargin at screen {bottom}",
-              f"set tmargin at screen {top}", f'set title "{chart.title}"', f'set ylabel "{chart.axis}"', "set key top center horizontal",
-              "set xtics (" + ", ".join(f'"{name}" {at}' for at, name in enumerate(chart.categories)) + ") scale 0",
-              "set ytics (" + ", ".join(str(tick) for tick in chart.ticks()) + ")", f"set style fill {'pattern' if chart.hatched else 'solid 1'} border"]
+    script = gnuplot_frame(chart.title, chart.axis) + [
+        "set key top center horizontal", "set xtics (" + ", ".join(f'"{name}" {at}' for at, name in enumerate(chart.categories)) + ") scale 0",
+        "set ytics (" + ", ".join(str(tick) for tick in chart.ticks()) + ")", f"set style fill {'pattern' if chart.hatched else 'solid 1'} border"]
     script += ["set grid ytics"] if chart.grid else []
     plots = []
     for one, (name, fill) in enumerate(zip(chart.series, chart.fills)):
@@ -195,11 +171,9 @@ def by_gnuplot(stem, chart):
         script += ["$l << END"] + [f"{at} {value}" for at, value in enumerate(chart.line)] + ["END"]
         plots.append(f"$l with lines lw 2 lc rgb '{'black' if chart.hatched else '#8c564b'}' notitle")
     script.append(f"plot [{low}:{high}] [0:{chart.top()}] " + ", ".join(plots))
-    for terminal, ending in (("svg size 600,450", "svg"), (f"pngcairo size {6 * chart.dpi},{int(4.5 * chart.dpi)} fontscale {chart.dpi / 96}", "png"),
-                             ("pdfcairo size 6in,4.5in", "pdf")):
-        figure.run("gnuplot", text="\n".join([f"set terminal {terminal}", f"set output '{stem}.{ending}'"] + script))
-    x_of = lambda x: 100 * (left + (right - left) * (x - low) / (high - low))
-    y_of = lambda y: 100 - 100 * (bottom + (top - bottom) * y / chart.top())
+    run_gnuplot(script, stem, chart.dpi)
+    x_of = lambda x: 100 * (LEFT + (RIGHT - LEFT) * (x - low) / (high - low))
+    y_of = lambda y: 100 - 100 * (BOTTOM + (TOP - BOTTOM) * y / chart.top())
     return {"words": [(str(text), None, None) for text in words_of(chart)], "title": chart.title, **marks_of(chart, x_of, y_of)}
 
 
@@ -222,15 +196,4 @@ def marks_of(chart, x_of, y_of):
 
 
 def charts(count, seed, folder):
-    """So many of each maker that is installed."""
-    for maker, draw, program in (("Matplotlib", by_matplotlib, None), ("R", by_r, "Rscript"), ("gnuplot", by_gnuplot, "gnuplot")):
-        if program and figure.missing(program):
-            continue
-        chance = random.Random(f"{maker} {seed}")
-        for number in range(count):
-            chart = Chart(chance, maker)
-            if maker == "gnuplot":
-                chart.lying = False
-            stem = os.path.join(folder, f"{maker}-bars-{number}")
-            made = draw(stem, chart)
-            yield figure.Figure(maker, f"bars-{number}", {"PNG": stem + ".png", "SVG": stem + ".svg", "PDF": stem + ".pdf"}, **made)
+    return chance_charts.figures("bars", Chart, {"Matplotlib": by_matplotlib, "R": by_r, "gnuplot": by_gnuplot}, count, seed, folder)

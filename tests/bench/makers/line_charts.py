@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Line charts of Matplotlib, R and gnuplot as chance will have them: one to four curves, smooth, of a few measurements with or without
 marks, noisy, or in steps; told apart by colours, dashes or both; named by a legend, by words at their ends, or not at all."""
-import os
-import random
-
-import figure
+import chance_charts
 import matplotlib_plots
+from chance_charts import BOTTOM, HIGH, LEFT, RIGHT, TELL_PLACE, TOP, WIDE, boxes_of, gnuplot_frame, r_numbers, r_texts, run_gnuplot, run_r, save_matplotlib
 
 try:
     import numpy as np
     from matplotlib import pyplot as plt
-    from matplotlib.backends import backend_agg
 except ImportError:
     plt = None
 
@@ -76,9 +73,7 @@ class Curves:
 
 
 def by_matplotlib(stem, chart):
-    drawn = []
-    draw_text = backend_agg.RendererAgg.draw_text
-    shown, axes = plt.subplots(figsize=(6, 4.5))
+    shown, axes = plt.subplots(figsize=(WIDE, HIGH))
     for i, (name, (x, y)) in enumerate(zip(chart.names, chart.courses)):
         axes.plot(x, y, chart.dashes[i], color=chart.colours[i], linewidth=chart.thick, label=name, marker=chart.marks[i] if chart.marks else None)
         if chart.named == "ends":
@@ -94,64 +89,44 @@ def by_matplotlib(stem, chart):
     if chart.named == "legend":
         axes.legend(ncol=2, loc="upper center")
 
-    def listen(self, gc, x, y, s, prop, angle, ismath=False, mtext=None):
-        box = mtext.get_window_extent(self)
-        label = (s.replace("\N{MINUS SIGN}", "-"), 50 * (box.x0 + box.x1) / self.width, 100 - 50 * (box.y0 + box.y1) / self.height)
-        if label not in drawn:
-            drawn.append(label)
-        draw_text(self, gc, x, y, s, prop, angle, ismath, mtext)
-
-    backend_agg.RendererAgg.draw_text = listen
-    shown.savefig(stem + ".png", dpi=chart.dpi)
-    backend_agg.RendererAgg.draw_text = draw_text
-    shown.savefig(stem + ".svg", metadata={"Date": None})
-    shown.savefig(stem + ".pdf", metadata={"CreationDate": None})
-    shown.set_dpi(chart.dpi)
-    truth = matplotlib_plots.truth_of(shown, 6 * chart.dpi, 4.5 * chart.dpi)
-    place = lambda points: [(100 * x / (6 * chart.dpi), 100 - 100 * y / (4.5 * chart.dpi)) for x, y in axes.transData.transform(points)]
+    drawn = save_matplotlib(shown, stem, chart.dpi)
+    truth = matplotlib_plots.truth_of(shown, WIDE * chart.dpi, HIGH * chart.dpi)
+    pixel = lambda x, y: axes.transData.transform([(x, y)])[0]
+    place = lambda x, y: (100 * pixel(x, y)[0] / (WIDE * chart.dpi), 100 - 100 * pixel(x, y)[1] / (HIGH * chart.dpi))
     plt.close(shown)
-    boxes = [sample[2:] for sample in truth["samples"]]
-    return {"words": drawn, "title": chart.title, **curves_of(chart, lambda x, y: place([(x, y)])[0], boxes)}
+    return {"words": drawn, "title": chart.title, **curves_of(chart, place, [sample[2:] for sample in truth["samples"]])}
 
 
 def by_r(stem, chart):
-    numbers = lambda values: "c(" + ",".join(f"{v:.4f}" for v in values) + ")"
-    texts = lambda values: "c(" + ",".join(f'"{v}"' for v in values) + ")"
     count = len(chart.names)
     script = [f'plot(NULL, xlim = c(0, {chart.right}), ylim = c({chart.low}, {chart.high}), axes = FALSE, xlab = "", ylab = "", xaxs = "i", yaxs = "i")']
     across, up = chart.ticks(0, chart.right), chart.ticks(chart.low, chart.high)
     if chart.grid:
-        script.append(f'abline(h = {numbers(up)}, v = {numbers(across)}, col = "lightgray", lty = 3)')
+        script.append(f'abline(h = {r_numbers(up)}, v = {r_numbers(across)}, col = "lightgray", lty = 3)')
     for i, (x, y) in enumerate(chart.courses):
-        script.append(f'lines({numbers(x)}, {numbers(y)}, col = "{chart.colours[i]}", lty = {chart.dashes[i]}, lwd = {chart.thick})')
+        script.append(f'lines({r_numbers(x)}, {r_numbers(y)}, col = "{chart.colours[i]}", lty = {chart.dashes[i]}, lwd = {chart.thick})')
         if chart.marks:
-            script.append(f'points({numbers(x)}, {numbers(y)}, col = "{chart.colours[i]}", pch = {chart.marks[i]})')
+            script.append(f'points({r_numbers(x)}, {r_numbers(y)}, col = "{chart.colours[i]}", pch = {chart.marks[i]})')
         if chart.named == "ends":
             script.append(f'text({1.02 * x[-1]}, {y[-1]}, "{chart.names[i]}", adj = c(0, 0.5))')
-    script += [f"axis(1, at = {numbers(across)}, gap.axis = -1)", f"axis(2, at = {numbers(up)}, gap.axis = -1)",
+    script += [f"axis(1, at = {r_numbers(across)}, gap.axis = -1)", f"axis(2, at = {r_numbers(up)}, gap.axis = -1)",
                "" if chart.open else "box()", f'title(main = "{chart.title}", xlab = "{chart.across}", ylab = "{chart.up}")']
     if chart.named == "legend":
-        pch = f", pch = {numbers(chart.marks[:count])}" if chart.marks else ""
-        script += [f'made <- legend("top", legend = {texts(chart.names)}, col = {texts(chart.colours[:count])}, lty = {numbers(chart.dashes[:count])}, '
+        pch = f", pch = {r_numbers(chart.marks[:count])}" if chart.marks else ""
+        script += [f'made <- legend("top", legend = {r_texts(chart.names)}, col = {r_texts(chart.colours[:count])}, lty = {r_numbers(chart.dashes[:count])}, '
                    f'lwd = {chart.thick}, ncol = 2{pch})',
                    "w <- xinch(par('cin')[1]); h <- yinch(par('cin')[2])",
-                   "ndc <- function(x, y) cat(grconvertX(x, 'user', 'ndc'), grconvertY(y, 'user', 'ndc'), '')",
+                   TELL_PLACE,
                    f"for (i in 1:{count}) {{ ndc(made$text$x[i] - 3 * w, made$text$y[i]); ndc(made$text$x[i] - w, made$text$y[i]) }}"]
-    script += ['cat(grconvertX(par("usr")[1:2], "user", "ndc"), grconvertY(par("usr")[3:4], "user", "ndc"))', "invisible(dev.off())"]
-    for open_it in (f'svg("{stem}.svg", 6, 4.5)', f'pdf("{stem}.pdf", 6, 4.5)',
-                    f'png("{stem}.png", 6 * {chart.dpi}, 4.5 * {chart.dpi}, res = {chart.dpi}, type = "cairo")'):
-        *ends, left, right, bottom, top = (float(n) for n in figure.run("Rscript", "-", text="\n".join([open_it] + script)).split())
-    boxes = [(100 * a, 100 - 100 * b, 100 * c, 100 - 100 * d) for a, b, c, d in zip(*[iter(ends)] * 4)]
+    ends, (left, right, bottom, top) = run_r(script, stem, chart.dpi)
     place = lambda x, y: (100 * (left + (right - left) * x / chart.right), 100 - 100 * (bottom + (top - bottom) * (y - chart.low) / (chart.high - chart.low)))
-    return {"words": words_of(chart), "title": chart.title, **curves_of(chart, place, boxes)}
+    return {"words": words_of(chart), "title": chart.title, **curves_of(chart, place, boxes_of(ends))}
 
 
 def by_gnuplot(stem, chart):
-    left, right, bottom, top = 0.14, 0.95, 0.16, 0.88
     numbers = lambda values: "(" + ", ".join(str(v) for v in values) + ")"
-    script = ["set encoding utf8", f"set lmargin at screen {left}", f"set rmargin at screen {right}", f"set bmargin at screen {bottom}",
-              f"set tmargin at screen {top}", f'set title "{chart.title}"', f'set ylabel "{chart.up}"', f'set xlabel "{chart.across}"',
-              "set key top center maxrows 2", f"set xtics {numbers(chart.ticks(0, chart.right))}", f"set ytics {numbers(chart.ticks(chart.low, chart.high))}"]
+    script = gnuplot_frame(chart.title, chart.up) + [
+        f'set xlabel "{chart.across}"', "set key top center maxrows 2", f"set xtics {numbers(chart.ticks(0, chart.right))}", f"set ytics {numbers(chart.ticks(chart.low, chart.high))}"]
     script += ["set grid"] if chart.grid else []
     script += ["set border 3", "set tics nomirror"] if chart.open else []
     plots = []
@@ -163,10 +138,8 @@ def by_gnuplot(stem, chart):
         if chart.named == "ends":
             script.append(f'set label "{name}" at {1.02 * x[-1]},{y[-1]} left')
     script.append(f"plot [0:{chart.right}] [{chart.low}:{chart.high}] " + ", ".join(plots))
-    for terminal, ending in (("svg size 600,450", "svg"), (f"pngcairo size {6 * chart.dpi},{int(4.5 * chart.dpi)} fontscale {chart.dpi / 96} linewidth {chart.dpi / 96}", "png"),
-                             ("pdfcairo size 6in,4.5in", "pdf")):
-        figure.run("gnuplot", text="\n".join([f"set terminal {terminal}", f"set output '{stem}.{ending}'"] + script))
-    place = lambda x, y: (100 * (left + (right - left) * x / chart.right), 100 - 100 * (bottom + (top - bottom) * (y - chart.low) / (chart.high - chart.low)))
+    run_gnuplot(script, stem, chart.dpi, f" linewidth {chart.dpi / 96}")
+    place = lambda x, y: (100 * (LEFT + (RIGHT - LEFT) * x / chart.right), 100 - 100 * (BOTTOM + (TOP - BOTTOM) * (y - chart.low) / (chart.high - chart.low)))
     return {"words": words_of(chart), "title": chart.title, **curves_of(chart, place, [])}
 
 
@@ -186,12 +159,4 @@ def curves_of(chart, place, boxes):
 
 
 def charts(count, seed, folder):
-    """So many of each maker that is installed."""
-    for maker, draw, program in (("Matplotlib", by_matplotlib, None), ("R", by_r, "Rscript"), ("gnuplot", by_gnuplot, "gnuplot")):
-        if program and figure.missing(program):
-            continue
-        chance = random.Random(f"{maker} {seed}")
-        for number in range(count):
-            stem = os.path.join(folder, f"{maker}-lines-{number}")
-            made = draw(stem, Curves(chance, maker))
-            yield figure.Figure(maker, f"lines-{number}", {"PNG": stem + ".png", "SVG": stem + ".svg", "PDF": stem + ".pdf"}, **made)
+    return chance_charts.figures("lines", Curves, {"Matplotlib": by_matplotlib, "R": by_r, "gnuplot": by_gnuplot}, count, seed, folder)

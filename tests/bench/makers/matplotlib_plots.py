@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures of Matplotlib whose lines and fills are hard to bring over, and what is drawn of any figure of it."""
+import contextlib
+
 import figure
 
 try:
     import numpy as np
     from matplotlib import patches
     from matplotlib import pyplot as plt
+    from matplotlib.backends import backend_agg
 except ImportError:
     plt = None
 
@@ -163,6 +166,30 @@ def harvest(random):
 
 
 PLOTS = [hatched, crossing, styles, silhouettes, heads, outliers, stacked, stems, parabola, provinces, counties, harvest]
+
+
+@contextlib.contextmanager
+def listening():
+    """Each text that is drawn as pixels in it, once: (text, left, top, right, bottom), in percent of the figure."""
+    heard = []
+    draw_text = backend_agg.RendererAgg.draw_text
+
+    def listen(self, gc, x, y, s, prop, angle, ismath=False, mtext=None):
+        box = mtext.get_window_extent(self)
+        label = (s, 100 * box.x0 / self.width, 100 - 100 * box.y1 / self.height, 100 * box.x1 / self.width, 100 - 100 * box.y0 / self.height)
+        if label not in heard:
+            heard.append(label)
+        draw_text(self, gc, x, y, s, prop, angle, ismath, mtext)
+
+    backend_agg.RendererAgg.draw_text = listen
+    try:
+        yield heard
+    finally:
+        backend_agg.RendererAgg.draw_text = draw_text
+
+
+def middles_of(heard):
+    return [(text, (left + right) / 2, (top + bottom) / 2) for text, left, top, right, bottom in heard]
 
 
 def look_of(artist):

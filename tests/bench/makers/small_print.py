@@ -4,12 +4,12 @@ smoothing letters. Their words were chosen for letters that look alike when smal
 import os
 
 import figure
+import matplotlib_plots
 
 try:
     import cairo
     import numpy as np
     from matplotlib import pyplot as plt
-    from matplotlib.backends import backend_agg
 except ImportError:
     plt = None
 
@@ -34,20 +34,13 @@ def needs():
 
 def saved(folder, name, dpi):
     """The figure that is drawn, and each text as the drawing of pixels saw it."""
-    words, draw_text = [], backend_agg.RendererAgg.draw_text
-
-    def listen(self, gc, x, y, s, prop, angle, ismath=False, mtext=None):
-        box = mtext.get_window_extent(self)
-        words.append((s.replace("\\$", "$"), 50 * (box.x0 + box.x1) / self.width, 100 - 50 * (box.y0 + box.y1) / self.height))
-        draw_text(self, gc, x, y, s, prop, angle, ismath, mtext)
-
     path = os.path.join(folder, f"small-{name}.png")
     plt.gcf().canvas.draw()
-    backend_agg.RendererAgg.draw_text = listen
-    plt.savefig(path, dpi=dpi)
-    backend_agg.RendererAgg.draw_text = draw_text
+    with matplotlib_plots.listening() as heard:
+        plt.savefig(path, dpi=dpi)
     plt.close()
-    return figure.Figure("Matplotlib", name, {"PNG": path}, list(dict.fromkeys(words)))
+    words = [(text.replace("\\$", "$"), x, y) for text, x, y in matplotlib_plots.middles_of(heard)]
+    return figure.Figure("Matplotlib", name, {"PNG": path}, words)
 
 
 def bars(folder, random):
