@@ -170,10 +170,11 @@ std::vector<Point> places_like(const std::vector<PixelBox>& samples, const Inked
         costs.emplace_back();
         for (const BarFill& kind : bars.fills) costs.back().push_back(unlike(fill, kind));
     }
+    const ChartBars in_pixels = chart_bars_of(bars, 1);
+    const double room = kWords / pixel_of_page(picture);
     std::vector<Point> places;
     for (const std::size_t kind : kinds_of_samples(costs, kinds_by_order(bars, samples)))
-        places.push_back(
-            place_of_bar_name(chart_bars_of(bars, 1), kind, picture.width, picture.height, kWords / pixel_of_page(picture)));
+        places.push_back(place_of_bar_name(in_pixels, kind, picture.width, picture.height, room));
     return places;
 }
 

@@ -2,7 +2,6 @@
 #include "filters/dash_rows.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>

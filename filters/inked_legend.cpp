@@ -164,13 +164,22 @@ const KeySample* most_like(const DashRow& row, const PixelColour& colour, const 
     return best;
 }
 
+// The sample that each of these lines is like.
+std::vector<const KeySample*> samples_of(const std::vector<DashRow>& rows, const std::vector<KeySample>& samples,
+                                         const Image& picture, const Image& ink) {
+    std::vector<const KeySample*> like;
+    for (const DashRow& row : rows) like.push_back(row.leads ? nullptr : most_like(row, colour_of(row, picture, ink), samples));
+    return like;
+}
+
 // The dashed lines that are like it.
-std::optional<Point> place_on_dashes(const Image& picture, const Image& ink, const KeySample& sample,
-                                     const std::vector<KeySample>& samples, const std::vector<DashRow>& rows,
-                                     const cv::Mat& elsewhere, const std::vector<LegendEntry>& before) {
-    cv::Mat own = cv::Mat::zeros(picture.height, picture.width, CV_8U);
-    for (const DashRow& row : rows) {
-        if (row.leads || most_like(row, colour_of(row, picture, ink), samples) != &sample) continue;
+std::optional<Point> place_on_dashes(const Image& ink, const KeySample& sample, const std::vector<DashRow>& rows,
+                                     const std::vector<const KeySample*>& like, const cv::Mat& elsewhere,
+                                     const std::vector<LegendEntry>& before) {
+    cv::Mat own = cv::Mat::zeros(ink.height, ink.width, CV_8U);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const DashRow& row = rows[k];
+        if (like[k] != &sample) continue;
         for (std::size_t i = 0; i + 1 < row.points.size(); ++i)
             cv::line(own, cv::Point(static_cast<int>(row.points[i].x), static_cast<int>(row.points[i].y)),
                      cv::Point(static_cast<int>(row.points[i + 1].x), static_cast<int>(row.points[i + 1].y)), cv::Scalar(255),
@@ -290,12 +299,13 @@ std::vector<LegendEntry> legend_in(const Image& picture, const std::vector<Legen
     const bool any_dashes =
         std::any_of(samples.begin(), samples.end(), [](const KeySample& one) { return one.dashes.has_value(); });
     const std::vector<DashRow> rows = any_dashes ? dashed_lines_of(ink, picture, samples) : std::vector<DashRow>{};
+    const std::vector<const KeySample*> like = samples_of(rows, samples, picture, ink);
     const bool of_bars = !entries.empty();
     for (const KeySample& one : samples) {
         if ((of_bars && !one.line) || (several && one.hatch) || is_blank_sample(one)) continue;
         if (one.line && is_grey(one.colour) && !any_dashes) continue;
         const auto at = one.hatch                         ? hatched_place(picture)
-                        : one.dashes                      ? place_on_dashes(picture, ink, one, samples, rows, elsewhere, entries)
+                        : one.dashes                      ? place_on_dashes(ink, one, rows, like, elsewhere, entries)
                         : one.line && is_grey(one.colour) ? place_on_grey(picture, ink, one, rows, elsewhere, entries)
                                                           : place_of(picture, ink, one, samples, elsewhere, entries);
         if (at) entries.push_back({one.words, one.box, *at});

@@ -27,8 +27,7 @@
 #include "filters/plot_symbols.h"
 #include "filters/quieted.h"
 #include "filters/tick_marks.h"
-#include "tactics/geometry/ink_columns.h"
-#include "tactics/geometry/line_styles.h"
+#include "tactics/layout/chart_told.h"
 #include "tactics/layout/felt_bars.h"
 #include "tactics/plot.h"
 #include "tactics/text/phrase.h"
@@ -373,12 +372,14 @@ KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 
         add_thin_strokes(take_tick_marks(picture), picture.mm_per_pixel, parts);
     }
     const std::array<int, 3> ground_there = ground ? *ground : ground_of(picture);
-    parts.grid_lines = leave_out_pale_grid(picture, ground_there);
-    if (!ground) deepen_pale_curves(picture, ground_there);  // one cut parts ink and ground
+    KnownOfPicture known(picture);
+    parts.grid_lines = leave_out_pale_grid(picture, known.ink(), ground_there);
+    if (parts.grid_lines > 0) known.forget();
+    if (!ground) deepen_pale_curves(picture, known.ink(), ground_there);  // one cut parts ink and ground
     const bool bars = take_bars(picture, ground_there, parts);
     if (ground && !bars) parts.areas = take_fills(picture, *ground);
     if (ground && !bars && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
-    KnownOfPicture known(picture);
+    known.forget();
     take_noisy_curves(picture, known, parts);
     take_marks(picture, known, parts);
     take_heads(picture, known, parts);

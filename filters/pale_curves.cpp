@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "filters/darken.h"
 #include "filters/opencv.h"
 
 namespace tactics {
@@ -29,10 +28,9 @@ cv::Mat long_runs(const cv::Mat& mask) {
     return level | upright;
 }
 
-// What of the pale ink is thin and by itself.
-cv::Mat thin_pale_ink(const cv::Mat& depth, double cut) {
-    cv::Mat around, wide;
-    cv::dilate(depth, around, box_of_ones(kBesideInk, kBesideInk));
+// What of the pale ink is thin and by itself. `around`: the deepest ink around each place.
+cv::Mat thin_pale_ink(const cv::Mat& depth, const cv::Mat& around, double cut) {
+    cv::Mat wide;
     const cv::Mat pale = (depth >= kFaintest) & (around <= cut);
     cv::morphologyEx(pale, wide, cv::MORPH_OPEN, box_of_ones(kThickestCurve, kThickestCurve));
     cv::dilate(wide, wide, box_of_ones(kThickestCurve, kThickestCurve));
@@ -40,11 +38,9 @@ cv::Mat thin_pale_ink(const cv::Mat& depth, double cut) {
 }
 
 // As plotting programs draw it: grain, uneven light and what JPEG leaves are off the ground, too, and would be taken for curves.
-bool has_clean_ground(const cv::Mat& depth) {
+bool has_clean_ground(const cv::Mat& depth, const cv::Mat& around) {
     constexpr int kClean = 5;             // levels
     constexpr double kMostUneven = 0.01;  // of the places that are not beside ink
-    cv::Mat around;
-    cv::dilate(depth, around, box_of_ones(kBesideInk, kBesideInk));
     const cv::Mat free = around < kFaintest;
     return cv::countNonZero(free & (depth > kClean)) <= kMostUneven * cv::countNonZero(free);
 }
@@ -56,9 +52,9 @@ struct PalePiece {
 };
 
 // Of curves, which darker ones may cross; none where they are too short together.
-std::vector<PalePiece> pieces_of_curves(const cv::Mat& depth, double cut, cv::Mat& labels) {
+std::vector<PalePiece> pieces_of_curves(const cv::Mat& depth, const cv::Mat& around, double cut, cv::Mat& labels) {
     cv::Mat joined, stats, middles;
-    cv::dilate(thin_pale_ink(depth, cut), joined, box_of_ones(3, 3));
+    cv::dilate(thin_pale_ink(depth, around, cut), joined, box_of_ones(3, 3));
     const cv::Mat runs = long_runs(joined);
     const int count = cv::connectedComponentsWithStats(joined, labels, stats, middles, 8, CV_32S);
     const double side = std::max(depth.cols, depth.rows);
@@ -81,13 +77,13 @@ std::vector<PalePiece> pieces_of_curves(const cv::Mat& depth, double cut, cv::Ma
 
 }  // namespace
 
-void deepen_pale_curves(Image& picture, const std::array<int, 3>& ground) {
-    const Image ink = ink_on_white(picture);
+void deepen_pale_curves(Image& picture, const Image& ink, const std::array<int, 3>& ground) {
     const cv::Mat depth = 255 - view_of(ink);
-    if (!has_clean_ground(depth)) return;
-    cv::Mat inked, labels;
+    cv::Mat around, inked, labels;
+    cv::dilate(depth, around, box_of_ones(kBesideInk, kBesideInk));
+    if (!has_clean_ground(depth, around)) return;
     const double cut = cv::threshold(depth, inked, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
-    for (const PalePiece& piece : pieces_of_curves(depth, cut, labels)) {
+    for (const PalePiece& piece : pieces_of_curves(depth, around, cut, labels)) {
         const double times = 255 / piece.deepest;
         for (int y = piece.box.y; y < piece.box.br().y; ++y)
             for (int x = piece.box.x; x < piece.box.br().x; ++x) {

@@ -10,6 +10,6 @@ namespace tactics {
 
 /// Makes them as dark as the ink. They are long, thin and nowhere beside darker ink; level and upright lines are none, as most
 /// are frames and grids. A picture whose ground is not clean, such as a scan, stays as it is.
-void deepen_pale_curves(Image& picture, const std::array<int, 3>& ground);
+void deepen_pale_curves(Image& picture, const Image& ink, const std::array<int, 3>& ground);
 
 }  // namespace tactics

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "filters/darken.h"
 #include "filters/opencv.h"
 
 namespace tactics {
@@ -83,9 +82,8 @@ void widen_columns(std::vector<Columns>& lines, int columns) {
 
 }  // namespace
 
-std::size_t leave_out_pale_grid(Image& picture, const std::array<int, 3>& ground) {
+std::size_t leave_out_pale_grid(Image& picture, const Image& ink, const std::array<int, 3>& ground) {
     if (picture.width < kAroundGrid || picture.height < kAroundGrid || !(picture.mm_per_pixel > 0)) return 0;
-    const Image ink = ink_on_white(picture);
     const cv::Mat depth = 255 - view_of(ink);
     const double dark = kPaler * deepest_of(depth);
     cv::Mat deepest, beside;

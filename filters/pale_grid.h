@@ -11,7 +11,7 @@ namespace tactics {
 
 /// Gives the ground's colour to such lines, level and upright ones, where they do not touch darker ink. Returns how many they
 /// were; fewer than three one way are none, nor are those that are close together or not evenly apart. The picture has its size
-/// in mm.
-std::size_t leave_out_pale_grid(Image& picture, const std::array<int, 3>& ground);
+/// in mm. `ink`: ink_on_white of it.
+std::size_t leave_out_pale_grid(Image& picture, const Image& ink, const std::array<int, 3>& ground);
 
 }  // namespace tactics

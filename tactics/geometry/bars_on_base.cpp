@@ -64,6 +64,7 @@ bool is_stacked_on(const StandingBar& upper, const StandingBar& lower, const Bar
 }
 
 BarsOnBase bars_on_base(std::span<const BarRectangle> rectangles, const BarSlack& slack) {
+    const double one_base = slack.touch / 4;  // feet that are closer need not be tried again
     BarsOnBase best;
     double most = 0;
     for (const bool lying : {false, true}) {
@@ -72,7 +73,7 @@ BarsOnBase bars_on_base(std::span<const BarRectangle> rectangles, const BarSlack
         std::vector<double> tried;
         for (const StandingBar& one : all) {
             const bool again =
-                std::any_of(tried.begin(), tried.end(), [&](double t) { return std::abs(t - one.foot) < slack.touch / 4; });
+                std::any_of(tried.begin(), tried.end(), [&](double t) { return std::abs(t - one.foot) < one_base; });
             if (one.blank || again) continue;
             tried.push_back(one.foot);
             std::vector<StandingBar> bars = bars_at(one.foot, all, slack);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -41,6 +42,12 @@ inline Box grown(const Box& box, double margin) {
 /// Whether they share a point, including their sides.
 inline bool meet(const Box& a, const Box& b) {
     return a.left <= b.right && b.left <= a.right && a.top <= b.bottom && b.top <= a.bottom;
+}
+
+/// Whether each side of one is less than that far from the other's.
+inline bool same_box(const Box& a, const Box& b, double off) {
+    return std::abs(a.left - b.left) < off && std::abs(a.right - b.right) < off && std::abs(a.top - b.top) < off &&
+           std::abs(a.bottom - b.bottom) < off;
 }
 
 /// Around all of them; of no points: kNothing.

@@ -14,7 +14,7 @@ constexpr double kNoticed = 1, kFarther = 3;         // mm up and down again tha
 constexpr double kGrain = 3.5;                       // pixels that JPEG leaves beside a line
 constexpr double kFinger = 3.2;                      // mm from one turn to the next: the least clear gap (filters/separate.cpp)
 constexpr double kFelt = 1;                          // mm, a line's width
-constexpr double kFinest = 1.5, kCoarsest = 12;      // mm of a stretch, as in chart_curves.cpp
+constexpr double kFinest = 1.5, kCoarsest = 12;      // mm of a stretch, as in filters/chart_curves.cpp
 constexpr double kMirrored = -0.6;                   // correlation of how the upper and the lower side go on
 constexpr std::size_t kParts = 8, kNoisyParts = 6;   // of a curve's width
 constexpr double kEvenStep = 0.2, kEvenSteps = 0.6;  // of the usual step from turn to turn; of all steps
@@ -221,11 +221,6 @@ std::vector<std::array<Point, 2>> spikes_of(const std::vector<InkColumn>& column
             spikes.push_back({off.foot, off.tip});
     }
     return spikes;
-}
-
-Phrase told_of_noise(std::size_t curves) {
-    return phrases(curves, "{0} curve goes up and down faster than a finger can follow, and is drawn through the middle of that.",
-                   "{0} curves go up and down faster than a finger can follow, and are drawn through the middle of that.");
 }
 
 }  // namespace tactics

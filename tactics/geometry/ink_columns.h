@@ -3,11 +3,9 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 #include "tactics/drawing.h"
-#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -23,8 +21,8 @@ struct InkColumn {
 /// bars and markers, which go as far up as down, are none of this, nor are waves.
 bool is_noise(const std::vector<InkColumn>& columns, double mm);
 
-/// The middle value of each stretch, as for curves of tables (chart_curves.h), but a stretch grows only where the line would come
-/// nearer to itself than a finger's gap.
+/// The middle value of each stretch, as for curves of tables (filters/chart_curves.h), but a stretch grows only where the line
+/// would come nearer to itself than a finger's gap.
 std::vector<Point> followable(const std::vector<InkColumn>& columns, double mm);
 
 /// Where that line is, at the middle of each column; level before its first point and behind its last.
@@ -32,8 +30,5 @@ std::vector<double> heights_along(const std::vector<Point>& line, const std::vec
 
 /// Peaks that stand far out of the noise, from that line to their tips, with a finger's gap between them, the highest first.
 std::vector<std::array<Point, 2>> spikes_of(const std::vector<InkColumn>& columns, const std::vector<Point>& line, double mm);
-
-/// That so many curves are drawn through the middle of their noise.
-Phrase told_of_noise(std::size_t curves);
 
 }  // namespace tactics

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "tactics/geometry/course.h"
@@ -138,10 +137,6 @@ std::vector<Stroke> in_style(const std::vector<Point>& points, bool closed, cons
         if (part.size() > 1) strokes.push_back({std::move(part), false, style.line, 0, Role::dash});
     }
     return strokes;
-}
-
-Phrase told_of_grid(std::size_t lines) {
-    return phrase("{0} lines of a grid are left out; draw them in black and whole to have them drawn", std::to_string(lines));
 }
 
 }  // namespace tactics

@@ -7,7 +7,6 @@
 
 #include "tactics/drawing.h"
 #include "tactics/medium.h"
-#include "tactics/text/phrase.h"
 
 namespace tactics {
 
@@ -37,8 +36,5 @@ double sample_length(const Medium& medium);
 /// A line in that style, each mark a stroke of Role::dash; the strokes keep all points of the line under ink. It begins and ends
 /// with a mark, and marks and gaps are stretched for that, so that a line broken by another is recognisable after it.
 std::vector<Stroke> in_style(const std::vector<Point>& points, bool closed, const LineStyle& style, const Medium& medium);
-
-/// That so many lines of a grid are left out, which dashes or a pale colour tell from curves.
-Phrase told_of_grid(std::size_t lines);
 
 }  // namespace tactics

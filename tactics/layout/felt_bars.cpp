@@ -2,6 +2,7 @@
 #include "tactics/layout/felt_bars.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "filters/darken.h"
 #include "tests/filters/pictures.h"
 
 namespace tactics::pale_curves_test {
@@ -28,7 +29,7 @@ Image with(const std::function<int(int, int)>& other) {
 
 Image deepened(const std::function<int(int, int)>& other) {
     Image picture = with(other);
-    deepen_pale_curves(picture, kWhite);
+    deepen_pale_curves(picture, ink_on_white(picture), kWhite);
     return picture;
 }
 
@@ -56,7 +57,7 @@ TEST(PaleCurves, GridsFramesSurfacesAndShortPiecesStayAsTheyAre) {
     pictures::Chance chance(3);
     Image scan = with([&](int x, int y) { return std::abs(y - wave(x)) < 1 ? 180 : 240 + chance.below(16); });
     const Image before = scan;
-    deepen_pale_curves(scan, kWhite);
+    deepen_pale_curves(scan, ink_on_white(scan), kWhite);
     EXPECT_EQ(scan.pixels, before.pixels) << "grain";
 }
 

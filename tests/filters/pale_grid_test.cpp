@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "filters/darken.h"
 #include "tests/filters/pictures.h"
 
 namespace tactics::pale_grid_test {
@@ -40,7 +41,7 @@ int pale_pixels(const Image& picture) {
 TEST(PaleGrid, GoesAndCurvesStay) {
     Image picture = chart(dotted);
     EXPECT_GT(pale_pixels(picture), 900);
-    EXPECT_EQ(leave_out_pale_grid(picture, kWhite), 7u);
+    EXPECT_EQ(leave_out_pale_grid(picture, ink_on_white(picture), kWhite), 7u);
     EXPECT_LT(pale_pixels(picture), 40) << "but for the pixels that touch the curve";
     for (int x = 45; x < 355; ++x) EXPECT_LT(picture.row(static_cast<int>(std::lround(150 + 60 * std::sin(x / 60.0))))[x], 100);
 }
@@ -49,7 +50,7 @@ TEST(PaleGrid, FewUnevenOrDarkLinesSurfacesAndPaleCurvesAreNone) {
     const auto nothing_goes = [](const std::function<int(int, int)>& behind) {
         Image picture = chart(behind);
         const Image before = picture;
-        EXPECT_EQ(leave_out_pale_grid(picture, kWhite), 0u);
+        EXPECT_EQ(leave_out_pale_grid(picture, ink_on_white(picture), kWhite), 0u);
         return picture.pixels == before.pixels;
     };
     EXPECT_TRUE(nothing_goes([](int, int) { return 255; }));

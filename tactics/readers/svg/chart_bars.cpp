@@ -60,11 +60,6 @@ std::vector<Box> rectangles_of(const FoundPage& figure, const FoundLook& look) {
     return boxes;
 }
 
-bool same_place(const Box& a, const Box& b) {
-    return std::abs(a.left - b.left) < kSameBar && std::abs(a.right - b.right) < kSameBar && std::abs(a.top - b.top) < kSameBar &&
-           std::abs(a.bottom - b.bottom) < kSameBar;
-}
-
 bool is_white(double fill) { return fill < 0 || (fill >= kWhiteFill && fill <= 1); }
 
 std::vector<BarCandidate> candidates_in(const FoundPage& figure) {
@@ -74,7 +69,7 @@ std::vector<BarCandidate> candidates_in(const FoundPage& figure) {
         for (const Box& box : rectangles_of(figure, look)) {
             if (box.width() * box.height() > kMostOfFigure * figure.page.width * figure.page.height) continue;
             if (std::min(box.width(), box.height()) < kLowestBar) continue;
-            auto same = std::find_if(all.begin(), all.end(), [&](const auto& one) { return same_place(one.box, box); });
+            auto same = std::find_if(all.begin(), all.end(), [&](const auto& one) { return same_box(one.box, box, kSameBar); });
             if (same == all.end()) same = all.insert(same, {box, -1, {}});
             if (same->fill < 0 || !is_white(look.fill)) same->fill = look.fill;
             same->looks.push_back(i);

@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "tactics/geometry/line_styles.h"
+#include "tactics/layout/chart_told.h"
 #include "tactics/readers/svg/chart_bars.h"
 #include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/dash_marks.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "tactics/geometry/course.h"
-#include "tactics/geometry/ink_columns.h"
+#include "tactics/layout/chart_told.h"
 #include "tactics/readers/svg/chart_bars.h"
 #include "tactics/readers/svg/felt_heads.h"
 #include "tactics/readers/svg/noisy_lines.h"

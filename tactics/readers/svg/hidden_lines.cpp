@@ -134,12 +134,8 @@ bool has_outline(const FoundCover& cover, const Page& page) {
     constexpr std::size_t kNext = 4;
     constexpr double kSameBox = 0.5;  // mm
     const Box own = box_around(cover.rings);
-    for (std::size_t i = cover.strokes; i < std::min(cover.strokes + kNext, page.strokes.size()); ++i) {
-        const Box box = box_of(page.strokes[i].points);
-        if (std::abs(box.left - own.left) < kSameBox && std::abs(box.right - own.right) < kSameBox &&
-            std::abs(box.top - own.top) < kSameBox && std::abs(box.bottom - own.bottom) < kSameBox)
-            return true;
-    }
+    for (std::size_t i = cover.strokes; i < std::min(cover.strokes + kNext, page.strokes.size()); ++i)
+        if (same_box(box_of(page.strokes[i].points), own, kSameBox)) return true;
     return false;
 }
 

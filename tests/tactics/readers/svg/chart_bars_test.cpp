@@ -11,16 +11,12 @@
 #include <vector>
 
 #include "tactics/readers/svg/figure.h"
-#include "tactics/readers/svg/svg.h"
+#include "tests/tactics/readers/svg/figures.h"
 
 namespace tactics::chart_bars_test {
 namespace {
 
-FoundPage read(const std::string& body) {
-    return read_svg(
-        "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='100mm' viewBox='0 0 200 100'>" + body + "</svg>",
-        "bars.svg", 0, std::nullopt, SvgPurpose::figure);
-}
+using tests::figure;
 
 std::string rectangle(double x, double y, double width, double height, const std::string& paint) {
     std::ostringstream text;
@@ -47,8 +43,8 @@ std::string pairs(const std::string& first, const std::string& second) {
 
 const std::string kAxis = line(20, 90, 180, 90), kRed = "fill='#d62728'", kPale = "fill='#aec7e8' stroke='black'";
 
-std::size_t rungs_of(const FoundPage& figure) {
-    const Drawing drawing = drawing_of_figure(figure, 200);
+std::size_t rungs_of(const FoundPage& chart) {
+    const Drawing drawing = drawing_of_figure(chart, 200);
     return static_cast<std::size_t>(std::count_if(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& stroke) {
         return stroke.points.size() == 2 && stroke.points[0].y == stroke.points[1].y && stroke.points[0].y < 89 &&
                std::abs(distance(stroke.points[0], stroke.points[1]) - kWide) < 1;
@@ -56,18 +52,18 @@ std::size_t rungs_of(const FoundPage& figure) {
 }
 
 TEST(ChartBars, OfTwoColoursAreToldApartByRungs) {
-    const FoundPage figure = read(kAxis + pairs(kRed, kPale));
-    ASSERT_TRUE(figure.bars);
-    EXPECT_EQ(figure.bars->bars.size(), 6u);
-    ASSERT_EQ(figure.bars->looks.size(), 2u);
-    EXPECT_GT(figure.bars->looks[0].dark, figure.bars->looks[1].dark);
-    EXPECT_TRUE(figure.bars->on_axis);
-    EXPECT_FALSE(figure.bars->lying);
-    EXPECT_NEAR(figure.bars->base, 90, 0.01);
+    const FoundPage chart = figure(kAxis + pairs(kRed, kPale));
+    ASSERT_TRUE(chart.bars);
+    EXPECT_EQ(chart.bars->bars.size(), 6u);
+    ASSERT_EQ(chart.bars->looks.size(), 2u);
+    EXPECT_GT(chart.bars->looks[0].dark, chart.bars->looks[1].dark);
+    EXPECT_TRUE(chart.bars->on_axis);
+    EXPECT_FALSE(chart.bars->lying);
+    EXPECT_NEAR(chart.bars->base, 90, 0.01);
     // In the red ones, 4.6 mm apart and so far from their ends; besides, the six ends, of which that of a pair is one where they
     // meet.
-    EXPECT_GT(rungs_of(figure), 6u + 20);
-    EXPECT_LE(rungs_of(read(kAxis + pairs(kRed, kRed))), 6u);
+    EXPECT_GT(rungs_of(chart), 6u + 20);
+    EXPECT_LE(rungs_of(figure(kAxis + pairs(kRed, kRed))), 6u);
 }
 
 TEST(ChartBars, MayLieHangOrStandOnEachOther) {
@@ -78,15 +74,15 @@ TEST(ChartBars, MayLieHangOrStandOnEachOther) {
         stacked +=
             rectangle(30 + 30 * i, 60, 15, 30, kRed) + rectangle(30 + 30 * i, 60 - kHeights[i] / 2, 15, kHeights[i] / 2, kPale);
     }
-    const FoundPage level = read(lying);
+    const FoundPage level = figure(lying);
     ASSERT_TRUE(level.bars);
     EXPECT_TRUE(level.bars->lying);
     EXPECT_FALSE(level.bars->on_axis);
     EXPECT_NEAR(level.bars->base, 40, 0.01);
-    const FoundPage below = read(line(20, 50, 180, 50) + hanging + rectangle(150, 25, 15, 25, kRed));
+    const FoundPage below = figure(line(20, 50, 180, 50) + hanging + rectangle(150, 25, 15, 25, kRed));
     ASSERT_TRUE(below.bars);
     EXPECT_EQ(below.bars->bars.size(), 5u);
-    const FoundPage on = read(kAxis + stacked);
+    const FoundPage on = figure(kAxis + stacked);
     ASSERT_TRUE(on.bars);
     EXPECT_EQ(on.bars->bars.size(), 8u);
     EXPECT_EQ(on.bars->looks.size(), 2u);
@@ -94,12 +90,13 @@ TEST(ChartBars, MayLieHangOrStandOnEachOther) {
 
 // The surface, and the line around it that is drawn for itself, as gnuplot does.
 TEST(ChartBars, AreOneWithTheirOutlines) {
-    const FoundPage figure = read(kAxis + pairs(kRed, kPale) + pairs("fill='none' stroke='black'", "fill='none' stroke='black'"));
-    ASSERT_TRUE(figure.bars);
-    EXPECT_EQ(figure.bars->bars.size(), 6u);
-    EXPECT_EQ(figure.bars->looks.size(), 2u);
-    EXPECT_EQ(drawing_of_figure(figure, 200).strokes.size(),
-              drawing_of_figure(read(kAxis + pairs(kRed, kPale)), 200).strokes.size());
+    const FoundPage chart =
+        figure(kAxis + pairs(kRed, kPale) + pairs("fill='none' stroke='black'", "fill='none' stroke='black'"));
+    ASSERT_TRUE(chart.bars);
+    EXPECT_EQ(chart.bars->bars.size(), 6u);
+    EXPECT_EQ(chart.bars->looks.size(), 2u);
+    EXPECT_EQ(drawing_of_figure(chart, 200).strokes.size(),
+              drawing_of_figure(figure(kAxis + pairs(kRed, kPale)), 200).strokes.size());
 }
 
 // As R draws them: lines from side to side, and then the outline.
@@ -117,13 +114,13 @@ std::string hatched(double x, double height, bool rising) {
 TEST(ChartBars, AreToldApartByHatchesOfLines) {
     std::string body = kAxis;
     for (int i = 0; i < 6; ++i) body += hatched(30 + 25 * (i / 2) + kWide * (i % 2), kHeights[i], i % 2 == 0);
-    const FoundPage figure = read(body);
-    ASSERT_TRUE(figure.bars);
-    EXPECT_EQ(figure.bars->bars.size(), 6u);
-    EXPECT_EQ(figure.bars->looks.size(), 2u);
-    for (const ChartBar& bar : figure.bars->bars)
+    const FoundPage chart = figure(body);
+    ASSERT_TRUE(chart.bars);
+    EXPECT_EQ(chart.bars->bars.size(), 6u);
+    EXPECT_EQ(chart.bars->looks.size(), 2u);
+    for (const ChartBar& bar : chart.bars->bars)
         EXPECT_EQ(bar.look, bar.box.left == 30 || bar.box.left == 55 || bar.box.left == 80 ? 0u : 1u);
-    const Drawing drawing = drawing_of_figure(figure, 200);
+    const Drawing drawing = drawing_of_figure(chart, 200);
     for (const Stroke& stroke : drawing.strokes)
         for (std::size_t i = 1; i < stroke.points.size(); ++i)
             EXPECT_TRUE(stroke.points[i].x == stroke.points[i - 1].x || stroke.points[i].y == stroke.points[i - 1].y)
@@ -145,14 +142,14 @@ TEST(ChartBars, OfLevelAndRisingLinesAreNamedByTheirSamples) {
     for (int i = 0; i < 6; ++i)
         body += i % 2 == 0 ? level(30 + 25 * (i / 2), 90 - kHeights[i], kWide, kHeights[i])
                            : hatched(30 + 25 * (i / 2) + kWide, kHeights[i], true);
-    const FoundPage figure = read(body + level(140, 8, 4, 4) + "<text font-size='4' x='147' y='11.5'>Boys</text>" +
-                                  rising(140, 15) + "<text font-size='4' x='147' y='18.5'>Girls</text>");
-    ASSERT_TRUE(figure.bars);
-    for (const FoundWords& words : figure.words) {
+    const FoundPage chart = figure(body + level(140, 8, 4, 4) + "<text font-size='4' x='147' y='11.5'>Boys</text>" +
+                                   rising(140, 15) + "<text font-size='4' x='147' y='18.5'>Girls</text>");
+    ASSERT_TRUE(chart.bars);
+    for (const FoundWords& words : chart.words) {
         ASSERT_TRUE(words.thing) << words.text;
-        const auto at = std::find_if(figure.bars->bars.begin(), figure.bars->bars.end(),
+        const auto at = std::find_if(chart.bars->bars.begin(), chart.bars->bars.end(),
                                      [&](const ChartBar& bar) { return grown(bar.box, 0.1).holds(*words.thing); });
-        ASSERT_NE(at, figure.bars->bars.end()) << words.text;
+        ASSERT_NE(at, chart.bars->bars.end()) << words.text;
         EXPECT_EQ(at->look, words.text == "Boys" ? 0u : 1u) << words.text;
     }
 }
@@ -164,9 +161,9 @@ TEST(ChartBars, FramesWithLinesAreNoHatches) {
         body += rectangle(left, 10, 80, 80, "fill='none' stroke='black'");
         for (int i = 1; i < 8; ++i) body += line(left, 10 + 10 * i, left + 80, 10 + 10 * i);
     }
-    const FoundPage figure = read(body);
-    EXPECT_FALSE(figure.bars);
-    EXPECT_EQ(figure.page.strokes.size(), 16u);
+    const FoundPage chart = figure(body);
+    EXPECT_FALSE(chart.bars);
+    EXPECT_EQ(chart.page.strokes.size(), 16u);
 }
 
 TEST(ChartBars, BoxesTablesAndWhatLiesOnEachOtherAreNone) {
@@ -177,9 +174,9 @@ TEST(ChartBars, BoxesTablesAndWhatLiesOnEachOtherAreNone) {
         over += rectangle(30 + 30 * i, 90 - kHeights[i], 15, kHeights[i], kRed) +
                 rectangle(35 + 30 * i, 90 - kHeights[i + 1], 15, kHeights[i + 1], kPale);
     }
-    EXPECT_FALSE(read(boxes).bars);
-    EXPECT_FALSE(read(table).bars);
-    EXPECT_FALSE(read(over).bars);
+    EXPECT_FALSE(figure(boxes).bars);
+    EXPECT_FALSE(figure(table).bars);
+    EXPECT_FALSE(figure(over).bars);
 }
 
 // Too thin for a finger, and no room: as they are drawn.
@@ -187,27 +184,27 @@ TEST(ChartBars, ThatAFingerCannotFeelStayAsTheyAre) {
     std::string body = kAxis;
     for (int i = 0; i < 60; ++i)
         body += rectangle(30 + 2 * i, 90 - kHeights[i % 6], 2, kHeights[i % 6], i % 2 == 0 ? kRed : kPale);
-    const FoundPage figure = read(body);
-    ASSERT_TRUE(figure.bars);
-    EXPECT_EQ(drawing_of_figure(figure, 200).strokes.size(), 61u);
+    const FoundPage chart = figure(body);
+    ASSERT_TRUE(chart.bars);
+    EXPECT_EQ(drawing_of_figure(chart, 200).strokes.size(), 61u);
 }
 
 // In a row a sample may be nearer to the words before it; and the frame of the chart is none of the legend.
 TEST(ChartBars, AreNamedByALegendInARow) {
     const std::string text = "<text font-size='5' ";
-    const FoundPage figure =
-        read(rectangle(20, 5, 160, 85, "fill='none' stroke='black'") + pairs(kRed, kPale) + rectangle(60, 8, 8, 5, kRed) + text +
-             "x='76' y='12'>Rain</text>" + rectangle(91, 8, 8, 5, kPale) + text + "x='107' y='12'>Snow</text>");
-    ASSERT_TRUE(figure.bars);
-    ASSERT_EQ(figure.words.size(), 2u);
+    const FoundPage chart =
+        figure(rectangle(20, 5, 160, 85, "fill='none' stroke='black'") + pairs(kRed, kPale) + rectangle(60, 8, 8, 5, kRed) +
+               text + "x='76' y='12'>Rain</text>" + rectangle(91, 8, 8, 5, kPale) + text + "x='107' y='12'>Snow</text>");
+    ASSERT_TRUE(chart.bars);
+    ASSERT_EQ(chart.words.size(), 2u);
     for (std::size_t i = 0; i < 2; ++i) {
-        ASSERT_TRUE(figure.words[i].thing);
-        const auto named = std::find_if(figure.bars->bars.begin(), figure.bars->bars.end(),
-                                        [&](const ChartBar& bar) { return grown(bar.box, 0.1).holds(*figure.words[i].thing); });
-        ASSERT_NE(named, figure.bars->bars.end());
-        EXPECT_EQ(figure.bars->looks[named->look].dark > 0.4, figure.words[i].text == "Rain") << figure.words[i].text;
+        ASSERT_TRUE(chart.words[i].thing);
+        const auto named = std::find_if(chart.bars->bars.begin(), chart.bars->bars.end(),
+                                        [&](const ChartBar& bar) { return grown(bar.box, 0.1).holds(*chart.words[i].thing); });
+        ASSERT_NE(named, chart.bars->bars.end());
+        EXPECT_EQ(chart.bars->looks[named->look].dark > 0.4, chart.words[i].text == "Rain") << chart.words[i].text;
     }
-    EXPECT_TRUE(std::any_of(figure.page.strokes.begin(), figure.page.strokes.end(), [](const PageStroke& stroke) {
+    EXPECT_TRUE(std::any_of(chart.page.strokes.begin(), chart.page.strokes.end(), [](const PageStroke& stroke) {
         return stroke.closed && box_of(stroke.points).width() > 150;
     })) << "the frame";
 }

@@ -9,17 +9,13 @@
 #include "tactics/layout/texture.h"
 #include "tactics/readers/svg/figure.h"
 #include "tactics/readers/svg/plain_words.h"
-#include "tactics/readers/svg/svg.h"
 #include "tactics/readers/svg/svg_dashes.h"
+#include "tests/tactics/readers/svg/figures.h"
 
 namespace tactics::chart_parts_test {
 namespace {
 
-FoundPage figure(const std::string& body) {
-    return read_svg(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"100mm\" viewBox=\"0 0 200 100\">" + body + "</svg>",
-        "figure.svg", 0, std::nullopt, SvgPurpose::figure);
-}
+using tests::figure;
 
 const FoundWords& words_named(const FoundPage& figure, std::string_view text) {
     static const FoundWords none;

@@ -6,15 +6,12 @@
 
 #include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/plain_words.h"
+#include "tests/tactics/readers/svg/figures.h"
 
 namespace tactics::figure_test {
 namespace {
 
-FoundPage figure(const std::string& body) {
-    return read_svg(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"100mm\" viewBox=\"0 0 200 100\">" + body + "</svg>",
-        "figure.svg", 0, std::nullopt, SvgPurpose::figure);
-}
+using tests::figure;
 
 TEST(Figure, TextsAreWordsWhereTheyStand) {
     const auto words = figure(

@@ -6,16 +6,12 @@
 
 #include <string>
 
-#include "tactics/readers/svg/svg.h"
+#include "tests/tactics/readers/svg/figures.h"
 
 namespace tactics::hidden_lines_test {
 namespace {
 
-FoundPage figure(const std::string& body) {
-    return read_svg(
-        "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='100mm' viewBox='0 0 200 100'>" + body + "</svg>",
-        "figure.svg", 0, std::nullopt, SvgPurpose::figure);
-}
+using tests::figure;
 
 double length_of_all(const FoundPage& found) {
     double length = 0;
