@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -20,10 +22,19 @@ namespace {
 
 using Colour = std::array<int, 3>;
 
-// The pixel whose samples begin there, not the first one, is as the one before it, as most are in what was drawn.
-bool goes_on(const Image& image, std::size_t at) {
-    const std::uint8_t* pixel = &image.pixels[at];
-    return image.channels == 3 ? pixel[0] == pixel[-3] && pixel[1] == pixel[-2] && pixel[2] == pixel[-1] : pixel[0] == pixel[-1];
+// Up to which pixel, in rows one after the other, the picture goes on in the colour of that one, as most of what was drawn does.
+std::size_t end_of_colour(const Image& image, std::size_t pixel, std::size_t end) {
+    const auto channels = static_cast<std::size_t>(image.channels);
+    const std::uint8_t* first = &image.pixels[pixel * channels];
+    const std::size_t bytes = (end - pixel - 1) * channels;  // that may be as those a pixel before them
+    std::size_t same = 0;
+    for (std::uint64_t here = 0, before = 0; same + sizeof here <= bytes; same += sizeof here) {
+        std::memcpy(&before, first + same, sizeof before);
+        std::memcpy(&here, first + same + channels, sizeof here);
+        if (here != before) break;
+    }
+    while (same < bytes && first[same] == first[same + channels]) ++same;
+    return pixel + 1 + same / channels;
 }
 
 // 1: ink is darker than the ground, -1: lighter. It begins sharply, which paper that is lit unevenly does not.
@@ -39,13 +50,17 @@ int sign_of_ink(const Image& image, const Colour& ground) {
         return most;
     };
     std::size_t darker = 0, lighter = 0;
-    for (int y = kReach; y < image.height; ++y)
-        for (int x = kReach, here = 0; x < image.width; ++x) {
-            const std::size_t at = static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x) * channels;
-            if (x == kReach || !goes_on(image, at)) here = off(at);
-            if (std::abs(here) <= kInk) continue;
-            if (std::abs(off(at - kReach * channels)) <= kGround || std::abs(off(at - kReach * row)) <= kGround)
-                ++(here > 0 ? darker : lighter);
+    const auto width = static_cast<std::size_t>(image.width);
+    for (std::size_t y = kReach; y < static_cast<std::size_t>(image.height); ++y)
+        for (std::size_t x = kReach; x < width;) {
+            const std::size_t end = end_of_colour(image, y * width + x, (y + 1) * width) - y * width;
+            const int here = off(y * row + x * channels);
+            for (; x < end && std::abs(here) > kInk; ++x) {
+                const std::size_t at = y * row + x * channels;
+                if (std::abs(off(at - kReach * channels)) <= kGround || std::abs(off(at - kReach * row)) <= kGround)
+                    ++(here > 0 ? darker : lighter);
+            }
+            x = end;
         }
     return lighter > darker ? -1 : 1;
 }
@@ -65,10 +80,11 @@ std::array<int, 3> ground_of(const Image& image) {
     std::vector<Cell> cells(kCells * kCells * kCells);
     Cell white;
     const auto channels = static_cast<std::size_t>(image.channels);
-    for (std::size_t i = 0, next = 0; i + channels <= image.pixels.size(); i = next) {
-        const std::uint8_t* pixel = &image.pixels[i];
-        for (next = i + channels; next + channels <= image.pixels.size() && goes_on(image, next);) next += channels;
-        const std::size_t count = (next - i) / channels;
+    const std::size_t pixels = image.pixels.size() / channels;
+    for (std::size_t i = 0, next = 0; i < pixels; i = next) {
+        const std::uint8_t* pixel = &image.pixels[i * channels];
+        next = end_of_colour(image, i, pixels);
+        const std::size_t count = next - i;
         const std::array<int, 3> colour{pixel[0], pixel[channels == 3 ? 1 : 0], pixel[channels == 3 ? 2 : 0]};
         Cell& cell = cells[static_cast<std::size_t>(((colour[0] >> kShift) * kCells + (colour[1] >> kShift)) * kCells +
                                                     (colour[2] >> kShift))];
@@ -94,13 +110,14 @@ std::array<int, 3> ground_of(const Image& image) {
 std::vector<Image> inks_on_white(const Image& image) {
     const Colour ground = ground_of(image);
     const int sign = sign_of_ink(image, ground);
-    std::vector<Image> inks;
     const auto channels = static_cast<std::size_t>(image.channels);
-    for (std::size_t c = 0; c < channels; ++c) {
-        Image ink = make_image(image.width, image.height, 1, image.mm_per_pixel, 255);
-        for (std::size_t i = 0; i < ink.pixels.size(); ++i)
-            ink.pixels[i] = static_cast<std::uint8_t>(255 - std::max(0, sign * (ground[c] - image.pixels[i * channels + c])));
-        inks.push_back(std::move(ink));
+    std::vector<Image> inks(channels, make_image(image.width, image.height, 1, image.mm_per_pixel, 255));
+    for (std::size_t i = 0, next = 0; i < inks.front().pixels.size(); i = next) {
+        next = end_of_colour(image, i, inks.front().pixels.size());
+        for (std::size_t c = 0; c < channels; ++c) {
+            const int off = std::max(0, sign * (ground[c] - image.pixels[i * channels + c]));
+            std::fill_n(&inks[c].pixels[i], next - i, static_cast<std::uint8_t>(255 - off));
+        }
     }
     return inks;
 }
@@ -109,15 +126,12 @@ Image ink_on_white(const Image& image) {
     const Colour ground = ground_of(image);
     const int sign = sign_of_ink(image, ground);
     Image ink = make_image(image.width, image.height, 1, image.mm_per_pixel, 255);
-    const std::size_t channels = static_cast<std::size_t>(image.channels);
-    for (std::size_t i = 0; i < ink.pixels.size(); ++i) {
-        if (i > 0 && goes_on(image, i * channels)) {
-            ink.pixels[i] = ink.pixels[i - 1];
-            continue;
-        }
+    const auto channels = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0, next = 0; i < ink.pixels.size(); i = next) {
+        next = end_of_colour(image, i, ink.pixels.size());
         int most = 0;
         for (std::size_t c = 0; c < channels; ++c) most = std::max(most, sign * (ground[c] - image.pixels[i * channels + c]));
-        ink.pixels[i] = static_cast<std::uint8_t>(255 - most);
+        std::fill_n(&ink.pixels[i], next - i, static_cast<std::uint8_t>(255 - most));
     }
     return ink;
 }

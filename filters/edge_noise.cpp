@@ -34,15 +34,20 @@ double noise_level(const Image& grey) {
     if (grey.width < 3 || grey.height < 3) return 0;
     // Second difference in both directions: blind to planes, 6 times the deviation of white noise.
     std::array<std::size_t, 16 * 255 + 1> histogram{};
-    std::size_t count = 0;
+    std::size_t count = 0, flat = 0;
     for (int y = 1; y + 1 < grey.height; ++y) {
         const std::uint8_t *a = grey.row(y - 1), *b = grey.row(y), *c = grey.row(y + 1);
         for (int x = 1; x + 1 < grey.width; ++x, ++count) {
             const int corners = a[x - 1] + a[x + 1] + c[x - 1] + c[x + 1];
             const int sides = a[x] + c[x] + b[x - 1] + b[x + 1];
-            ++histogram[static_cast<std::size_t>(std::abs(corners - 2 * sides + 4 * b[x]))];
+            // What was drawn is flat nearly everywhere, and one count after the other of the same bin would have to wait for it.
+            if (const int off = std::abs(corners - 2 * sides + 4 * b[x]); off == 0)
+                ++flat;
+            else
+                ++histogram[static_cast<std::size_t>(off)];
         }
     }
+    histogram[0] = flat;
     std::size_t below = 0, median = 0;
     while (below + histogram[median] <= count / 2) below += histogram[median++];
     // Whole numbers are bins one wide around them; the bin of 0 is half as wide.

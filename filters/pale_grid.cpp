@@ -55,14 +55,21 @@ bool are_evenly_apart(std::vector<double> places, double closest) {
 // Columns of a line: the first, and behind the last.
 using Columns = std::pair<int, int>;
 
+// How many pixels of each column are pale, or of each row.
+std::vector<int> counts_along(const cv::Mat& pale, bool columns) {
+    cv::Mat sums;
+    cv::reduce(pale, sums, columns ? 0 : 1, cv::REDUCE_SUM, CV_32S);
+    std::vector<int> counts(sums.begin<int>(), sums.end<int>());
+    for (int& count : counts) count /= 255;
+    return counts;
+}
+
 // Where so many of the pixels of a column are pale; none if there are surfaces or noise, too.
-std::vector<Columns> upright_lines(const cv::Mat& pale, double mm) {
-    std::vector<int> counts(static_cast<std::size_t>(pale.cols));
-    for (int x = 0; x < pale.cols; ++x) counts[static_cast<std::size_t>(x)] = cv::countNonZero(pale.col(x));
+std::vector<Columns> upright_lines(const std::vector<int>& counts, int rows, double mm) {
     const int most = *std::max_element(counts.begin(), counts.end());
-    if (most < kLeastInked * pale.rows) return {};
+    if (most < kLeastInked * rows) return {};
     std::vector<Columns> lines;
-    for (int x = 0; x < pale.cols; ++x) {
+    for (int x = 0; x < static_cast<int>(counts.size()); ++x) {
         if (counts[static_cast<std::size_t>(x)] < kAsInked * most) continue;
         if (lines.empty() || lines.back().second < x) lines.emplace_back(x, x);
         lines.back().second = x + 1;
@@ -90,8 +97,8 @@ std::size_t leave_out_pale_grid(Image& picture, const Image& ink, const std::arr
     cv::dilate(depth, deepest, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(kAroundGrid, kAroundGrid)));
     cv::dilate(depth, beside, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(3, 3)));
     const cv::Mat pale = (depth >= kSeenDepth) & (deepest < dark), free = beside < dark;
-    std::vector<Columns> upright = upright_lines(pale, picture.mm_per_pixel),
-                         level = upright_lines(pale.t(), picture.mm_per_pixel);
+    std::vector<Columns> upright = upright_lines(counts_along(pale, true), pale.rows, picture.mm_per_pixel),
+                         level = upright_lines(counts_along(pale, false), pale.cols, picture.mm_per_pixel);
     widen_columns(upright, pale.cols);
     widen_columns(level, pale.rows);
     cv::Mat grid = cv::Mat::zeros(pale.size(), CV_8U);

@@ -12,12 +12,14 @@
 #include <cmath>
 #include <compare>
 #include <cstdlib>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <set>
-#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "tactics/error.h"
 #include "tactics/text/formula_letters.h"
@@ -223,33 +225,61 @@ FontFile file_for(const std::string& name) {
     return found ? file_of(found.get()) : FontFile();
 }
 
-// Those that are found for the names that drawing programs and TeX write, plain, bold and slanted; then all others, by their
-// paths.
-std::vector<FontPair> likely_fonts() {
-    const std::lock_guard lock(fontconfig_lock);
-    std::vector<FontPair> fonts;
+// The names that drawing programs and TeX write, plain, bold and slanted, each with that of its formulas or none.
+std::vector<std::pair<std::string, std::string>> likely_names() {
+    std::vector<std::pair<std::string, std::string>> names;
     for (const std::string style : {"", ":bold", ":italic", ":bold:italic"}) {
         for (const std::string family : {"DejaVu Sans", "Helvetica", "Times", "sans-serif", "serif", "monospace", "Arial",
                                          "Times New Roman", "Courier", "DejaVu Serif", "DejaVu Sans Mono", "Latin Modern Sans"})
-            fonts.push_back({file_for(family + style), style.empty() ? file_for(family + ":italic") : FontFile()});
-        fonts.push_back({file_for("Latin Modern Roman" + style), style.empty() ? file_for("Latin Modern Math") : FontFile()});
+            names.emplace_back(family + style, style.empty() ? family + ":italic" : "");
+        names.emplace_back("Latin Modern Roman" + style, style.empty() ? "Latin Modern Math" : "");
         if (style != ":italic") continue;
         // TeX has fonts of their own for small print, such as exponents and indices.
-        for (const std::string name : {"Latin Modern Math", "LM Roman 7", "LM Roman 8", "LM Roman 12"})
-            fonts.push_back({file_for(name), file_for("Latin Modern Math")});
+        for (const char* name : {"Latin Modern Math", "LM Roman 7", "LM Roman 8", "LM Roman 12"})
+            names.emplace_back(name, "Latin Modern Math");
     }
-    const Pattern outlines(FcPatternCreate());
-    FcPatternAddBool(outlines.get(), FC_OUTLINE, FcTrue);
-    const ObjectSet facts(FcObjectSetBuild(FC_FILE, FC_INDEX, nullptr));
-    std::vector<FontFile> others;
-    if (const FontSet all(FcFontList(nullptr, outlines.get(), facts.get())); all)
-        for (int i = 0; i < all->nfont; ++i) others.push_back(file_of(all->fonts[i]));
-    std::sort(others.begin(), others.end());
-    for (FontFile& file : others) fonts.push_back({std::move(file), {}});
-    std::set<FontFile> seen;
-    std::erase_if(fonts, [&](const FontPair& one) { return one.font.path.empty() || !seen.insert(one.font).second; });
-    return fonts;
+    return names;
 }
+
+// The fonts that are found for likely names; then all others, by their paths. Each is looked for when it is first asked for: one
+// of the first is mostly the right one, and a search goes through all fonts there are. A batch asks for each picture; fonts do
+// not come and go meanwhile.
+class LikelyFonts {
+public:
+    // Nothing: there are no more.
+    const FontPair* at(std::size_t number) {
+        const std::lock_guard lock(fontconfig_lock);
+        for (; found_.size() <= number && asked_ < names_.size(); ++asked_)
+            add({file_for(names_[asked_].first), names_[asked_].second.empty() ? FontFile() : file_for(names_[asked_].second)});
+        if (found_.size() <= number && !others_) {
+            others_ = true;
+            for (FontFile& file : all_files()) add({std::move(file), {}});
+        }
+        return number < found_.size() ? &found_[number] : nullptr;
+    }
+
+private:
+    static std::vector<FontFile> all_files() {
+        const Pattern outlines(FcPatternCreate());
+        FcPatternAddBool(outlines.get(), FC_OUTLINE, FcTrue);
+        const ObjectSet facts(FcObjectSetBuild(FC_FILE, FC_INDEX, nullptr));
+        std::vector<FontFile> files;
+        if (const FontSet all(FcFontList(nullptr, outlines.get(), facts.get())); all)
+            for (int i = 0; i < all->nfont; ++i) files.push_back(file_of(all->fonts[i]));
+        std::sort(files.begin(), files.end());
+        return files;
+    }
+
+    void add(FontPair pair) {
+        if (!pair.font.path.empty() && seen_.insert(pair.font).second) found_.push_back(std::move(pair));
+    }
+
+    const std::vector<std::pair<std::string, std::string>> names_ = likely_names();
+    std::size_t asked_ = 0;  // of them
+    bool others_ = false;    // have been listed
+    std::deque<FontPair> found_;
+    std::set<FontFile> seen_;
+};
 
 Face open_file(FT_Library library, const FontFile& file) {
     FT_Face loaded = nullptr;
@@ -306,15 +336,16 @@ private:
 void each_font(const std::function<bool(const FontLetters& font)>& goes_on) {
     constexpr std::size_t kMostFonts = 300;
     check_configuration();
-    // A batch asks for each picture; fonts do not come and go meanwhile.
-    static const std::vector<FontPair> fonts = likely_fonts();
-    for (const FontPair& pair : std::span(fonts).first(std::min(fonts.size(), kMostFonts))) {
-        const auto open = std::make_shared<OpenFont>(pair);
+    static LikelyFonts fonts;
+    for (std::size_t number = 0; number < kMostFonts; ++number) {
+        const FontPair* const pair = fonts.at(number);
+        if (pair == nullptr) return;
+        const auto open = std::make_shared<OpenFont>(*pair);
         FontLetters font;
         font.plain = [open](const Codes& codes, Hinting hinting, double pixels) {
             return open->letters(codes, hinting, pixels, false);
         };
-        if (!pair.formulas.path.empty())
+        if (!pair->formulas.path.empty())
             font.formula = [open](const Codes& codes, Hinting hinting, double pixels) {
                 return open->letters(codes, hinting, pixels, true);
             };

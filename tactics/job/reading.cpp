@@ -39,9 +39,12 @@ int longest_for(const Recipe& recipe, const Rect& drawing) {
 
 }  // namespace
 
+int Reading::longer_side() const { return std::max(image_.width, image_.height); }
+
 const Image& Reading::get(const ReadRequest& request) {
-    // A grey picture is the same whether colour was requested or not.
-    const bool same = longest_ == request.longest && (colour_ == request.colour || (colour_ && image_.channels == 1));
+    // A grey picture is the same whether colour was requested or not, and so is one of which no pixels were averaged away.
+    const bool all = longer_side() < longest_, as_long = longest_ == request.longest || (all && request.longest >= longer_side());
+    const bool same = as_long && (colour_ == request.colour || (colour_ && image_.channels == 1));
     if (!same || image_.pixels.empty()) {
         image_ = Image{};
         image_ = read_(request);
@@ -52,7 +55,9 @@ const Image& Reading::get(const ReadRequest& request) {
 }
 
 Image Reading::take(const ReadRequest& request) {
-    get(request);
+    constexpr std::size_t kSmall = 16'000'000;  // bytes: as many are kept for the next page rather than read again
+    const Image& image = get(request);
+    if (longer_side() < longest_ && image.pixels.size() <= kSmall) return image;
     return std::move(image_);
 }
 

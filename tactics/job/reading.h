@@ -28,6 +28,8 @@ public:
     Image take(const ReadRequest& request);
 
 private:
+    int longer_side() const;
+
     std::function<Image(const ReadRequest& request)> read_;
     Image image_;
     int longest_ = 0;

@@ -114,7 +114,7 @@ void Room::mark(const Area& area) {
 void Room::keep_clear() {
     const int reach = static_cast<int>(std::ceil(clear_ / square_));
     // Squares to the nearest ink in the row, none farther than that matters.
-    std::vector<int> beside(ink_.size(), reach + 1);
+    std::vector<std::uint16_t> beside(ink_.size(), static_cast<std::uint16_t>(reach + 1));
     for (int y = 0; y < rows_; ++y) {
         const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_);
         for (int pass = 0; pass < 2; ++pass) {
@@ -122,7 +122,7 @@ void Room::keep_clear() {
             for (int k = 0; k < columns_; ++k) {
                 const std::size_t i = row + static_cast<std::size_t>(pass == 0 ? k : columns_ - 1 - k);
                 last = ink_[i] != 0 ? 0 : std::min(last + 1, reach + 1);
-                beside[i] = std::min(beside[i], last);
+                beside[i] = std::min(beside[i], static_cast<std::uint16_t>(last));
             }
         }
     }
@@ -133,7 +133,7 @@ void Room::keep_clear() {
         while (most >= 0 && length_of(std::max(0, most - 1), std::max(0, off - 1)) * square_ >= clear_) --most;
         if (most < 0) break;
         for (int y = 0; y < rows_; ++y) {
-            const int* ink = beside.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_);
+            const std::uint16_t* ink = beside.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_);
             for (const int to : {y - off, y + off}) {
                 if (to < 0 || to >= rows_) continue;
                 std::uint8_t* blocked = blocked_.data() + static_cast<std::size_t>(to) * static_cast<std::size_t>(columns_);

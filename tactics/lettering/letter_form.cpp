@@ -66,9 +66,8 @@ void LetterForm::draw(const FontShape& shape) {
         double from = 0;
         for (const auto& [x, way] : crossings[static_cast<std::size_t>(r)]) {
             const double at = (x - left_) / width() * columns_;
-            if (winding != 0)
-                for (int c = std::max(0, static_cast<int>(std::lround(from))); c < std::min<long>(columns_, std::lround(at)); ++c)
-                    row[static_cast<std::size_t>(c)] = 1;
+            const long begin = std::max(0L, std::lround(from)), end = std::min<long>(columns_, std::lround(at));
+            if (winding != 0 && begin < end) std::fill(row.begin() + begin, row.begin() + end, 1u);
             winding += way;
             from = at;
         }

@@ -44,24 +44,25 @@ private:
     // `bare_` is the ink without what is level or upright: what leans does not go on in that.
     void find_level_and_upright() {
         bare_ = ink_;
-        const auto take = [&](int length, auto pixel_at) {
-            int run = 0;
-            for (int i = 0; i <= length; ++i) {
-                const bool is = i < length && ink_.row(pixel_at(i).second)[pixel_at(i).first] != 0;
-                if (is) {
-                    ++run;
-                    continue;
-                }
-                for (int k = i - run; k < i && run >= least_; ++k) {
-                    const auto [x, y] = pixel_at(k);
-                    bare_.row(y)[x] = 0;
-                    if (is_in_window(x, y)) mark(x, y, 0);
-                }
-                run = 0;
-            }
+        const auto take = [&](int x, int y) {
+            bare_.row(y)[x] = 0;
+            if (is_in_window(x, y)) mark(x, y, 0);
         };
-        for (int y = 0; y < ink_.height; ++y) take(ink_.width, [&](int i) { return std::pair(i, y); });
-        for (int x = 0; x < ink_.width; ++x) take(ink_.height, [&](int i) { return std::pair(x, i); });
+        std::vector<int> above(static_cast<std::size_t>(ink_.width), 0);  // ink of the column that ends there
+        for (int y = 0; y <= ink_.height; ++y) {
+            const std::uint8_t* row = y < ink_.height ? ink_.row(y) : nullptr;
+            for (int x = 0, before = 0; x <= ink_.width; ++x) {
+                const bool is = row != nullptr && x < ink_.width && row[x] != 0;
+                if (!is && before >= least_)
+                    for (int k = x - before; k < x; ++k) take(k, y);
+                before = is ? before + 1 : 0;
+                if (x == ink_.width) break;
+                int& run = above[static_cast<std::size_t>(x)];
+                if (!is && run >= least_)
+                    for (int k = y - run; k < y; ++k) take(x, k);
+                run = is ? run + 1 : 0;
+            }
+        }
     }
 
     // In a grid with an empty frame, so wide that no way leaves it.
@@ -76,6 +77,7 @@ private:
         const std::vector<std::vector<std::ptrdiff_t>> ways = ways_on(wide);
         const auto is_long = [&](const std::uint8_t* pixel) {
             return std::any_of(ways.begin(), ways.end(), [&](const std::vector<std::ptrdiff_t>& way) {
+                if (!may_be_long(pixel, way)) return false;
                 int length = 1;
                 for (std::size_t i = 0; i < way.size() && pixel[way[i]] != 0; ++i) ++length;
                 for (std::size_t i = 0; i < way.size() && pixel[-way[i]] != 0; ++i) ++length;
@@ -85,6 +87,17 @@ private:
         for (int y = window_.top; y < window_.bottom; ++y)
             for (int x = window_.left; x < window_.right; ++x)
                 if (const std::uint8_t* pixel = start_of(x, y); *pixel != 0 && is_long(pixel)) mark(x, y, 1);
+    }
+
+    // To one side a long way goes half of the length at least: at a few places most ways are seen not to.
+    bool may_be_long(const std::uint8_t* pixel, const std::vector<std::ptrdiff_t>& way) const {
+        bool on = true, back = true;
+        for (int far = least_ / 2; far > 0 && (on || back); far /= 2) {
+            const std::ptrdiff_t there = way[static_cast<std::size_t>(far) - 1];
+            on = on && pixel[there] != 0;
+            back = back && pixel[-there] != 0;
+        }
+        return on || back;
     }
 
     // Where the pixels of each direction are in rows of so many.

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
 
 #include "tests/filters/pictures.h"
 
@@ -51,6 +54,32 @@ TEST(Darken, PaperIsTheGroundThoughMoreIsPaintedInOneColour) {
     EXPECT_EQ(ground_of(shade), (std::array<int, 3>{180, 180, 180}));
     const Image board = pictures::drawn(100, 100, [](int x, int) { return x < 10 ? 255 : x < 90 ? 30 : 120; });
     EXPECT_EQ(ground_of(board), (std::array<int, 3>{30, 30, 30}));
+}
+
+// Pixel by pixel, as the header says it.
+TEST(Darken, InkIsTheChannelThatIsFarthestFromTheGround) {
+    std::mt19937 random(5);
+    for (const int channels : {1, 3})
+        for (int turn = 0; turn < 20; ++turn) {
+            Image picture = make_image(37, 23, channels, kPixel, 255);
+            for (std::size_t i = 0; i < 100; ++i)
+                picture.pixels[random() % picture.pixels.size()] = static_cast<std::uint8_t>(random());
+            for (int x = 5; x < 5 + turn; ++x) std::fill_n(picture.row(9) + x * channels, channels, std::uint8_t{40});
+            const std::array<int, 3> ground = ground_of(picture);
+            const Image ink = ink_on_white(picture);
+            const std::vector<Image> inks = inks_on_white(picture);
+            ASSERT_EQ(inks.size(), static_cast<std::size_t>(channels));
+            for (int y = 0; y < picture.height; ++y)
+                for (int x = 0; x < picture.width; ++x) {
+                    int most = 0;
+                    for (int c = 0; c < channels; ++c) {
+                        const int off = std::max(0, ground[static_cast<std::size_t>(c)] - picture.row(y)[x * channels + c]);
+                        EXPECT_EQ(inks[static_cast<std::size_t>(c)].row(y)[x], 255 - off) << x << " " << y;
+                        most = std::max(most, off);
+                    }
+                    EXPECT_EQ(ink.row(y)[x], 255 - most) << x << " " << y;
+                }
+        }
 }
 
 TEST(Darken, LighterPaperIsNoInk) {

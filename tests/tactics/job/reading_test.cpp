@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "filters/list.h"
@@ -48,6 +49,27 @@ TEST(Reading, LooksCloserAtAFigureOnAnEmptyPage) {
     for (const auto& image : {page(260, 140), page(500, 700)}) {
         Reading reading([&](const ReadRequest&) { return image; });
         EXPECT_EQ(choose(reading).recipe, "diagram") << image.width;
+    }
+}
+
+// A small figure is not decoded once for its words, once for each page and once to look at it; a large one is, as it is smaller
+// each time.
+TEST(Reading, ReadsAllPixelsOnce) {
+    for (const auto& [side, times] : {std::pair{900, 1}, std::pair{3000, 4}}) {
+        int reads = 0;
+        Reading reading([&, side = side](const ReadRequest& request) {
+            ++reads;
+            const Size size = shrunk_size({side, side / 2}, request.longest);
+            return make_image(size.width, size.height, request.colour ? 3 : 1, 0, 128);
+        });
+        const int words = 2400, page = 1200;
+        EXPECT_EQ(reading.get({words, true}).width, std::min(side, words));
+        EXPECT_EQ(reading.take({page, true}).width, std::min(side, page));
+        EXPECT_EQ(reading.take({page, true}).width, std::min(side, page));
+        EXPECT_EQ(reading.get({words, true}).width, std::min(side, words));
+        EXPECT_EQ(reads, times) << side;
+        EXPECT_EQ(reading.get({words, false}).channels, 1);
+        EXPECT_EQ(reading.get({500, false}).width, 500) << "fewer pixels than there are are read anew";
     }
 }
 
