@@ -112,49 +112,61 @@ void Room::mark(const Area& area) {
 }
 
 void Room::keep_clear() {
-    const int reach = static_cast<int>(std::ceil(clear_ / square_));
-    // Squares to the nearest ink in the row, none farther than that matters.
-    std::vector<std::uint16_t> beside(ink_.size(), static_cast<std::uint16_t>(reach + 1));
-    for (int y = 0; y < rows_; ++y) {
-        const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_);
-        for (int pass = 0; pass < 2; ++pass) {
-            int last = reach + 1;
-            for (int k = 0; k < columns_; ++k) {
-                const std::size_t i = row + static_cast<std::size_t>(pass == 0 ? k : columns_ - 1 - k);
-                last = ink_[i] != 0 ? 0 : std::min(last + 1, reach + 1);
-                beside[i] = std::min(beside[i], static_cast<std::uint16_t>(last));
-            }
-        }
-    }
+    constexpr int kMostReach = 254;  // squares: 127 mm, more than anything keeps clear
+    const int reach = std::min(kMostReach, static_cast<int>(std::ceil(clear_ / square_)));
+    const auto columns = static_cast<std::size_t>(columns_);
     block_margins();
+    // Squares to the nearest ink in the row, none farther than that matters.
+    std::vector<std::uint8_t> beside(ink_.size());
+    std::vector<bool> inked(static_cast<std::size_t>(rows_));
+    for (std::size_t y = 0; y < inked.size(); ++y) {
+        const std::uint8_t* ink = ink_.data() + y * columns;
+        inked[y] = std::find(ink, ink + columns, 1) != ink + columns;
+        if (inked[y]) measure_row(ink, static_cast<std::uint8_t>(reach + 1), beside.data() + y * columns);
+    }
     for (int off = 0; off <= reach; ++off) {
         // So many squares beside the ink are still too near, so many rows above and below it.
         int most = reach;
         while (most >= 0 && length_of(std::max(0, most - 1), std::max(0, off - 1)) * square_ >= clear_) --most;
         if (most < 0) break;
+        const auto near = static_cast<std::uint8_t>(most);
         for (int y = 0; y < rows_; ++y) {
-            const std::uint16_t* ink = beside.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_);
+            if (!inked[static_cast<std::size_t>(y)]) continue;
+            const std::uint8_t* away = beside.data() + static_cast<std::size_t>(y) * columns;
             for (const int to : {y - off, y + off}) {
                 if (to < 0 || to >= rows_) continue;
-                std::uint8_t* blocked = blocked_.data() + static_cast<std::size_t>(to) * static_cast<std::size_t>(columns_);
-                for (int x = 0; x < columns_; ++x) blocked[x] = static_cast<std::uint8_t>(blocked[x] | (ink[x] <= most ? 1 : 0));
+                std::uint8_t* blocked = blocked_.data() + static_cast<std::size_t>(to) * columns;
+                for (std::size_t x = 0; x < columns; ++x)
+                    blocked[x] = static_cast<std::uint8_t>(blocked[x] | (away[x] <= near ? 1 : 0));
             }
         }
     }
 }
 
+void Room::measure_row(const std::uint8_t* ink, std::uint8_t most, std::uint8_t* away) const {
+    const auto next = [most](std::uint8_t last, std::uint8_t here) {
+        return here != 0 ? std::uint8_t{0} : last < most ? static_cast<std::uint8_t>(last + 1) : most;
+    };
+    std::uint8_t last = most;
+    for (int x = 0; x < columns_; ++x) away[x] = last = next(last, ink[x]);
+    last = most;
+    for (int x = columns_ - 1; x >= 0; --x) {
+        last = next(last, ink[x]);
+        away[x] = std::min(away[x], last);
+    }
+}
+
 // What is not wholly on the live part of the page.
 void Room::block_margins() {
-    blocked_.assign(ink_.size(), 0);
-    for (int y = 0; y < rows_; ++y) {
-        const double top = y * square_;
-        const bool out = top < live_.top || top + square_ > live_.top + live_.height;
-        for (int x = 0; x < columns_; ++x) {
-            const double left = x * square_;
-            if (out || left < live_.left || left + square_ > live_.left + live_.width)
-                blocked_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)] = 1;
-        }
-    }
+    const auto is_out = [this](int square, double live, double length) {
+        return square * square_ < live || square * square_ + square_ > live + length;
+    };
+    std::vector<std::uint8_t> row(static_cast<std::size_t>(columns_));
+    for (std::size_t x = 0; x < row.size(); ++x) row[x] = is_out(static_cast<int>(x), live_.left, live_.width) ? 1 : 0;
+    blocked_.assign(ink_.size(), 1);
+    for (int y = 0; y < rows_; ++y)
+        if (!is_out(y, live_.top, live_.height))
+            std::copy(row.begin(), row.end(), blocked_.begin() + static_cast<std::ptrdiff_t>(y) * columns_);
 }
 
 void Room::add_up(int top, int bottom) {

@@ -79,6 +79,8 @@ private:
     void mark(Point from, Point to, double width);
     void mark(const Area& area);
     void keep_clear();
+    /// How many squares each of a row is from its ink, at most so many.
+    void measure_row(const std::uint8_t* ink, std::uint8_t most, std::uint8_t* away) const;
     void block_margins();
     void add_up(int top, int bottom);  // updates the rows that have changed
 
