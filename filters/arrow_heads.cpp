@@ -194,8 +194,8 @@ private:
             // Of heads that fit, the one that explains most ink.
             const double quality = length / (0.5 + *off);
             if (best_ && quality <= best_->quality) continue;
-            best_ =
-                HeadFit{{tip, {moved(tip, left, length), moved(tip, right, length)}, moved(tip, ahead_, -neck), shaft_}, quality};
+            best_ = HeadFit{
+                {tip, {moved(tip, left, length), moved(tip, right, length)}, moved(tip, ahead_, -neck), shaft_, false}, quality};
         }
     }
 
@@ -316,6 +316,7 @@ void take_out(Image& picture, const std::vector<InkedHead>& heads) {
         std::vector<cv::Point> hull;
         cv::convexHull(ring, hull);
         cv::fillConvexPoly(pixels, hull, ground, cv::LINE_8, 4);
+        if (head.dashed) continue;
         cv::line(pixels, fine(moved(head.neck, ahead, -3)), fine(head.tip), line,
                  std::max(1, static_cast<int>(std::lround(head.shaft))), cv::LINE_8, 4);
     }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "filters/arrow_heads.h"
+#include "filters/closed_gaps.h"
 #include "filters/darken.h"
 #include "filters/dash_rows.h"
 #include "filters/dashed_whiskers.h"
@@ -43,6 +44,7 @@ constexpr float kStrength = 255;
 // line its end has 3.6 mm of it, and a corner of 29 degrees or more is no gap (rules/narrow.h).
 constexpr double kLeastBarb = 6.4, kMostBarb = 10, kLeastTurn = 35, kMostTurn = 45;
 constexpr double kLongestHead = 20;  // mm of a head as it is drawn
+constexpr double kOnHead = 1.3;      // of its length: so far from its tip a line of dashes ends at it
 
 Stroke head_of(const InkedHead& head, double mm) {
     const Point tip{head.tip.x * mm, head.tip.y * mm}, neck{head.neck.x * mm, head.neck.y * mm};
@@ -164,6 +166,18 @@ public:
         return *rows_;
     }
     void hide_under(std::vector<HidingMark> marks) { marks_ = std::move(marks); }
+    // Which end on a head goes on to its tip: these are taken out together, the row later.
+    void lead_to(std::vector<InkedHead>& heads) {
+        rows();
+        for (DashRow& row : *rows_)
+            for (Point* const end : {&row.points.front(), &row.points.back()})
+                for (InkedHead& head : heads)
+                    if (distance(*end, head.tip) <= kOnHead * head.length()) {
+                        *end = head.tip;
+                        head.dashed = true;
+                    }
+        ink_.reset();
+    }
     void forget() {
         ink_.reset();
         rows_.reset();
@@ -237,7 +251,7 @@ void take_heads(Image& picture, KnownOfPicture& known, KnownParts& parts) {
     const double mm = picture.mm_per_pixel;
     // On a dark ground of its own a head is only seen by how black it is, on white a pale one by its colour.
     for (const bool by_colour : {true, false}) {
-        const Image ink = by_colour ? known.ink() : black_ink(picture);
+        const Image ink = with_gaps_closed(by_colour ? known.ink() : black_ink(picture), known.rows());
         auto heads = arrow_heads_in(ink, kLongestHead / mm);
         if (heads.empty()) continue;
         // A point on a short line looks much like one.
@@ -250,8 +264,8 @@ void take_heads(Image& picture, KnownOfPicture& known, KnownParts& parts) {
         if (heads.empty()) continue;
         std::erase_if(heads, [&](const InkedHead& head) { return is_within_row(head.tip, known.rows()); });
         if (heads.empty()) continue;
+        known.lead_to(heads);
         take_out(picture, heads);
-        known.forget();
         for (const InkedHead& head : heads) parts.strokes.push_back(head_of(head, mm));
     }
 }

@@ -66,6 +66,12 @@ bool is_no_beginning(char32_t first, char32_t next, char32_t third) {
     return first == 'l' && is_lower(next) && next < 0x80 && is_lower(third) && kGoOn.find(next) == kGoOn.npos && !pounds;
 }
 
+// And if a vowel follows, it is an I that another reader took for an l: "Iron" and "Ice", but there is "lcm", too.
+bool begins_with_capital_i(char32_t told, char32_t next, char32_t third) {
+    constexpr std::u32string_view kVowels = U"aeiouy";
+    return is_no_beginning(told, next, third) && kVowels.find(third) != kVowels.npos;
+}
+
 // Words of two letters are "If", "In", "Is" and "It"; others that begin so are "lb", "ln" and "lx". Before a bracket it is "ln",
 // too. Of those of three only "lbs" has no vowel.
 bool is_no_short_word(char32_t first, char32_t next, char32_t behind, char32_t last) {
@@ -199,6 +205,8 @@ void settle(FormWords& words, const OtherReading& other) {
             letter.code = choices.front();
         else if (is_either(letter.code) && !begins[i] && may_be_of_joined_words(letters, begins, i))
             words.settled = false;
+        else if (begins[i] && in(U'I') && in(U'l') && begins_with_capital_i(said, code_at(i + 1), code_at(i + 2)))
+            letter.code = U'I';
         else if (said != 0 && begins[i] && is_either(said) && in(U'I') && in(U'l') &&
                  (is_no_beginning(said, code_at(i + 1), code_at(i + 2)) ||
                   is_no_short_word(said, code_at(i + 1), code_at(i + 2), code_at(i + 3))))

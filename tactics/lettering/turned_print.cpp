@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "tactics/lettering/dotted_rows.h"
 #include "tactics/lettering/pale_lines.h"
 #include "tactics/lettering/read_line.h"
 #include "tactics/lettering/sloped_words.h"
@@ -309,7 +310,7 @@ void sort_by_place(std::vector<PrintedWords>& words) {
 
 Lettering read_lettering(const Image& picture, std::string_view language, double least_sure, const PrintFonts& fonts,
                          const std::string& program) {
-    const TurnedPrint turned(without_pale_lines(to_grey(picture)));
+    const TurnedPrint turned(without_dotted_rows(without_pale_lines(to_grey(picture))));
     Lettering lettering = read_upright(turned.picture(), language, least_sure, fonts, program);
     if (turned.any() && lettering.trouble.empty() && !turned.put_back(lettering))
         lettering = read_upright(turned.given(), language, least_sure, fonts, program);

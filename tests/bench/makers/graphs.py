@@ -76,7 +76,7 @@ def drawn(svg):
             curves.append(("line", place(line)))
         for fill, points in re.findall(r'<polygon fill="(\w+)"[^>]* points="([^"]*)"', body):
             ring = pairs(numbers(points))
-            if kind == "edge" and fill == "black":
+            if kind == "edge" and fill not in ("none", "white"):
                 end, before = (line[0], line[3]) if math.dist(ring[0], line[0]) < math.dist(ring[0], line[-1]) else (line[-1], line[-4])
                 tip = max(ring, key=lambda p: math.dist(p, end))
                 arrows.append((*place([tip])[0], *place([before])[0]))
@@ -90,12 +90,16 @@ def drawn(svg):
     return curves, arrows
 
 
+def laid_out(name, program, graph, words, folder, dpi):
+    stem = os.path.join(folder, "graphviz-" + name)
+    files = {"SVG": stem + ".svg", "SVG glyphs": stem + "-cairo.svg", "PNG": stem + ".png", "PDF": stem + ".pdf"}
+    for form, kind in (("SVG", "svg"), ("SVG glyphs", "svg:cairo"), ("PNG", "png:cairo"), ("PDF", "pdf")):
+        figure.run(program, "-T" + kind, "-Gpad=0.1", "-Gmargin=0", *([f"-Gdpi={dpi}"] if form == "PNG" else []), "-o", files[form], text=graph)
+    known = places(files["SVG"])
+    curves, arrows = drawn(files["SVG"])
+    return figure.Figure("graphviz", name, files, [(text, *known.get(text, (None, None))) for text in words], arrows, curves)
+
+
 def make(folder, dpi):
     for name, (program, graph, words) in GRAPHS.items():
-        stem = os.path.join(folder, "graphviz-" + name)
-        files = {"SVG": stem + ".svg", "SVG glyphs": stem + "-cairo.svg", "PNG": stem + ".png", "PDF": stem + ".pdf"}
-        for form, kind in (("SVG", "svg"), ("SVG glyphs", "svg:cairo"), ("PNG", "png:cairo"), ("PDF", "pdf")):
-            figure.run(program, "-T" + kind, "-Gpad=0.1", "-Gmargin=0", *([f"-Gdpi={dpi}"] if form == "PNG" else []), "-o", files[form], text=graph)
-        known = places(files["SVG"])
-        curves, arrows = drawn(files["SVG"])
-        yield figure.Figure("graphviz", name, files, [(text, *known.get(text, (None, None))) for text in words], arrows, curves)
+        yield laid_out(name, program, graph, words, folder, dpi)

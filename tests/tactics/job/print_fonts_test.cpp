@@ -307,17 +307,18 @@ TEST_F(PrintFonts, WhatALineRunsThroughIsTold) {
     }
 }
 
-// Messages of a sequence diagram stand right above their dotted arrows; a short low line may be of their last letter.
+// Messages of a sequence diagram stand right above their dotted arrows; of a few low lines one may be of a letter.
 TEST_F(PrintFonts, ADottedLineRightBelowIsNoSign) {
-    const auto is_set = [](int dots) {
+    const auto is_set = [](int dots, double first = 40) {
         std::vector<PageStroke> line;
-        for (int i = 0; i < dots; ++i) line.push_back({{{40 + 1.2 * i, 31}, {40.3 + 1.2 * i, 31}}, false, 0.3});
+        for (int i = 0; i < dots; ++i) line.push_back({{{first + 1.2 * i, 31}, {first + 0.3 + 1.2 * i, 31}}, false, 0.3});
         const Expected words = words_in(picture_of({{20, 12, 4.2, "Flow chart"}, {50, 30, 4.2, "Rain fall"}}, line));
         return std::find(words.begin(), words.end(), "Rain fall") != words.end();
     };
     EXPECT_TRUE(is_set(50));
     EXPECT_TRUE(is_set(0));
-    EXPECT_FALSE(is_set(10)) << "one of them below it";
+    EXPECT_TRUE(is_set(10)) << "one of them below it";
+    EXPECT_FALSE(is_set(4, 47.2)) << "too few for a row";
 }
 
 // The last letter of a word whose others are hidden.

@@ -124,7 +124,8 @@ TEST(StrangePrint, NoWordBeginsWithAnLAndAnotherConsonant) {
         settle(words, {told, true});
         return words.settled;
     };
-    EXPECT_FALSE(settled(U"lron", "lron"));
+    EXPECT_FALSE(settled(U"lcm", "lcm"));
+    EXPECT_FALSE(settled(U"lhs", "lhs"));
     EXPECT_TRUE(settled(U"lane", "lane"));
     EXPECT_TRUE(settled(U"lyre", "lyre"));
     EXPECT_TRUE(settled(U"llama", "llama"));
@@ -136,6 +137,24 @@ TEST(StrangePrint, NoWordBeginsWithAnLAndAnotherConsonant) {
     EXPECT_TRUE(settled(U"ln", "In"));
     EXPECT_TRUE(settled(U"ln", "ln"));
     EXPECT_FALSE(settled(U"ln(2)", "In(2)"));
+}
+
+// In many fonts I and l look the same.
+TEST(StrangePrint, WhatBeginsWithLAConsonantAndAVowelBeginsWithACapitalI) {
+    for (const auto& [codes, told] : {std::pair{U"lron", "lron"}, {U"lda", "lda"}, {U"lce", "lce"}, {U"lvy", "lvy"}}) {
+        FormWords words;
+        for (const char32_t code : std::u32string_view(codes)) {
+            FormLetter letter;
+            letter.code = code;
+            if (code == U'l') letter.alike = {U'I'};
+            words.reading.letters.push_back(letter);
+            append_letter(words.reading.text, code);
+        }
+        words.reading.em = 20;
+        settle(words, {told, true});
+        EXPECT_TRUE(words.settled) << told;
+        EXPECT_EQ(words.reading.letters.front().code, U'I') << told;
+    }
 }
 
 // A line of small print; I and l look the same.
