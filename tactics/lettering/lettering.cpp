@@ -99,7 +99,31 @@ bool may_be_words(const ReadLine& one, const std::vector<ReadLine>& all) {
            });
 }
 
-// Tesseract's reading of each line, at two sizes. Single letters are also read if no font can identify them.
+// Of the lines that have one piece of ink: whether it is as high as letters of words there, and as wide as two of them that
+// touch, as those with serifs do.
+std::vector<bool> may_be_joined(const std::vector<LetteringLine>& lines) {
+    constexpr double kLowest = 0.75, kHighest = 1.15, kWidest = 3;  // settings, of the height
+    constexpr std::size_t kMostAsked = 12;                          // more are marks
+    std::vector<int> heights;
+    for (const LetteringLine& line : lines)
+        if (is_words(line)) heights.push_back(line.letter_height);
+    std::vector<bool> may(lines.size(), false);
+    if (heights.empty()) return may;
+    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+    std::nth_element(heights.begin(), middle, heights.end());
+    std::size_t asked = 0;
+    for (std::size_t i = 0; i < lines.size() && asked < kMostAsked; ++i) {
+        const LetteringLine& line = lines[i];
+        const double height = line.letter_height, width = line.upwards ? line.box.height() : line.box.width();
+        may[i] = !is_words(line) && height >= kLowest * *middle && height <= kHighest * *middle && width > height &&
+                 width <= kWidest * height;
+        asked += may[i] ? 1 : 0;
+    }
+    return may;
+}
+
+// Tesseract's reading of each line, at two sizes. Single letters are also read if no font can identify them, or if they may be
+// two.
 struct Asked {
     std::vector<ReadLine> all;
     Phrase trouble;
@@ -107,11 +131,13 @@ struct Asked {
 
 Asked ask_tesseract(const Image& grey, std::vector<LetteringLine> lines, bool ask_alone, std::string_view language,
                     double least_sure, const std::string& program) {
-    const auto is_asked = [&](const LetteringLine& line) { return ask_alone || is_words(line); };
+    std::vector<bool> is_asked = may_be_joined(lines);
+    for (std::size_t i = 0; i < lines.size(); ++i) is_asked[i] = is_asked[i] || ask_alone || is_words(lines[i]);
     std::vector<Image> strips;
-    for (const LetteringLine& line : lines)
+    for (std::size_t i = 0; i < lines.size(); ++i)
         for (const int height : kHeights) {
-            if (!is_asked(line)) continue;
+            const LetteringLine& line = lines[i];
+            if (!is_asked[i]) continue;
             strips.push_back(strip_of(grey, line, Part::words, height));
             if (!line.raised.empty()) strips.push_back(strip_of(grey, line, Part::raised, height));
         }
@@ -119,11 +145,11 @@ Asked ask_tesseract(const Image& grey, std::vector<LetteringLine> lines, bool as
     Asked asked{{}, std::move(read.trouble)};
     if (!asked.trouble.empty()) return asked;
     std::size_t at = 0;
-    for (LetteringLine& line : lines) {
-        ReadLine one{std::move(line), {}};
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        ReadLine one{std::move(lines[i]), {}};
         std::array<Guess, kHeights.size()> guesses;
         for (Guess& guess : guesses) {
-            if (!is_asked(one.line)) continue;
+            if (!is_asked[i]) continue;
             const Guess& base = read.guesses[at++];
             guess = joined(base, one.line.raised.empty() ? nullptr : &read.guesses[at++]);
         }
