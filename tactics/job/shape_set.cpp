@@ -12,6 +12,7 @@ namespace {
 // Settings. By how much sizes of letters of one font may differ.
 constexpr double kSameSize = 0.01;
 constexpr double kMostOfFont = 0.6;  // of its shapes, for a font to be it
+constexpr double kNearFont = 0.35;   // for one to be looked at as programs bend it, which few are nearly without that
 constexpr double kBent = 0.045;      // bent to pixels, a letter of 12 pixels is half a pixel off at most
 // Bounds: of shapes by which a font is known, and of fonts that came near.
 constexpr std::size_t kMostAsked = 60, kMostCandidates = 4;
@@ -22,8 +23,8 @@ struct Match {
     double em, apart;
 };
 
-bool is_most(std::size_t found, std::size_t inked) {
-    return found > 0 && static_cast<double>(found) >= kMostOfFont * static_cast<double>(inked);
+bool is_share(std::size_t found, std::size_t inked, double share) {
+    return found > 0 && static_cast<double>(found) >= share * static_cast<double>(inked);
 }
 
 double mean_em(const std::map<std::size_t, Match>& matches) {
@@ -163,12 +164,12 @@ bool ShapeSet::matches(const std::vector<FontLetter>& font, std::size_t number) 
         only_one += one_size && outlines_[i].corners > 4 ? 1 : 0;
     }
     const auto best = common_size(all, kSameSize);
-    if (only_one > 0 && is_most(best.size(), inked)) {
+    if (only_one > 0 && is_share(best.size(), inked, kMostOfFont)) {
         em_ = mean_em(best);
         candidates_ = {{number, best.size(), em_, 0}};
         return true;
     }
-    if (const auto near = common_size(rough, kBentSize); is_most(near.size(), inked)) {
+    if (const auto near = common_size(rough, kBentSize); is_share(near.size(), inked, kNearFont)) {
         double apart = 0;
         for (const auto& [shape, match] : near) apart += match.apart;
         candidates_.push_back({number, near.size(), mean_em(near), apart});
@@ -187,7 +188,7 @@ bool ShapeSet::matches_at(const std::vector<FontLetter>& font, double em) {
                              [&](const FontLetter& letter) { return apart_at(one, letter.outline, em) < kSameOutline; });
     }
     em_ = em;
-    return is_most(found, inked);
+    return is_share(found, inked, kMostOfFont);
 }
 
 std::vector<char32_t> ShapeSet::near(const std::vector<FontLetter>& font, double em) const {
