@@ -82,12 +82,16 @@ OutlineMeasure measure_letter(const Letter& letter) {
     return measure(rings, 1);
 }
 
-double apart_at(const OutlineMeasure& shape, const OutlineMeasure& letter, double em) {
+double apart_but_for_ink(const OutlineMeasure& shape, const OutlineMeasure& letter, double em) {
     if (shape.rings != letter.rings || !(em > 0)) return 1;
-    double apart = std::abs(std::sqrt(shape.area) / em - std::sqrt(letter.area));
+    double apart = 0;
     for (std::size_t i = 0; i < shape.lengths.size(); ++i)
         apart = std::max(apart, std::abs(shape.lengths[i] / em - letter.lengths[i]));
     return apart;
+}
+
+double apart_at(const OutlineMeasure& shape, const OutlineMeasure& letter, double em) {
+    return std::max(apart_but_for_ink(shape, letter, em), std::abs(std::sqrt(shape.area) / em - std::sqrt(letter.area)));
 }
 
 }  // namespace tactics

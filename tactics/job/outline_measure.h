@@ -29,5 +29,7 @@ OutlineMeasure measure_letter(const Letter& letter);
 
 /// The largest difference in em, if that many units of `shape` are one em of `letter`.
 double apart_at(const OutlineMeasure& shape, const OutlineMeasure& letter, double em);
+/// The same but for how much ink there is: programs make thin strokes as thick as a pixel.
+double apart_but_for_ink(const OutlineMeasure& shape, const OutlineMeasure& letter, double em);
 
 }  // namespace tactics

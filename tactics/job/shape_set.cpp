@@ -157,6 +157,10 @@ bool ShapeSet::matches(const std::vector<FontLetter>& font, std::size_t number) 
             const double apart = apart_at(outlines_[i], font[k].outline, em);
             if (apart < kSameOutline) all.push_back({i, k, em, apart});
             if (apart < kBent) rough.push_back({i, k, em, apart});
+            // Upwards and downwards letters are bent more than along their line, and their ink is more.
+            const double wide = outlines_[i].lengths[0] / font[k].outline.lengths[0];
+            if (const double off = apart_but_for_ink(outlines_[i], font[k].outline, wide); off < kBent)
+                rough.push_back({i, k, wide, off});
         }
         const auto other = [&](const Match& match) { return std::abs(match.em / all.back().em - 1) > kSameSize; };
         const bool one_size =
