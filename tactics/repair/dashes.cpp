@@ -174,12 +174,35 @@ private:
                                [&](const Stroke& joint) { return are_nearer(mark, joint, from_joint); });
         });
         const bool rest = line.role == Role::dots && all <= kLeastDots;
+        if (rest && marks.empty() && length_of(line) >= kShortestDash && !goes_on(number, style.gap)) {
+            // The link of two things that are close to each other would be lost.
+            Stroke whole = line;
+            whole.line = LineClass::normal;
+            return std::vector<Stroke>{std::move(whole)};
+        }
         if (!rest && marks.size() < std::max(kLeastDots, all / 3)) return std::nullopt;
         left_ -= static_cast<double>(all);
         leave_out_crowded(marks, medium_);
         marks.insert(marks.end(), joined.begin(), joined.end());
         for (Stroke& mark : marks) mark.strength = line.strength;
         return marks;
+    }
+
+    // Behind what it stops at, at both ends, there is another dotted line in its direction.
+    bool goes_on(std::size_t number, double gap) const {
+        constexpr double kSameWay = 0.8;  // cosine
+        const std::vector<Point>& own = drawing_.strokes[number].points;
+        const double far = static_cast<double>(kLeastDots) * gap;
+        const auto goes_on_from = [&](Point end, Point other_end) {
+            for (std::size_t i = 0; i < drawing_.strokes.size(); ++i) {
+                const Stroke& other = drawing_.strokes[i];
+                if (i == number || other.role != Role::dots || other.points.empty()) continue;
+                for (const Point at : {other.points.front(), other.points.back()})
+                    if (distance(end, at) <= far && cosine(end - other_end, at - end) >= kSameWay) return true;
+            }
+            return false;
+        };
+        return goes_on_from(own.front(), own.back()) && goes_on_from(own.back(), own.front());
     }
 
     // What met only on a line of dots would be left with a gap too small to be felt as one.

@@ -200,6 +200,26 @@ TEST(Dashes, DottedLinesAreRowsOfDotsClearOfOthers) {
 }
 
 // On a wave, as pixels have it, the next dot is less far straight across: it stands farther on, and none is missing.
+// The link of two boxes, with a head, is as close to both as any of its dots would be; a curve that goes on is not.
+TEST(Dashes, AShortDottedLinkIsALineButWhatIsLeftOfACurveIsNone) {
+    const Medium& swell = find_medium("swell", "test");
+    for (const bool curve : {false, true}) {
+        Drawing drawing = blank();
+        for (const double x : {60.0, 71.0})
+            drawing.strokes.push_back({{{x, 40}, {x, 160}}, false, LineClass::normal, 0, Role::line});
+        drawing.strokes.push_back({{{60, 100}, {71, 100}}, false, LineClass::thick, 0, Role::dots});
+        if (curve) {
+            drawing.strokes.push_back({{{10, 100}, {59, 100}}, false, LineClass::thick, 0, Role::dots});
+            drawing.strokes.push_back({{{72, 100}, {150, 100}}, false, LineClass::thick, 0, Role::dots});
+        }
+        cut_dashes(drawing, swell);
+        const bool there = std::any_of(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& stroke) {
+            return stroke.points.size() == 2 && stroke.points[0].x == 60 && stroke.points[1].x == 71;
+        });
+        EXPECT_EQ(there, !curve);
+    }
+}
+
 TEST(Dashes, NoDotOfACurveIsMissing) {
     const Medium& medium = find_medium("swell", "test");
     for (double bend = 12; bend < 40; ++bend) {

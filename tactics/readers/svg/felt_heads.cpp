@@ -57,6 +57,21 @@ struct Head {
 
 double side_of(const Head& head) { return std::hypot(head.length, head.half); }
 
+// Without ways out and back: graphviz draws the end of the line with an open head.
+std::vector<Point> without_spikes(std::vector<Point> ring, double same) {
+    const auto near = [&](std::size_t a, std::size_t b) { return distance(ring[a % ring.size()], ring[b % ring.size()]) < same; };
+    for (std::size_t i = 0; i < ring.size() && ring.size() > 2;) {
+        const bool twice = near(i, i + 1), spike = near(i + ring.size() - 1, i + 1);
+        if (!twice && !spike) {
+            ++i;
+            continue;
+        }
+        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
+        i -= std::min<std::size_t>(i, 2);
+    }
+    return ring;
+}
+
 class Heads {
 public:
     explicit Heads(Drawing& drawing) : drawing_(drawing), ends_at_({0, 0, drawing.width, drawing.height}, kLargestHead / 4) {
@@ -143,8 +158,9 @@ private:
         const Box box = tactics::box_of(ring);
         const double extent = std::max(box.width(), box.height());
         if (!(extent > 0) || extent > kLargestHead) return std::nullopt;
-        std::vector<Point> around = ring;
-        around.push_back(ring.front());
+        std::vector<Point> around = without_spikes(ring, extent / 50);
+        if (around.empty()) return std::nullopt;
+        around.push_back(around.front());
         std::vector<Point> all = course_of(around, extent / 10);
         all.pop_back();
         if (all.size() < 3 || !is_head(all)) return std::nullopt;

@@ -23,8 +23,11 @@ Drawing arrow(double length, double gap) {
 double height_of(const std::vector<Point>& points) { return box_of(points).height(); }
 
 TEST(FeltHeads, OfSpecksAreLargeEnough) {
-    for (const std::vector<Point>& ring : {std::vector<Point>{{98.5, 49.5}, {100, 50}, {98.5, 50.5}},
-                                           std::vector<Point>{{98.5, 49.5}, {100, 50}, {98.5, 50.5}, {99, 50}}}) {
+    for (const std::vector<Point>& ring :
+         {std::vector<Point>{{98.5, 49.5}, {100, 50}, {98.5, 50.5}},
+          std::vector<Point>{{98.5, 49.5}, {100, 50}, {98.5, 50.5}, {99, 50}},
+          // As graphviz has it: to the end of the line and back, and the tip twice.
+          std::vector<Point>{{100, 50}, {98.5, 49.5}, {99, 50}, {98.5, 50}, {98.5, 50}, {99, 50}, {98.5, 50.5}, {100, 50}}}) {
         Drawing drawing = arrow(30, 10);
         drawing.areas.push_back({{ring}});
         drawing.strokes.push_back({ring, true});  // its rim
