@@ -264,10 +264,33 @@ void look_at_end(const PixelChain& chain, bool last, const PixelGraph& graph, co
     if (best) found.push_back(*best);
 }
 
+// With gaps of one pixel in thin lines closed: where a line and the head that was drawn behind it meet, the pixel that they share
+// is pale.
+Image with_seams_closed(const Image& ink) {
+    constexpr int kPale = 225, kBesideLine = 5;  // a gap that somebody left is white; pixels off the middle of a line
+    constexpr std::array<std::array<int, 2>, 4> kWays{{{0, 1}, {1, 0}, {1, 1}, {1, -1}}};
+    const auto is_ink = [&](int x, int y) {
+        return x >= 0 && y >= 0 && x < ink.width && y < ink.height && ink.row(y)[x] < kInkOfHeads;
+    };
+    const auto is_line = [&](int x, int y, int dx, int dy) {
+        return is_ink(x, y) && !is_ink(x - kBesideLine * dy, y + kBesideLine * dx) &&
+               !is_ink(x + kBesideLine * dy, y - kBesideLine * dx);
+    };
+    Image closed = ink;
+    for (int y = 0; y < ink.height; ++y)
+        for (int x = 0; x < ink.width; ++x) {
+            if (ink.row(y)[x] >= kPale || is_ink(x, y)) continue;
+            for (const auto& [dx, dy] : kWays)
+                if (is_line(x - dx, y - dy, dx, dy) && is_line(x + dx, y + dy, dx, dy)) closed.row(y)[x] = 0;
+        }
+    return closed;
+}
+
 }  // namespace
 
-std::vector<InkedHead> arrow_heads_in(const Image& ink, double longest) {
-    if (ink.width < 2 * kShortestBarb || ink.height < 2 * kShortestBarb || longest <= kShortestBarb) return {};
+std::vector<InkedHead> arrow_heads_in(const Image& given, double longest) {
+    if (given.width < 2 * kShortestBarb || given.height < 2 * kShortestBarb || longest <= kShortestBarb) return {};
+    const Image ink = with_seams_closed(given);
     Image black = make_image(ink.width, ink.height, 1, ink.mm_per_pixel, 255);
     std::size_t inked = 0;
     for (std::size_t i = 0; i < black.pixels.size(); ++i)

@@ -93,11 +93,11 @@ double felt_radius(const std::vector<Point>& points, double mm, double smallest,
     return std::clamp((*few - kGap) / 2, smallest, largest);
 }
 
-// What is nearly black, whatever it stands on.
+// What is nearly black, whatever it stands on; the rest is pale.
 Image black_ink(const Image& picture) {
-    constexpr std::uint8_t kBlack = 100;
+    constexpr std::uint8_t kBlack = 100, kNoInk = 170;
     Image ink = to_grey(picture);
-    for (std::uint8_t& sample : ink.pixels) sample = sample < kBlack ? 0 : 255;
+    for (std::uint8_t& sample : ink.pixels) sample = sample < kBlack ? std::uint8_t{0} : std::max(sample, kNoInk);
     return ink;
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "tactics/lettering/equal_letters.h"
 #include "tactics/lettering/equals_sign.h"
 #include "tactics/lettering/found_boxes.h"
 #include "tactics/lettering/letter_parts.h"
@@ -26,6 +27,7 @@ constexpr std::size_t kLowUpwards = 3;  // letters that none is as tall as that 
 // letters' side bearings.
 constexpr double kWordGap = 1.0;
 constexpr double kPointGap = 1.6;       // with a point between them, in monospaced print
+constexpr double kEqualGap = 1.6;       // in monospaced print, between letters without ascenders
 constexpr double kMinusGap = 1.7;       // with a minus sign between them, of 0.84 em: "1e-14"
 constexpr double kUnderscoreGap = 2.6;  // with two underscores between them, of 0.5 em or more each
 constexpr double kMarkGap = 0.5;
@@ -92,6 +94,7 @@ std::vector<Group> group(const std::vector<PixelBox>& boxes, const std::vector<b
             if (other.left - one.right > kUnderscoreGap * farthest) break;
             if (stand_in_line(one, other, kWordGap) || (stand_in_line(one, other, kPointGap) && signs.any_point(one, other)) ||
                 (stand_in_line(one, other, kMinusGap) && signs.any_minus(one, other)) ||
+                (stand_in_line(one, other, kEqualGap) && is_space_of_equal_letters(boxes, order, i, k)) ||
                 (stand_in_line(one, other, kUnderscoreGap) && signs.any_underscore(one, other)))
                 parent[std::max(root(i), root(k))] = std::min(root(i), root(k));
         }
