@@ -131,7 +131,8 @@ struct Asked {
 
 Asked ask_tesseract(const Image& grey, std::vector<LetteringLine> lines, bool ask_alone, std::string_view language,
                     double least_sure, const std::string& program) {
-    std::vector<bool> is_asked = may_be_joined(lines);
+    const std::vector<bool> may_be_two = may_be_joined(lines);
+    std::vector<bool> is_asked = may_be_two;
     for (std::size_t i = 0; i < lines.size(); ++i) is_asked[i] = is_asked[i] || ask_alone || is_words(lines[i]);
     std::vector<Image> strips;
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -152,6 +153,7 @@ Asked ask_tesseract(const Image& grey, std::vector<LetteringLine> lines, bool as
             if (!is_asked[i]) continue;
             const Guess& base = read.guesses[at++];
             guess = joined(base, one.line.raised.empty() ? nullptr : &read.guesses[at++]);
+            if (may_be_two[i] && letters_in(guess.text) < 2) guess = {};  // a dash is read as "/"
         }
         one.words = print_of(grey, one.line);
         for (const Guess& guess : guesses)
