@@ -40,17 +40,24 @@ bool has_line(const Image& grey, int ground, int frame, PictureEdge edge) {
 
 }  // namespace
 
-double first_ink(const Image& grey) {
-    if (grey.width == 0 || grey.height == 0) return 0;
+FirstInk first_ink(const Image& grey) {
+    if (grey.width == 0 || grey.height == 0) return {0};
     const int frame = static_cast<int>(kFrameStrip * std::max(grey.width, grey.height));
     const int ground = ground_below(grey, frame);
     const auto line_at = [&](PictureEdge edge) { return has_line(grey, ground, frame, edge); };
     if (line_at(PictureEdge::top) && !(line_at(PictureEdge::bottom) && line_at(PictureEdge::left) && line_at(PictureEdge::right)))
-        return 0;
-    for (int y = std::min(frame, grey.height / 2); y < grey.height; ++y)
-        for (int x = std::min(frame, grey.width / 2); x < grey.width - frame; ++x)
-            if (std::abs(grey.row(y)[x] - ground) > kDrawnInk) return 100.0 * y / grey.height;
-    return 100;
+        return {0};
+    int top = grey.height, left = grey.width, right = 0, end = grey.height;
+    for (int y = std::min(frame, grey.height / 2); y < end; ++y)
+        for (int x = std::min(frame, grey.width / 2); x < grey.width - frame; ++x) {
+            if (std::abs(grey.row(y)[x] - ground) <= kDrawnInk) continue;
+            if (top == grey.height) end = std::min(end, y + 1 + static_cast<int>(kFirstPart / 100 * grey.height));
+            top = std::min(top, y);
+            left = std::min(left, x);
+            right = std::max(right, x + 1);
+        }
+    if (top == grey.height) return {};
+    return {100.0 * top / grey.height, 100.0 * left / grey.width, 100.0 * right / grey.width};
 }
 
 }  // namespace tactics

@@ -6,8 +6,15 @@
 
 namespace tactics {
 
-/// The beginning of the first thing other than a frame around the whole, in percent of the height from the top; 100: there is
-/// nothing. Of a grey picture whose words are painted over. A line along the top alone is the first thing: that of a box.
-double first_ink(const Image& grey);
+/// Where the first thing begins, in percent of the picture.
+struct FirstInk {
+    double top = 100;              ///< 100: there is nothing
+    double left = 0, right = 100;  ///< of what is drawn in the first kFirstPart below that
+};
+inline constexpr double kFirstPart = 4;  ///< percent of the height
+
+/// Of a grey picture whose words are painted over; a frame around the whole is nothing. A line along the top alone is the first
+/// thing: that of a box.
+FirstInk first_ink(const Image& grey);
 
 }  // namespace tactics

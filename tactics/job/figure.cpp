@@ -44,18 +44,29 @@ Phrase left_out_words(std::size_t count, const std::string& places, const Phrase
     return trouble.empty() ? text : phrase("{0}. {1}", std::move(text), trouble);
 }
 
-// Where its lines and areas begin, but for a frame around the whole, in percent from the top.
-double first_ink(const Page& page) {
+// Where its lines and areas begin, but for a frame around the whole.
+FirstInk first_ink(const Page& page) {
     constexpr double kNearlyAll = 0.95;  // of the width and the height
     double top = page.height;
-    const auto take = [&](const std::vector<Point>& points, double half) {
-        const Box box = box_of(points);
-        if (box.width() < kNearlyAll * page.width || box.height() < kNearlyAll * page.height) top = std::min(top, box.top - half);
+    const auto each = [&](const auto& take) {
+        const auto look = [&](const std::vector<Point>& points, double half) {
+            const Box box = box_of(points);
+            if (box.width() < kNearlyAll * page.width || box.height() < kNearlyAll * page.height) take(points, box, half);
+        };
+        for (const PageStroke& stroke : page.strokes) look(stroke.points, stroke.width / 2);
+        for (const Area& area : page.areas)
+            for (const auto& ring : area.rings) look(ring, 0);
     };
-    for (const PageStroke& stroke : page.strokes) take(stroke.points, stroke.width / 2);
-    for (const Area& area : page.areas)
-        for (const auto& ring : area.rings) take(ring, 0);
-    return 100 * top / page.height;
+    each([&](const std::vector<Point>&, const Box& box, double half) { top = std::min(top, box.top - half); });
+    if (top >= page.height) return {};
+    const Rect part{0, top, page.width, kFirstPart / 100 * page.height};
+    double left = page.width, right = 0;
+    each([&](const std::vector<Point>& points, const Box& box, double) {
+        if (box.top > part.top + part.height) return;
+        for (const auto& piece : clipped(points, false, part))
+            for (const Point& p : piece) left = std::min(left, p.x), right = std::max(right, p.x);
+    });
+    return {100 * top / page.height, 100 * left / page.width, 100 * right / page.width};
 }
 
 // The lines of what is drawn, by where they are.

@@ -28,8 +28,14 @@ bool names_unit(const std::string& text) {
                        [&](std::string_view unit) { return text.find(unit) != text.npos; });
 }
 
+// What begins first is no more than a line, and below the middle of the words.
+bool is_line_below(const FirstInk& first, double x) {
+    constexpr double kLine = 4, kBelow = 5;  // settings, percent of the width
+    return first.right - first.left <= kLine && std::abs((first.left + first.right) / 2 - x) <= kBelow;
+}
+
 // A name of something right below it is short and as high as other names; a title is larger, says more, or stands free.
-bool may_be_title(const std::string& title, double height, double gap, const std::vector<double>& other_heights) {
+bool may_be_title(const std::string& title, double height, double gap, bool led_to, const std::vector<double>& other_heights) {
     constexpr double kLarger = 1.1, kFree = 1.5;  // settings, relative to other words and to its own height
     std::vector<double> others = other_heights;
     const auto half = others.begin() + static_cast<std::ptrdiff_t>(others.size() / 2);
@@ -44,17 +50,17 @@ bool may_be_title(const std::string& title, double height, double gap, const std
         at = end + 1;
     }
     const bool phrase = long_words >= 2 && title.find('=') == title.npos;
-    return letters_in(title) > 2 && (larger || phrase || (long_words > 0 && gap >= kFree * height));
+    return letters_in(title) > 2 && (larger || phrase || (long_words > 0 && gap >= kFree * height && !led_to));
 }
 
 }  // namespace
 
-std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlace>& places, double first_ink) {
+std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlace>& places, const FirstInk& first) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < told.size(); ++i)
         if (!places[i].upwards && !places[i].elsewhere) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return told[a].y < told[b].y; });
-    double highest = first_ink;
+    double highest = first.top;
     for (const std::size_t i : order) highest = std::min(highest, told[i].y - places[i].height / 2);
     const auto stands_out = [&](std::size_t i) {
         for (std::size_t k = 0; k < places.size(); ++k)
@@ -81,12 +87,13 @@ std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlac
     std::string title;
     for (const std::size_t i : lines) title += (title.empty() ? "" : " ") + told[i].text;
     // Else it is in a box, say, which it names.
-    if (told[lines.back()].y + places[lines.back()].height / 2 > first_ink) return "";
+    if (told[lines.back()].y + places[lines.back()].height / 2 > first.top) return "";
     std::vector<double> others;
     for (std::size_t i = 0; i < told.size(); ++i)
         if (std::find(lines.begin(), lines.end(), i) == lines.end()) others.push_back(places[i].height);
     const std::size_t last = lines.back();
-    if (!may_be_title(title, places[last].height, first_ink - told[last].y - places[last].height / 2, others)) return "";
+    const double gap = first.top - told[last].y - places[last].height / 2;
+    if (!may_be_title(title, places[last].height, gap, is_line_below(first, told[last].x), others)) return "";
     for (const std::size_t i : lines) told[i].title = true;
     return title;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/first_ink.h"
 #include "tactics/job/axis_names.h"
 #include "tactics/job/told_words.h"
 
@@ -12,8 +13,8 @@ namespace tactics {
 
 /// The topmost words are the page's title if they stand above all that is drawn, in one line or several, with no words beside
 /// them, and are larger than others, say more than a name, or stand free. They are marked, because no name represents them then.
-/// Empty: there is no title. `places` are those of `told`; what is drawn begins at `first_ink` from the top, in percent, but for
-/// a frame around the whole.
-std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlace>& places, double first_ink);
+/// A word by itself to which a line leads from below is the first thing of a graph. Empty: there is no title. `places` are those
+/// of `told`; `first` is where the drawing begins.
+std::string take_title(std::vector<ToldWords>& told, const std::vector<PrintPlace>& places, const FirstInk& first);
 
 }  // namespace tactics

@@ -20,16 +20,26 @@ Image framed(int pale, bool top, bool bottom, bool sides) {
 }
 
 TEST(FirstInk, IsBelowAFrameAroundTheWhole) {
-    for (const int pale : {0, 191}) EXPECT_DOUBLE_EQ(first_ink(framed(pale, true, true, true)), 10) << pale;
-    EXPECT_DOUBLE_EQ(first_ink(framed(0, false, false, false)), 10);
-    EXPECT_DOUBLE_EQ(first_ink(make_image(kWide, kHigh, 1, 0.2, 255)), 100);
+    for (const int pale : {0, 191}) EXPECT_DOUBLE_EQ(first_ink(framed(pale, true, true, true)).top, 10) << pale;
+    EXPECT_DOUBLE_EQ(first_ink(framed(0, false, false, false)).top, 10);
+    EXPECT_DOUBLE_EQ(first_ink(make_image(kWide, kHigh, 1, 0.2, 255)).top, 100);
 }
 
 TEST(FirstInk, IsTheTopOfABoxThere) {
     for (const int pale : {0, 191}) {
-        EXPECT_DOUBLE_EQ(first_ink(framed(pale, true, false, true)), 0) << pale;
-        EXPECT_DOUBLE_EQ(first_ink(framed(pale, true, true, false)), 0) << pale;
+        EXPECT_DOUBLE_EQ(first_ink(framed(pale, true, false, true)).top, 0) << pale;
+        EXPECT_DOUBLE_EQ(first_ink(framed(pale, true, true, false)).top, 0) << pale;
     }
+}
+
+TEST(FirstInk, TellsHowWideItBegins) {
+    Image image = make_image(200, 100, 1, 0.2, 255);
+    for (int y = 20; y < 60; ++y)
+        for (int x = y < 26 ? 90 : 10; x < 94; ++x) image.row(y)[x] = 0;
+    const FirstInk first = first_ink(image);
+    EXPECT_DOUBLE_EQ(first.top, 20);
+    EXPECT_DOUBLE_EQ(first.left, 45);
+    EXPECT_DOUBLE_EQ(first.right, 47);
 }
 
 }  // namespace

@@ -28,12 +28,12 @@ TEST(FigureTitle, IsWhatStandsAboveAllInLinesOrAtLength) {
     Words two = chart();
     two.add("Prices of food", 50, 4);
     two.add("in Munich", 50.5, 9);
-    EXPECT_EQ(take_title(two.told, two.places, 12), "Prices of food in Munich");
+    EXPECT_EQ(take_title(two.told, two.places, {12}), "Prices of food in Munich");
     EXPECT_TRUE(two.told[4].title && two.told[5].title);
     EXPECT_FALSE(two.told[3].title);
     Words lengthy = chart();
     lengthy.add("How many pupils came to the school by bus in May", 50, 5);
-    EXPECT_EQ(take_title(lengthy.told, lengthy.places, 8), "How many pupils came to the school by bus in May");
+    EXPECT_EQ(take_title(lengthy.told, lengthy.places, {8}), "How many pupils came to the school by bus in May");
 }
 
 TEST(FigureTitle, AtTheLeftIsLargerThanAllOtherWords) {
@@ -45,7 +45,7 @@ TEST(FigureTitle, AtTheLeftIsLargerThanAllOtherWords) {
             words.add(next, 14, 4 + 1.5 * height);
             words.places.back().height = height;
         }
-        return take_title(words.told, words.places, 12);
+        return take_title(words.told, words.places, {12});
     };
     EXPECT_EQ(title_of("stack up", 4), "stack up");
     EXPECT_EQ(title_of("Euros", 3), "") << "the name of the upright axis";
@@ -56,15 +56,15 @@ TEST(FigureTitle, AtTheLeftIsLargerThanAllOtherWords) {
     both.places[3].height = 4;
     both.add("Temperature", 9, 4);
     both.places.back().height = 4;
-    EXPECT_EQ(take_title(both.told, both.places, 12), "") << "as large as the name of the other axis";
+    EXPECT_EQ(take_title(both.told, both.places, {12}), "") << "as large as the name of the other axis";
     EXPECT_EQ(title_of("Bus riders", 4, "by age and town"), "") << "half of a title is none";
 }
 
 TEST(FigureTitle, AShortOneStandsAboveAllLines) {
     Words brief = chart();
     brief.add("Prices of food", 50, 4);
-    EXPECT_EQ(take_title(brief.told, brief.places, 5.4), "") << "a box around it begins above it, or beside";
-    EXPECT_EQ(take_title(brief.told, brief.places, 5.6), "Prices of food");
+    EXPECT_EQ(take_title(brief.told, brief.places, {5.4}), "") << "a box around it begins above it, or beside";
+    EXPECT_EQ(take_title(brief.told, brief.places, {5.6}), "Prices of food");
 }
 
 TEST(FigureTitle, TheNameOfWhatIsRightBelowIsNone) {
@@ -72,7 +72,7 @@ TEST(FigureTitle, TheNameOfWhatIsRightBelowIsNone) {
         Words words = chart();
         words.add(text, 50, 5);
         words.places.back().height = height;
-        return take_title(words.told, words.places, first_ink);
+        return take_title(words.told, words.places, {first_ink});
     };
     for (const std::string name : {"C", "Nucleus", "R = 10 Ω", "Total = Rest", "12 345"})
         EXPECT_EQ(title_of(name, 8, 3), "") << name;
@@ -82,18 +82,31 @@ TEST(FigureTitle, TheNameOfWhatIsRightBelowIsNone) {
     EXPECT_EQ(title_of("C", 40, 3), "");
 }
 
+// The root of a graph without boxes.
+TEST(FigureTitle, IsNoWordToWhichALineLeads) {
+    Words words = chart();
+    words.add("River", 50, 5);
+    const auto title_over = [&](const FirstInk& first) {
+        Words these = words;
+        return take_title(these.told, these.places, first);
+    };
+    EXPECT_EQ(title_over({12, 49, 51}), "");
+    EXPECT_EQ(title_over({12, 10, 90}), "River") << "a chart";
+    EXPECT_EQ(title_over({12, 12, 13}), "River") << "an axis at the side";
+}
+
 TEST(FigureTitle, ShortOnesInLinesAndOthersAreNames) {
     Words brief = chart();
     brief.add("Prices of food", 50, 4);
-    EXPECT_EQ(take_title(brief.told, brief.places, 0), "");
+    EXPECT_EQ(take_title(brief.told, brief.places, {0}), "");
     Words unsure = chart();
     unsure.add("Prices of food", 50, 4);
     unsure.add("in Munich", 50, 9, false);
-    EXPECT_EQ(take_title(unsure.told, unsure.places, 0), "");
+    EXPECT_EQ(take_title(unsure.told, unsure.places, {0}), "");
     Words row = chart();
     row.add("How many pupils came to the school by bus in May", 40, 5);
     row.add("North", 90, 6);
-    EXPECT_EQ(take_title(row.told, row.places, 0), "");
+    EXPECT_EQ(take_title(row.told, row.places, {0}), "");
     for (const Words& words : {brief, unsure, row})
         for (const ToldWords& one : words.told) EXPECT_FALSE(one.title);
 }
@@ -102,7 +115,7 @@ TEST(FigureTitle, TheRowsOfABoxAreNone) {
     Words box;
     for (const double y : {6.0, 14.0, 22.0}) box.add("Given name", 50, y);
     box.add("Family name", 50, 80);
-    EXPECT_EQ(take_title(box.told, box.places, 2), "") << "the box begins above them";
+    EXPECT_EQ(take_title(box.told, box.places, {2}), "") << "the box begins above them";
     EXPECT_FALSE(box.told[0].title);
 }
 
@@ -110,7 +123,7 @@ TEST(FigureTitle, WhiteAboveItDoesNotMatter) {
     Words low;
     low.add("Prices of food", 50, 44);
     for (const double x : {20.0, 50.0, 80.0}) low.add("5", x, 92);
-    EXPECT_EQ(take_title(low.told, low.places, 60), "Prices of food");
+    EXPECT_EQ(take_title(low.told, low.places, {60}), "Prices of food");
 }
 
 TEST(FigureTitle, IsNotTheWordsOfALegend) {
@@ -119,7 +132,7 @@ TEST(FigureTitle, IsNotTheWordsOfALegend) {
         legend.add("Supply", 50, y);
         legend.places.back().elsewhere = true;
     }
-    EXPECT_EQ(take_title(legend.told, legend.places, 100), "");
+    EXPECT_EQ(take_title(legend.told, legend.places, {100}), "");
 }
 
 }  // namespace
