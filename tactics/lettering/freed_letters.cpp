@@ -221,8 +221,13 @@ public:
         const int high = whole_.letter_height, beyond = high / 4 + 2;
         whole_.veil = beside_.strokes_in(
             {whole_.box.left - high, whole_.box.top - beyond, whole_.box.right + high, whole_.box.bottom + beyond});
-        for (const InkPiece& blob : blobs_)
-            if (is_in_row(whole_, blob.box)) whole_.veil.insert(whole_.veil.end(), blob.runs.begin(), blob.runs.end());
+        for (const InkPiece& blob : blobs_) {
+            if (!is_in_row(whole_, blob.box)) continue;
+            whole_.veil.insert(whole_.veil.end(), blob.runs.begin(), blob.runs.end());
+            // The head of an arrow may have a letter on it: "read" of "reads".
+            const bool beyond_end = blob.box.left < whole_.box.left || blob.box.right > whole_.box.right;
+            freed.lacks = freed.lacks || (beyond_end && gap_along(whole_.box, blob.box) <= kRoom * high);
+        }
         return FreedLine{std::move(whole_), freed};
     }
 

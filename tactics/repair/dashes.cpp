@@ -174,7 +174,7 @@ private:
                                [&](const Stroke& joint) { return are_nearer(mark, joint, from_joint); });
         });
         const bool rest = line.role == Role::dots && all <= kLeastDots;
-        if (rest && marks.empty() && length_of(line) >= kShortestDash && !goes_on(number, style.gap)) {
+        if (rest && marks.empty() && length_of(line) >= kShortestDash && !goes_on(number, style.gap) && is_clear(number)) {
             // The link of two things that are close to each other would be lost.
             Stroke whole = line;
             whole.line = LineClass::normal;
@@ -203,6 +203,20 @@ private:
             return false;
         };
         return goes_on_from(own.front(), own.back()) && goes_on_from(own.back(), own.front());
+    }
+
+    // It leaves what it ends at at no small angle, and nothing else is beside it.
+    bool is_clear(std::size_t number) const {
+        constexpr double kSlope = 0.5;  // sine of that angle
+        const std::size_t own = chain_of_[number];
+        const Chain& chain = geometry_.chains[own];
+        const double length = length_of(drawing_.strokes[number]);
+        for (double along = kDashStep; along < length; along += kDashStep) {
+            const double middles = std::min(kSlope * std::min(along, length - along), medium_.gap + medium_.line);
+            if (is_near(chain, own, geometry_.point_at({own, along}), middles - chain.half_width - medium_.line / 2, true))
+                return false;
+        }
+        return true;
     }
 
     // What met only on a line of dots would be left with a gap too small to be felt as one.
@@ -235,16 +249,19 @@ private:
         return all;
     }
 
-    bool is_near(const Chain& own, std::size_t own_number, Point at, double gap) const {
+    // `but_heads`: what it ends in may be the head of an arrow.
+    bool is_near(const Chain& own, std::size_t own_number, Point at, double gap, bool but_heads = false) const {
         const double reach = own.half_width + gap + medium_.thick_line / 2;
         const Box box{at.x - reach, at.y - reach, at.x + reach, at.y + reach};
         return grid_.any_near(box, [&](std::size_t piece) {
             const Piece& other = geometry_.pieces[piece];
-            if (other.chain == own_number) return false;
+            if (other.chain == own_number || (but_heads && is_head(geometry_.chains[other.chain]))) return false;
             const double least = gap + own.half_width + geometry_.chains[other.chain].half_width;
             return distance(nearest_on(other.line, at), at) < least;
         });
     }
+
+    bool is_head(const Chain& chain) const { return chain.ring && drawing_.areas[chain.owner].role == Role::arrow; }
 
     // Where others are near: a dash each.
     std::vector<DashSpan> held(std::size_t number, double length) const {

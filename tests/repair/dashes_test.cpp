@@ -199,6 +199,22 @@ TEST(Dashes, DottedLinesAreRowsOfDotsClearOfOthers) {
     }
 }
 
+// It leaves the side of a box at so small an angle that it would be felt as a part of that.
+TEST(Dashes, AShortDottedLinkBesideALineIsNone) {
+    const Medium& swell = find_medium("swell", "test");
+    for (const double rise : {1.5, 9.0}) {
+        Drawing drawing = blank();
+        drawing.strokes.push_back({{{20, 100}, {160, 100}}, false, LineClass::normal, 0, Role::line});
+        drawing.strokes.push_back({{{71, 60}, {71, 99 - rise}}, false, LineClass::normal, 0, Role::line});
+        drawing.strokes.push_back({{{60, 100}, {70, 100 - rise}}, false, LineClass::thick, 0, Role::dots});
+        cut_dashes(drawing, swell);
+        const bool there = std::any_of(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& stroke) {
+            return stroke.points.size() == 2 && stroke.points[1].x == 70;
+        });
+        EXPECT_EQ(there, rise > 5);
+    }
+}
+
 // On a wave, as pixels have it, the next dot is less far straight across: it stands farther on, and none is missing.
 // The link of two boxes, with a head, is as close to both as any of its dots would be; a curve that goes on is not.
 TEST(Dashes, AShortDottedLinkIsALineButWhatIsLeftOfACurveIsNone) {
