@@ -77,4 +77,4 @@ def drawings(count, seed, folder):
     chance = random.Random(f"graphs {seed}")
     for number in range(count):
         program, text, words = graph(chance)
-        yield graphs.laid_out(f"chance-{number}", program, text, list(dict.fromkeys(words)), folder, chance.choice([100, 150, 200]))
+        yield graphs.laid_out(f"chance-{number}", program, text, words, folder, chance.choice([100, 150, 200]))

@@ -33,13 +33,13 @@ def needs():
 
 
 def places(svg):
-    """Middles of its texts in percent, by their text."""
+    """Its texts with their middles in percent."""
     with open(svg, encoding="utf-8") as file:
         text = file.read()
     width, height = (float(n) for n in re.search(r'viewBox="[\d.]+ [\d.]+ ([\d.]+) ([\d.]+)"', text).groups())
     left, top = (float(n) for n in re.search(r"translate\(([\d.-]+)[ ,]([\d.-]+)\)", text).groups())
     found = re.findall(r'<text [^>]*x="([\d.-]+)" y="([\d.-]+)"[^>]*>([^<]*)</text>', text)
-    return {html.unescape(t).replace("\u00a0", " "): (100 * (float(x) + left) / width, 100 * (float(y) + top - 4) / height) for x, y, t in found}
+    return [(html.unescape(t).replace("\u00a0", " "), 100 * (float(x) + left) / width, 100 * (float(y) + top - 4) / height) for x, y, t in found]
 
 
 def numbers(text):
@@ -91,13 +91,15 @@ def drawn(svg):
 
 
 def laid_out(name, program, graph, words, folder, dpi):
+    """`words`: those that must be there, once each or more often; what else its SVG says is a word, too."""
     stem = os.path.join(folder, "graphviz-" + name)
     files = {"SVG": stem + ".svg", "SVG glyphs": stem + "-cairo.svg", "PNG": stem + ".png", "PDF": stem + ".pdf"}
     for form, kind in (("SVG", "svg"), ("SVG glyphs", "svg:cairo"), ("PNG", "png:cairo"), ("PDF", "pdf")):
         figure.run(program, "-T" + kind, "-Gpad=0.1", "-Gmargin=0", *([f"-Gdpi={dpi}"] if form == "PNG" else []), "-o", files[form], text=graph)
     known = places(files["SVG"])
+    lacking = [(text, None, None) for text in words if text not in [one[0] for one in known]]
     curves, arrows = drawn(files["SVG"])
-    return figure.Figure("graphviz", name, files, [(text, *known.get(text, (None, None))) for text in words], arrows, curves)
+    return figure.Figure("graphviz", name, files, known + lacking, arrows, curves)
 
 
 def make(folder, dpi):
