@@ -321,27 +321,23 @@ std::vector<InkedHead> arrow_heads_in(const Image& given, double longest) {
 void take_out(Image& picture, const std::vector<InkedHead>& heads) {
     cv::Mat pixels = view_of(picture);
     const auto colour_at = [&](Point p) { return colour_near(picture, {static_cast<int>(p.x), static_cast<int>(p.y)}); };
-    constexpr double kFine = 16;  // of a pixel
-    const auto fine = [](Point p) {
-        return cv::Point(static_cast<int>(std::lround((p.x - 0.5) * kFine)), static_cast<int>(std::lround((p.y - 0.5) * kFine)));
-    };
     for (const InkedHead& head : heads) {
         const double length = distance(head.tip, head.neck);
         const Point ahead{(head.tip.x - head.neck.x) / length, (head.tip.y - head.neck.y) / length}, side{-ahead.y, ahead.x};
         const cv::Scalar line = colour_at(moved(head.neck, ahead, -2)),
                          ground = colour_at(moved(moved(head.tip, ahead, -0.6 * length), side, length));
-        std::vector<cv::Point> ring{fine(moved(head.tip, side, 1.5 + head.shaft / 2)),
-                                    fine(moved(head.tip, side, -1.5 - head.shaft / 2))};
+        std::vector<cv::Point> ring{fine_point(moved(head.tip, side, 1.5 + head.shaft / 2)),
+                                    fine_point(moved(head.tip, side, -1.5 - head.shaft / 2))};
         for (const Point& barb : head.barbs) {
             const double out = (barb.x - head.tip.x) * side.x + (barb.y - head.tip.y) * side.y > 0 ? 1 : -1;
-            ring.push_back(fine(moved(moved(barb, side, out * 2.5), ahead, -2)));
+            ring.push_back(fine_point(moved(moved(barb, side, out * 2.5), ahead, -2)));
         }
         std::vector<cv::Point> hull;
         cv::convexHull(ring, hull);
-        cv::fillConvexPoly(pixels, hull, ground, cv::LINE_8, 4);
+        cv::fillConvexPoly(pixels, hull, ground, cv::LINE_8, kFineShift);
         if (head.dashed) continue;
-        cv::line(pixels, fine(moved(head.neck, ahead, -3)), fine(head.tip), line,
-                 std::max(1, static_cast<int>(std::lround(head.shaft))), cv::LINE_8, 4);
+        cv::line(pixels, fine_point(moved(head.neck, ahead, -3)), fine_point(head.tip), line,
+                 std::max(1, static_cast<int>(std::lround(head.shaft))), cv::LINE_8, kFineShift);
     }
 }
 

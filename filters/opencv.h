@@ -35,6 +35,13 @@ const cv::Mat view_of(std::span<const float> column);  ///< one value a row, to 
 /// The pixel that a place is in; the middle of the first one is (0.5, 0.5).
 inline cv::Point pixel_of(Point p) { return {static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y))}; }
 
+/// A place for OpenCV to draw at, in sixteenths of a pixel: for `shift` of its functions.
+inline constexpr int kFineShift = 4;
+inline cv::Point fine_point(Point p) {
+    constexpr double kFine = 1 << kFineShift;
+    return {static_cast<int>(std::lround((p.x - 0.5) * kFine)), static_cast<int>(std::lround((p.y - 0.5) * kFine))};
+}
+
 /// As steps from where they are counted from.
 std::vector<PixelStep> steps_to(const std::vector<cv::Point>& pixels);
 

@@ -42,7 +42,7 @@ int longest_for(const Recipe& recipe, const Rect& drawing) {
 int Reading::longer_side() const { return std::max(image_.width, image_.height); }
 
 const Image& Reading::get(const ReadRequest& request) {
-    // A grey picture is the same whether colour was requested or not, and so is one of which no pixels were averaged away.
+    // A grey picture is the same whether colour was requested or not; one of which no pixels were averaged away, at any size.
     const bool all = longer_side() < longest_, as_long = longest_ == request.longest || (all && request.longest >= longer_side());
     const bool same = as_long && (colour_ == request.colour || (colour_ && image_.channels == 1));
     if (!same || image_.pixels.empty()) {

@@ -10,7 +10,7 @@ namespace {
 
 // Settings. Likeness that counts for nothing; how far widths and heights of letters of another font may be off; of how many units
 // a letter may consist, and how many letters may touch.
-constexpr double kNothing = 0.15, kSpeckLike = 0.1;
+constexpr double kLikeNothing = 0.15, kSpeckLike = 0.1;
 constexpr double kWidthOff = 0.3, kHeightOff = 0.3, kPixelsOff = 1.5;
 constexpr std::size_t kMostStrokes = 4, kMostTouching = 4, kMostAligned = 90;
 
@@ -69,7 +69,7 @@ private:
         const LetterForm& form = font_.form(code);
         const InkBox box = strip_.measure(unit, unit + units - 1);
         if (form.empty() || !(box.width() > 0) || !(box.height() > 0) || !fits(box, form)) return;
-        const double least = form.height() < kLowForm ? kSpeckLike : kNothing;
+        const double least = form.height() < kLowForm ? kSpeckLike : kLikeNothing;
         const double likeness = LetterInk(strip_, unit, unit + units - 1, box).likeness(font_.drawn(code), least);
         const double value = step(letter, unit).value + (likeness - least) * box.width();
         Step& to = step(letter + letters, unit + units);

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "tactics/geometry/places.h"
 #include "tactics/lettering/ink.h"
 
 namespace tactics {
@@ -60,10 +60,13 @@ std::optional<Bar> bar_of(const InkPiece& piece, std::size_t number) {
 
 class RowFinder {
 public:
-    explicit RowFinder(const std::vector<InkPiece>& pieces) : pieces_(pieces), in_row_(pieces.size(), false) {
+    RowFinder(const std::vector<InkPiece>& pieces, const Image& grey)
+        : pieces_(pieces), middles_({0, 0, 1.0 * grey.width, 1.0 * grey.height}, kCell), in_row_(pieces.size(), false) {
         for (std::size_t i = 0; i < pieces.size(); ++i)
-            if (const auto bar = bar_of(pieces[i], i)) bars_.push_back(*bar);
-        for (std::size_t i = 0; i < bars_.size(); ++i) cells_[cell_of(bars_[i].x, bars_[i].y)].push_back(i);
+            if (const auto bar = bar_of(pieces[i], i)) {
+                bars_.push_back(*bar);
+                middles_.add({bar->x, bar->y});
+            }
     }
 
     std::vector<bool> run() {
@@ -78,9 +81,6 @@ public:
 
 private:
     static constexpr double kCell = 16;  // pixels
-    static std::pair<int, int> cell_of(double x, double y) {
-        return {static_cast<int>(std::floor(x / kCell)), static_cast<int>(std::floor(y / kCell))};
-    }
     // Between the middles of two.
     static double reach(const Bar& bar) {
         return bar.is_dash() ? (1 + kLongestGap) * bar.length : (1 + kWidestGap) * std::sqrt(bar.length * bar.thick);
@@ -88,13 +88,11 @@ private:
 
     std::vector<std::size_t> near(double x, double y, double radius) const {
         std::vector<std::size_t> found;
-        const auto [left, top] = cell_of(x - radius, y - radius);
-        const auto [right, bottom] = cell_of(x + radius, y + radius);
-        for (int i = left; i <= right; ++i)
-            for (int k = top; k <= bottom; ++k)
-                if (const auto cell = cells_.find({i, k}); cell != cells_.end())
-                    for (const std::size_t one : cell->second)
-                        if (std::hypot(bars_[one].x - x, bars_[one].y - y) <= radius) found.push_back(one);
+        middles_.any_near({x, y}, radius, [&](std::size_t one) {
+            if (std::hypot(bars_[one].x - x, bars_[one].y - y) <= radius) found.push_back(one);
+            return false;
+        });
+        std::sort(found.begin(), found.end());
         return found;
     }
 
@@ -169,7 +167,7 @@ private:
 
     const std::vector<InkPiece>& pieces_;
     std::vector<Bar> bars_;
-    std::map<std::pair<int, int>, std::vector<std::size_t>> cells_;
+    Places middles_;  // of the bars
     std::vector<bool> in_row_;
 };
 
@@ -197,7 +195,7 @@ Image without_dotted_rows(Image grey) {
     constexpr std::size_t kMostOfRows = 10'000;  // pieces; more is a texture
     const std::vector<InkPiece> pieces = pieces_of(grey, kInkOfRows, false, std::max(grey.width, grey.height));
     if (pieces.size() > kMostOfRows) return grey;
-    const std::vector<bool> in_row = RowFinder(pieces).run();
+    const std::vector<bool> in_row = RowFinder(pieces, grey).run();
     if (std::find(in_row.begin(), in_row.end(), true) == in_row.end()) return grey;
     Image others = make_image(grey.width, grey.height, 1, 0, 0);
     for (std::size_t i = 0; i < pieces.size(); ++i)

@@ -45,7 +45,6 @@ TEST(Darken, ColouredLinesAreDarkAndTheGroundIsWhite) {
     }
 }
 
-// As a camera sees paper: what is lighter than most of it is no ink.
 // A chart whose margins are cut off.
 TEST(Darken, PaperIsTheGroundThoughMoreIsPaintedInOneColour) {
     const Image picture = pictures::drawn(100, 100, [](int x, int) { return x < 40 ? 255 : x < 90 ? 60 : 120; });
@@ -82,6 +81,7 @@ TEST(Darken, InkIsTheChannelThatIsFarthestFromTheGround) {
         }
 }
 
+// As a camera sees paper: what is lighter than most of it is no ink.
 TEST(Darken, LighterPaperIsNoInk) {
     Image image = make_image(400, 40, 1, kPixel, 190);
     for (int y = 0; y < image.height; ++y)

@@ -58,18 +58,19 @@ struct Head {
 double side_of(const Head& head) { return std::hypot(head.length, head.half); }
 
 // Without ways out and back: graphviz draws the end of the line with an open head.
-std::vector<Point> without_spikes(std::vector<Point> ring, double same) {
-    const auto near = [&](std::size_t a, std::size_t b) { return distance(ring[a % ring.size()], ring[b % ring.size()]) < same; };
-    for (std::size_t i = 0; i < ring.size() && ring.size() > 2;) {
-        const bool twice = near(i, i + 1), spike = near(i + ring.size() - 1, i + 1);
-        if (!twice && !spike) {
-            ++i;
-            continue;
-        }
-        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
-        i -= std::min<std::size_t>(i, 2);
+std::vector<Point> without_spikes(const std::vector<Point>& ring, double same) {
+    std::vector<Point> kept;
+    for (const Point& p : ring) {
+        if (!kept.empty() && distance(kept.back(), p) < same) continue;
+        if (kept.size() > 1 && distance(kept[kept.size() - 2], p) < same)
+            kept.pop_back();
+        else
+            kept.push_back(p);
     }
-    return ring;
+    while (kept.size() > 2 &&
+           (distance(kept.back(), kept.front()) < same || distance(kept[kept.size() - 2], kept.front()) < same))
+        kept.pop_back();
+    return kept;
 }
 
 class Heads {

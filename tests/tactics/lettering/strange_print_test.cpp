@@ -110,20 +110,24 @@ TEST(StrangePrint, RingsAndStrokesBesideFiguresMayBeFigures) {
     EXPECT_FALSE(may_be_figures("", true));
 }
 
+// A line of a font in which I and l look the same; 15 pixels are small print.
+FormWords settled_line(std::u32string_view codes, const std::string& told, double em = 15) {
+    FormWords words;
+    for (const char32_t code : codes) {
+        FormLetter letter;
+        letter.code = code;
+        if (code == U'l') letter.alike = {U'I'};
+        if (code == U'I') letter.alike = {U'l'};
+        words.reading.letters.push_back(letter);
+        append_letter(words.reading.text, code);
+    }
+    words.reading.em = em;
+    settle(words, {told, true});
+    return words;
+}
+
 TEST(StrangePrint, NoWordBeginsWithAnLAndAnotherConsonant) {
-    const auto settled = [](std::u32string_view codes, const std::string& told) {
-        FormWords words;
-        for (const char32_t code : codes) {
-            FormLetter letter;
-            letter.code = code;
-            if (code == U'l') letter.alike = {U'I'};
-            words.reading.letters.push_back(letter);
-            append_letter(words.reading.text, code);
-        }
-        words.reading.em = 20;
-        settle(words, {told, true});
-        return words.settled;
-    };
+    const auto settled = [](std::u32string_view codes, const std::string& told) { return settled_line(codes, told, 20).settled; };
     EXPECT_FALSE(settled(U"lcm", "lcm"));
     EXPECT_FALSE(settled(U"lhs", "lhs"));
     EXPECT_TRUE(settled(U"lane", "lane"));
@@ -139,38 +143,12 @@ TEST(StrangePrint, NoWordBeginsWithAnLAndAnotherConsonant) {
     EXPECT_FALSE(settled(U"ln(2)", "In(2)"));
 }
 
-// In many fonts I and l look the same.
 TEST(StrangePrint, WhatBeginsWithLAConsonantAndAVowelBeginsWithACapitalI) {
     for (const auto& [codes, told] : {std::pair{U"lron", "lron"}, {U"lda", "lda"}, {U"lce", "lce"}, {U"lvy", "lvy"}}) {
-        FormWords words;
-        for (const char32_t code : std::u32string_view(codes)) {
-            FormLetter letter;
-            letter.code = code;
-            if (code == U'l') letter.alike = {U'I'};
-            words.reading.letters.push_back(letter);
-            append_letter(words.reading.text, code);
-        }
-        words.reading.em = 20;
-        settle(words, {told, true});
+        const FormWords words = settled_line(codes, told, 20);
         EXPECT_TRUE(words.settled) << told;
         EXPECT_EQ(words.reading.letters.front().code, U'I') << told;
     }
-}
-
-// A line of small print; I and l look the same.
-FormWords settled_line(std::u32string_view codes, const std::string& told) {
-    FormWords words;
-    for (const char32_t code : codes) {
-        FormLetter letter;
-        letter.code = code;
-        if (code == U'l') letter.alike = {U'I'};
-        if (code == U'I') letter.alike = {U'l'};
-        words.reading.letters.push_back(letter);
-        append_letter(words.reading.text, code);
-    }
-    words.reading.em = 15;
-    settle(words, {told, true});
-    return words;
 }
 
 TEST(StrangePrint, ACapitalMayBeginAJoinedWord) {
