@@ -306,6 +306,14 @@ void compare_with_ground(Traits& traits, const Look& look, const std::vector<Com
     cv::Mat grown;
     cv::dilate(grey, grown, cv::getStructuringElement(cv::MORPH_RECT, cv::Size(2 * kGrow + 1, 2 * kGrow + 1)));
     traits.thick = look.share(static_cast<std::size_t>(cv::countNonZero(grown < of[0] - kHue)));
+    constexpr int kPaint = 5;  // pixels; what a scan leaves of the white between two lines is narrower, or of many greys
+    cv::Mat lightest, darkest;
+    const cv::Mat square = cv::getStructuringElement(cv::MORPH_RECT, cv::Size(kPaint, kPaint));
+    cv::dilate(grey, lightest, square);
+    cv::erode(grey, darkest, square);
+    const cv::Mat painted =
+        (lightest < of[0] - kHue) & (darkest > (dark + bright) / 2) & (lightest - darkest <= look.flat_range());
+    traits.painted = look.share(static_cast<std::size_t>(cv::countNonZero(painted)));
 }
 
 std::vector<Tone> rim_of(const Look& look) {

@@ -195,6 +195,22 @@ TEST(Choice, OfPaleLinesBesideDarkOnesIsDiagram) {
     EXPECT_EQ(choose_recipe(chart(false)).recipe, "line-art");
 }
 
+// No recipe for ink draws a box in a pale colour, small as it is.
+TEST(Choice, OfAGraphWithAPaintedBoxIsDiagram) {
+    const auto graph = [](int inside) {
+        return pictures::drawn(kLook, 360, [inside](int x, int y) {
+            const auto box = [&](int left, int top) {
+                if (x < left || y < top || x >= left + 60 || y >= top + 40) return -1;
+                return x < left + 4 || y < top + 4 || x >= left + 56 || y >= top + 36 ? 0 : 1;
+            };
+            if (box(100, 60) == 0 || box(300, 240) == 0 || (x >= 160 && x < 300 && std::abs(x - y - 70) < 4)) return 20;
+            return box(300, 240) == 1 ? inside : 255;
+        });
+    };
+    EXPECT_EQ(choose_recipe(graph(255)).recipe, "line-art");
+    EXPECT_EQ(choose_recipe(graph(215)).recipe, "diagram");
+}
+
 // As plots of logarithms have: hardly any place is plain, or an edge.
 TEST(Choice, OfADenseGridIsDiagram) {
     const Image chart = pictures::drawn(kLook, 360, [](int x, int y) {
@@ -208,7 +224,6 @@ TEST(Choice, OfADenseGridIsDiagram) {
     EXPECT_GT(traits_of(chart).soft, 0.4);
 }
 
-// Half of it is the panel's grey, and the lines of its grid are hardly lighter.
 // Bars with a hatch whose lines are a bit farther apart than whole pixels, and so of many greys.
 TEST(Choice, OfHatchedBarsOnWhiteIsDiagram) {
     const auto covered = [](double at, double width) {  // of a pixel, by lines of that pitch
@@ -226,6 +241,7 @@ TEST(Choice, OfHatchedBarsOnWhiteIsDiagram) {
     EXPECT_EQ(choose_recipe(picture).recipe, "diagram");
 }
 
+// Half of it is the panel's grey, and the lines of its grid are hardly lighter.
 TEST(Choice, OfAChartOnAPanelIsDiagram) {
     const Image chart = coloured(kLook, 360, [](double x, double y) -> std::array<double, 3> {
         if (x < 60 || x >= 460 || y < 40 || y >= 310) return {255, 255, 255};
