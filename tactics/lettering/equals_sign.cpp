@@ -8,6 +8,9 @@ namespace tactics {
 
 namespace {
 
+// Of the height of an x, of which the sign has 0.6 and is 1.6 times as wide in TeX. The plates of a capacitor are wider and
+// farther apart. Settings, with a pixel for rounding.
+constexpr double kSignWidth = 2.2, kSignHeight = 0.75;
 constexpr double kSignGap = 1.5;  // of the height; the room around the sign is wider than a word space
 
 // An equals sign: two strokes as long as each other, one above the other. Together they stand in line with letters.
@@ -24,7 +27,8 @@ bool stands_beside(const PixelBox& letter, const PixelBox& upper, const PixelBox
     const PixelBox sign = around(upper, lower);
     const int gap = std::max(letter.left - sign.right, sign.left - letter.right);
     const double reach = kSignGap * std::max(letter.height(), sign.height());
-    return letter.height() >= kLeastInkHeight && gap >= 0 && gap <= reach && letter.top < upper.bottom &&
+    return letter.height() >= kLeastInkHeight && sign.width() <= kSignWidth * letter.height() &&
+           sign.height() <= kSignHeight * letter.height() + 1 && gap >= 0 && gap <= reach && letter.top < upper.bottom &&
            letter.bottom > lower.top;
 }
 
