@@ -142,16 +142,17 @@ std::vector<LineMarkPlace> best_of(std::vector<LineMarkPlace> places, const std:
     return best;
 }
 
-// Ticks across an axis, as those of a number line, stand in a row that is level or upright, and are no points.
-void leave_out_ticks(std::vector<LineMarkPlace>& places) {
-    constexpr std::ptrdiff_t kRow = 4;
+// Ticks across an axis, as those of a number line, stand in a row that is level or upright, and are no points. With the axis they
+// are upright crosses, of which three are enough.
+void leave_out_ticks(std::vector<LineMarkPlace>& places, MarkForm shape) {
+    const std::ptrdiff_t least = shape == MarkForm::plus ? 3 : 4;
     const std::vector<LineMarkPlace> all = places;
     std::erase_if(places, [&](const LineMarkPlace& place) {
         const auto in_row = [&](auto at) {
             return std::count_if(all.begin(), all.end(),
                                  [&](const LineMarkPlace& other) { return std::abs(at(other.corner) - at(place.corner)) <= 1; });
         };
-        return std::max(in_row([](cv::Point p) { return p.x; }), in_row([](cv::Point p) { return p.y; })) >= kRow;
+        return std::max(in_row([](cv::Point p) { return p.x; }), in_row([](cv::Point p) { return p.y; })) >= least;
     });
 }
 
@@ -212,7 +213,7 @@ std::vector<MarkKind> kinds_on_lines(const Image& picture, const Image& ink, dou
     for (auto& group : groups) {
         const LineForm& form = forms[group.front().form];
         const PixelColour colour = group.front().colour;
-        leave_out_ticks(group);
+        leave_out_ticks(group, form.shape);
         if (group.size() >= kFewest) kinds.push_back(kind_like(form, colour));
     }
     return kinds;

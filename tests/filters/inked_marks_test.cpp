@@ -169,6 +169,14 @@ TEST(InkedMarks, HeadsTicksAndLettersAreNone) {
     ticks.paint(line({10, 150}, {390, 150}, 2));
     for (int i = 0; i < 11; ++i) ticks.paint(line({30 + 33.0 * i, 140}, {30 + 33.0 * i, 160}, 2));
     EXPECT_TRUE(ticks.marks().marks.empty());
+    Painting axes;
+    axes.paint(line({30, 250}, {390, 250}, 2));
+    axes.paint(line({60, 30}, {60, 280}, 2));
+    for (int i = 1; i < 4; ++i) {
+        axes.paint(line({60 + 80.0 * i, 241}, {60 + 80.0 * i, 259}, 2));
+        axes.paint(line({51, 250 - 60.0 * i}, {69, 250 - 60.0 * i}, 2));
+    }
+    EXPECT_TRUE(axes.marks().marks.empty()) << "six on two axes";
     // As "bo do po" would be.
     Painting print;
     for (int i = 0; i < 6; ++i) {
