@@ -180,6 +180,7 @@ Repaired repair(Drawing drawing, const Medium& medium) {
         finish();
         return repaired;
     }
+    repairing.use([&](Seen& seen) { return draw_back_heads(mended, medium, seen); });
     if (before.places > 0) {
         repairing.use([&](Seen& seen) { return join_ends(mended, medium, seen); });
         if (!mended.areas.empty()) {

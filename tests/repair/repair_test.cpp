@@ -315,6 +315,50 @@ TEST(Repair, LeavesNothingBrokenWhateverIsDrawn) {
         }
 }
 
+// An arrow to the right that ends `gap` mm before a line, its head last.
+Drawing arrow(double length, double gap) {
+    Drawing drawing = blank();
+    const double tip = 100 - gap - swell().line;
+    drawing.strokes.push_back({{{100, 60}, {100, 140}}});
+    drawing.strokes.push_back({{{tip - length, 100}, {tip, 100}}});
+    drawing.strokes.push_back({{{tip - 6, 96}, {tip, 100}, {tip - 6, 104}}, false, LineClass::normal, 0, Role::arrow});
+    return drawing;
+}
+
+TEST(Repair, HeadsOfArrowsGoBackFromWhatTheyNearlyTouch) {
+    for (const double gap : {0.5, 1.0, 2.0}) {
+        const Drawing drawing = arrow(60, gap);
+        const Repaired repaired = repair(drawing, swell());
+        ASSERT_EQ(repaired.drawing.strokes.size(), 3u) << gap;
+        const auto& strokes = repaired.drawing.strokes;
+        EXPECT_EQ(strokes[0].points.front().x, 100) << "what it points to stays";
+        const Point tip = strokes[2].points[1];
+        EXPECT_NEAR(100 - tip.x - swell().line, 3.25, 0.1);
+        EXPECT_NEAR(strokes[1].points.back().x, tip.x, 0.02);
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_NEAR(distance(strokes[2].points[i], tip), distance(drawing.strokes[2].points[i], drawing.strokes[2].points[1]),
+                        0.02);
+        EXPECT_EQ(count(repaired, Mend::Kind::shortened), 1u);
+    }
+    EXPECT_TRUE(repair(arrow(60, 4), swell()).changes.empty());
+    EXPECT_TRUE(same(repair(arrow(60, -swell().line / 2), swell()).drawing, arrow(60, -swell().line / 2))) << "it touches";
+    const double before = arrow(9, 1).strokes[2].points[1].x;
+    const Drawing brief = repair(arrow(9, 1), swell()).drawing;
+    for (const Stroke& stroke : brief.strokes)
+        if (stroke.role == Role::arrow) {
+            EXPECT_GE(stroke.points[1].x, before - 0.02) << "there is no room";
+        }
+}
+
+// Towards a slanting line it takes more.
+TEST(Repair, HeadsOfArrowsGoBackFromSlantingLinesToo) {
+    Drawing drawing = arrow(60, 1);
+    drawing.strokes[0].points = {{80, 140}, {120, 60}};
+    const Repaired repaired = repair(drawing, swell());
+    const Point tip = repaired.drawing.strokes.back().points[1];
+    EXPECT_NEAR(distance_to({repaired.drawing.strokes[0]}, tip) - swell().line, 3.25, 0.15);
+}
+
 TEST(Repair, TellsThatAThicketIsNotFitToBeFelt) {
     const Repaired repaired = repair(random_drawing(7, 250), swell());
     EXPECT_LT(repaired.kept, kLegible);
