@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -17,9 +18,7 @@ namespace tactics {
 
 namespace {
 
-// mm. The sides of a head are felt as lines from 4.5 mm on; open ones are longer, as those of pictures are
-// (filters/known_parts.cpp).
-constexpr double kLeastSide = 5, kLeastOpenSide = 6.4;
+constexpr double kLeastSide = 6.4;  // mm, as of heads in pictures (filters/known_parts.cpp)
 constexpr double kLargestHead = 12;
 constexpr double kLeastAngle = 20, kMostAngle = 40;  // degrees between a side and the line
 constexpr double kOfLine = 0.8;                      // of its line a head may cover
@@ -90,22 +89,21 @@ public:
     }
 
     void run() {
+        std::vector<Stroke> opened;
         std::size_t count = 0;
         for (Area& area : drawing_.areas)
             if (area.texture == 0 && area.rings.size() == 1 && (area.role == Role::line || area.role == Role::arrow))
                 if (const auto head = filled(area.rings[0]); head && ++count <= kMostHeads) {
                     drop_rim(area.rings[0]);
-                    area.role = Role::arrow;
-                    area.rings[0] = corners(*head, touching(*head), kLeastSide);
+                    area.rings.clear();
+                    opened.push_back({{}, false, LineClass::normal, 0, Role::arrow});
+                    make_felt(*head, opened.back());
                 }
         for (Stroke& stroke : drawing_.strokes)
             if (!stroke.closed && stroke.points.size() == 3 && (stroke.role == Role::line || stroke.role == Role::arrow))
-                if (const auto head = open(stroke); head && ++count <= kMostHeads) {
-                    stroke.role = Role::arrow;
-                    const Point tip = touching(*head);
-                    stroke.points = corners(*head, tip, kLeastOpenSide);
-                    lead_to(tip, *head->shaft);
-                }
+                if (const auto head = open(stroke); head && ++count <= kMostHeads) make_felt(*head, stroke);
+        std::erase_if(drawing_.areas, [](const Area& area) { return area.rings.empty(); });
+        std::move(opened.begin(), opened.end(), std::back_inserter(drawing_.strokes));
         std::erase_if(drawing_.strokes, [](const Stroke& stroke) { return stroke.points.empty(); });
     }
 
@@ -168,7 +166,14 @@ private:
         return head_of(all, box.middle(), extent, drawing_.strokes.size());
     }
 
-    // The line of an open head ends at its tip.
+    void make_felt(const Head& head, Stroke& stroke) {
+        const Point tip = touching(head);
+        stroke.role = Role::arrow;
+        stroke.points = corners(head, tip);
+        lead_to(tip, *head.shaft);
+    }
+
+    // The line of a head ends at its tip.
     void lead_to(Point tip, const ShaftEnd& end) {
         std::vector<Point>& points = drawing_.strokes[end.stroke].points;
         (distance(points.back(), end.at) <= distance(points.front(), end.at) ? points.back() : points.front()) = tip;
@@ -198,13 +203,13 @@ private:
     }
 
     // From one end of its back over the tip to the other.
-    static std::vector<Point> corners(const Head& head, Point tip, double least) {
+    static std::vector<Point> corners(const Head& head, Point tip) {
         const double turn = std::clamp(std::atan2(head.half, head.length) * 180 / std::numbers::pi, kLeastAngle, kMostAngle) *
                             std::numbers::pi / 180;
         const double line = std::max(0.0, head.shaft->length + dot(tip - head.shaft->at, head.way));
         double length = head.length, half = head.half;
-        if (side_of(head) < least) {
-            length = std::max(length, std::min(least * std::cos(turn), kOfLine * line));
+        if (side_of(head) < kLeastSide) {
+            length = std::max(length, std::min(kLeastSide * std::cos(turn), kOfLine * line));
             half = std::max(half, length * std::tan(turn));
         }
         const auto corner = [&](double aside) {

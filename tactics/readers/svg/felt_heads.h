@@ -7,8 +7,8 @@
 namespace tactics {
 
 /// Small filled triangles, with or without a notch, and open angles at the end of a line that they point along are its head: they
-/// get Role::arrow, and sides of a least length, but no more than their line has room for. What their tip nearly touches it
-/// touches.
+/// become open heads (Role::arrow), as a filled one is felt as a blob (rule filled-arrows), with sides of a least length, but no
+/// more than their line has room for. What their tip nearly touches it touches.
 void make_heads_felt(Drawing& drawing);
 
 }  // namespace tactics

@@ -32,18 +32,28 @@ TEST(FeltHeads, OfSpecksAreLargeEnough) {
         drawing.areas.push_back({{ring}});
         drawing.strokes.push_back({ring, true});  // its rim
         make_heads_felt(drawing);
-        ASSERT_EQ(drawing.areas.size(), 1u);
-        EXPECT_EQ(drawing.areas[0].role, Role::arrow);
-        const std::vector<Point>& head = drawing.areas[0].rings[0];
-        ASSERT_EQ(head.size(), 3u);
-        EXPECT_NEAR(head[1].x, 100, 1e-9);
-        EXPECT_NEAR(distance(head[0], head[1]), 5, 0.2);
-        EXPECT_GE(height_of(head), 3);
-        EXPECT_EQ(drawing.strokes.size(), 2u) << "the rim would make it blunt";
+        EXPECT_TRUE(drawing.areas.empty()) << "a filled one is felt as a blob";
+        ASSERT_EQ(drawing.strokes.size(), 3u) << "the rim would make it blunt";
+        const Stroke& head = drawing.strokes[2];
+        EXPECT_EQ(head.role, Role::arrow);
+        EXPECT_FALSE(head.closed);
+        ASSERT_EQ(head.points.size(), 3u);
+        EXPECT_NEAR(head.points[1].x, 100, 1e-9);
+        EXPECT_NEAR(distance(head.points[0], head.points[1]), 6.4, 0.2);
+        EXPECT_GE(height_of(head.points), 4);
     }
 }
 
-TEST(FeltHeads, OfOpenSidesAreLongerAndPointTheSameWay) {
+// The line of a filled head ends at its back.
+TEST(FeltHeads, AreReachedByTheirLine) {
+    Drawing drawing = arrow(30, 10);
+    drawing.strokes[0].points[1] = {96, 50};
+    drawing.areas.push_back({{{{96, 48}, {100, 50}, {96, 52}}}});
+    make_heads_felt(drawing);
+    EXPECT_NEAR(distance(drawing.strokes[0].points[1], {100, 50}), 0, 1e-9);
+}
+
+TEST(FeltHeads, OfOpenSidesPointTheSameWay) {
     Drawing drawing = arrow(30, 10);
     drawing.strokes.push_back({{{98, 49}, {100, 50}, {98, 51}}, false});
     make_heads_felt(drawing);
@@ -58,12 +68,12 @@ TEST(FeltHeads, AreNoLongerThanTheirLine) {
     Drawing drawing = arrow(3, 10);
     drawing.areas.push_back({{{{98.5, 49.5}, {100, 50}, {98.5, 50.5}}}});
     make_heads_felt(drawing);
-    EXPECT_LE(box_of(drawing.areas[0].rings[0]).width(), 3);
+    EXPECT_LE(box_of(drawing.strokes[2].points).width(), 3);
     Drawing large = arrow(30, 10);
     const std::vector<Point> ring{{90, 46}, {100, 50}, {90, 54}};
     large.areas.push_back({{ring}});
     make_heads_felt(large);
-    EXPECT_NEAR(box_of(large.areas[0].rings[0]).width(), 10, 1e-9) << "a large one stays";
+    EXPECT_NEAR(box_of(large.strokes[2].points).width(), 10, 1e-9) << "a large one stays";
 }
 
 TEST(FeltHeads, TouchWhatTheyNearlyTouch) {
@@ -71,7 +81,7 @@ TEST(FeltHeads, TouchWhatTheyNearlyTouch) {
         Drawing drawing = arrow(30, gap);
         drawing.areas.push_back({{{{98.5, 49.5}, {100, 50}, {98.5, 50.5}}}});
         make_heads_felt(drawing);
-        EXPECT_NEAR(box_of(drawing.areas[0].rings[0]).right, gap < 2 ? 101 : 100, 1e-9);
+        EXPECT_NEAR(box_of(drawing.strokes[2].points).right, gap < 2 ? 101 : 100, 1e-9);
     }
 }
 
@@ -84,6 +94,7 @@ TEST(FeltHeads, OtherSmallShapesStay) {
         Drawing drawing = arrow(30, 10);
         drawing.areas.push_back({{ring}});
         make_heads_felt(drawing);
+        ASSERT_EQ(drawing.areas.size(), 1u);
         EXPECT_NEAR(height_of(drawing.areas[0].rings[0]), height_of(ring), 1e-9);
         EXPECT_EQ(drawing.areas[0].rings[0].size(), ring.size());
         EXPECT_EQ(drawing.areas[0].role, Role::line);
