@@ -249,24 +249,29 @@ void take_noisy_curves(Image& picture, KnownOfPicture& known, KnownParts& parts)
 // Heads of arrows.
 void take_heads(Image& picture, KnownOfPicture& known, KnownParts& parts) {
     const double mm = picture.mm_per_pixel;
+    std::vector<InkedHead> taken;
     // On a dark ground of its own a head is only seen by how black it is, on white a pale one by its colour.
     for (const bool by_colour : {true, false}) {
         const Image ink = with_gaps_closed(by_colour ? known.ink() : black_ink(picture), known.rows());
         auto heads = arrow_heads_in(ink, kLongestHead / mm);
         if (heads.empty()) continue;
-        // A point on a short line looks much like one.
+        // A point on a short line looks much like one, as does what is left at the tip of another.
         const auto points = points_in(ink, kLeastPoint / mm, kMostPoint / mm);
         std::erase_if(heads, [&](const InkedHead& head) {
-            return std::any_of(points.begin(), points.end(), [&](const InkedPoint& point) {
-                return distance(point.middle, head.tip) < head.length() + point.radius;
-            });
+            return is_within_row(head.tip, known.rows()) ||
+                   std::any_of(points.begin(), points.end(),
+                               [&](const InkedPoint& point) {
+                                   return distance(point.middle, head.tip) < head.length() + point.radius;
+                               }) ||
+                   std::any_of(taken.begin(), taken.end(), [&](const InkedHead& other) {
+                       return distance(head.tip, other.tip) < other.length() && 2 * head.length() < other.length();
+                   });
         });
-        if (heads.empty()) continue;
-        std::erase_if(heads, [&](const InkedHead& head) { return is_within_row(head.tip, known.rows()); });
         if (heads.empty()) continue;
         known.lead_to(heads);
         take_out(picture, heads);
         for (const InkedHead& head : heads) parts.strokes.push_back(head_of(head, mm));
+        taken.insert(taken.end(), heads.begin(), heads.end());
     }
 }
 
