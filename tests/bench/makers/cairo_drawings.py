@@ -21,7 +21,8 @@ class Board:
         self.to.scale(scale, scale)
         self.to.set_source_rgb(1, 1, 1)
         self.to.paint()
-        self.to.set_source_rgb(0, 0, 0)
+        self.ink = (0, 0, 0)
+        self.to.set_source_rgb(*self.ink)
         self.words, self.arrows, self.curves = [], [], []
         self.font("DejaVu Sans", 14)
 
@@ -50,7 +51,7 @@ class Board:
         if fill is not None:
             self.to.set_source_rgb(*fill)
             self.to.fill_preserve()
-            self.to.set_source_rgb(0, 0, 0)
+            self.to.set_source_rgb(*self.ink)
         self.note_path()
         self.to.stroke()
 
