@@ -17,8 +17,8 @@ using Mends = std::vector<Mend>;
 /// that the rest can be examined.
 Mends thin_out(Drawing& drawing, const Medium& medium, double times);
 
-/// Heads of arrows that end right before what they point to go back along their shafts until there is a gap (rule arrow-gap), where
-/// the shaft is long enough.
+/// Heads of arrows that end right before what they point to go back along their shafts until there is a gap (rule arrow-gap),
+/// where the shaft is long enough.
 Mends draw_back_heads(Drawing& drawing, const Medium& medium, Seen& seen);
 
 /// Ends that nearly meet a line, and point to it, are led onto it.
