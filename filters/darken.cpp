@@ -154,4 +154,11 @@ const Filter darken_filter{
     .apply = apply_darken,
 };
 
+Image black_ink(const Image& picture) {
+    constexpr std::uint8_t kBlack = 100, kNoInk = 170;
+    Image ink = to_grey(picture);
+    for (std::uint8_t& sample : ink.pixels) sample = sample < kBlack ? std::uint8_t{0} : std::max(sample, kNoInk);
+    return ink;
+}
+
 }  // namespace tactics

@@ -20,7 +20,6 @@
 #include "filters/mark_kinds.h"
 #include "filters/opencv.h"
 #include "filters/runs_around.h"
-#include "tactics/geometry/box.h"
 
 namespace tactics {
 
@@ -336,6 +335,18 @@ bool are_heads(const MarkKind& kind, std::size_t number, const ChosenPlaces& cho
 }
 
 }  // namespace
+
+InkedMarks without_print(InkedMarks marks, const std::vector<Box>& print) {
+    const auto is_print = [&](Point p) {
+        return std::any_of(print.begin(), print.end(), [&](const Box& box) { return box.holds(p); });
+    };
+    std::vector<int> weight(marks.symbols.size(), 0);  // of each kind, marks beside print less those in it
+    for (const InkedMark& mark : marks.marks) weight[mark.kind] += is_print(mark.middle) ? -1 : 1;
+    if (std::none_of(weight.begin(), weight.end(), [](int one) { return one < 0; })) return marks;
+    std::erase_if(marks.marks, [&](const InkedMark& mark) { return weight[mark.kind] < 0; });
+    std::erase_if(marks.rest, [&](const Run& run) { return is_print({(run.begin + run.end) / 2.0, run.row + 0.5}); });
+    return marks;
+}
 
 InkedMarks inked_marks_in(const Image& picture, const Image& ink, double least, double most) {
     const std::vector<MarkKind> kinds = mark_kinds_in(picture, ink, least, most);

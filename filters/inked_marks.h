@@ -8,6 +8,7 @@
 
 #include "filters/components.h"
 #include "tactics/drawing.h"
+#include "tactics/geometry/box.h"
 #include "tactics/image.h"
 #include "tactics/plot.h"
 
@@ -31,6 +32,9 @@ struct InkedMarks {
 /// Marks from `least` to `most` pixels wide and high, of which three at least are alike and by themselves, but for thin lines
 /// that they are on. `ink`: ink_on_white of the picture.
 InkedMarks inked_marks_in(const Image& picture, const Image& ink, double least, double most);
+
+/// Without those kinds of which most stand in these boxes.
+InkedMarks without_print(InkedMarks marks, const std::vector<Box>& print);
 
 /// Painted over with what is beside them; lines that they are on go on.
 void take_out(Image& picture, const InkedMarks& marks);

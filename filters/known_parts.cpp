@@ -93,14 +93,6 @@ double felt_radius(const std::vector<Point>& points, double mm, double smallest,
     return std::clamp((*few - kGap) / 2, smallest, largest);
 }
 
-// What is nearly black, whatever it stands on; the rest is pale.
-Image black_ink(const Image& picture) {
-    constexpr std::uint8_t kBlack = 100, kNoInk = 170;
-    Image ink = to_grey(picture);
-    for (std::uint8_t& sample : ink.pixels) sample = sample < kBlack ? std::uint8_t{0} : std::max(sample, kNoInk);
-    return ink;
-}
-
 // With the paler pixels around them they get the colour of what is nearest to them. Other ink stays.
 void paint_over(Image& picture, const Image& all_ink, const std::vector<Run>& ink) {
     cv::Mat own(picture.height, picture.width, CV_8U, cv::Scalar(255));
@@ -325,9 +317,9 @@ InkedMarks marks_in(const Image& picture, KnownOfPicture& known) {
 }
 
 // Points of a plot, each kind with a symbol of its own.
-void take_marks(Image& picture, KnownOfPicture& known, KnownParts& parts) {
+void take_marks(Image& picture, KnownOfPicture& known, const std::vector<Box>& print, KnownParts& parts) {
     const double mm = picture.mm_per_pixel;
-    const InkedMarks found = marks_in(picture, known);
+    const InkedMarks found = without_print(marks_in(picture, known), print);
     if (found.marks.empty()) return;
     take_out(picture, found);
     known.forget();
@@ -383,7 +375,7 @@ std::vector<Phrase> KnownParts::told() const {
     return told;
 }
 
-KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 3>>& ground) {
+KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 3>>& ground, const std::vector<Box>& print) {
     KnownParts parts;
     quieten(picture);
     if (ground) {
@@ -400,7 +392,7 @@ KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 
     if (ground && !bars && parts.areas.empty()) parts.left_out = leave_out_pale_fills(picture);
     known.forget();
     take_noisy_curves(picture, known, parts);
-    take_marks(picture, known, parts);
+    take_marks(picture, known, print, parts);
     take_heads(picture, known, parts);
     take_dashes(picture, known, parts);
     take_points(picture, known, parts);

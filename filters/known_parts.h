@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tactics/drawing.h"
+#include "tactics/geometry/box.h"
 #include "tactics/image.h"
 #include "tactics/text/phrase.h"
 
@@ -33,6 +34,8 @@ struct KnownParts {
 /// Takes them out of the picture, which has its size in mm; the lines that heads and points were on stay whole. If
 /// `ground`, the colour of the ground, is given, surfaces of other colours get textures, too (inked_fills.h): for who draws both
 /// sides of every line and outlines of surfaces.
-KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 3>>& ground = {});
+/// `print`, pixels: where print may be that stays in the picture, and is no point of a plot.
+KnownParts take_known_parts(Image& picture, const std::optional<std::array<int, 3>>& ground = {},
+                            const std::vector<Box>& print = {});
 
 }  // namespace tactics

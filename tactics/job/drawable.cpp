@@ -15,6 +15,7 @@
 #include "filters/known_parts.h"
 #include "filters/list.h"
 #include "tactics/error.h"
+#include "tactics/geometry/course.h"
 #include "tactics/job/chart_json.h"
 #include "tactics/job/figure.h"
 #include "tactics/job/figure_pictures.h"
@@ -57,8 +58,9 @@ double setting_of(const Recipe& recipe, std::string_view name) {
 
 // Heads of arrows, dashes and points are as small as print, so only a recipe that looks closely at a figure takes them for what
 // they are. One that draws lines by their middle draws surfaces by their outlines, which a texture may fill.
-// `ground`: of the whole picture, as little of it may be left in what is drawn.
-KnownParts known_parts_of(Image& picture, const Recipe& recipe, bool has_legend, const std::array<int, 3>& ground) {
+// `ground`: of the whole picture, as little of it may be left in what is drawn. `print`: what is left in the lines.
+KnownParts known_parts_of(Image& picture, const Recipe& recipe, bool has_legend, const std::array<int, 3>& ground,
+                          const std::vector<Box>& print) {
     constexpr double kClosely = 100;  // dots per inch
     if (!recipe.has_words || !(picture.mm_per_pixel > 0)) return {};
     // Many colours of a map say which regions are neighbours, and no more; few, or those of a legend, may say what a region is.
@@ -69,8 +71,37 @@ KnownParts known_parts_of(Image& picture, const Recipe& recipe, bool has_legend,
         parts.areas = without_ground_around(take_fills(picture, ground), picture.width * picture.mm_per_pixel,
                                             picture.height * picture.mm_per_pixel);
     else if (!is_map && setting_of(recipe, "dpi") >= kClosely)
-        parts = take_known_parts(picture, setting_of(recipe, "lines") > 0 ? std::optional(ground) : std::nullopt);
+        parts = take_known_parts(picture, setting_of(recipe, "lines") > 0 ? std::optional(ground) : std::nullopt, print);
     return parts;
+}
+
+// Something of the drawing is there or right beside it.
+bool is_drawn_at(const Box& box, const Drawing& drawing) {
+    const double reach = std::max(box.width(), box.height()) / 2;
+    const auto passes = [&](const std::vector<Point>& points, bool closed) {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if ((i + 1 < points.size() || closed) &&
+                distance_to_segment(box.middle(), points[i], points[(i + 1) % points.size()]) <= reach)
+                return true;
+        return false;
+    };
+    return std::any_of(drawing.strokes.begin(), drawing.strokes.end(),
+                       [&](const Stroke& stroke) { return passes(stroke.points, stroke.closed); }) ||
+           std::any_of(drawing.areas.begin(), drawing.areas.end(), [&](const Area& area) {
+               return std::any_of(area.rings.begin(), area.rings.end(),
+                                  [&](const std::vector<Point>& ring) { return passes(ring, true); });
+           });
+}
+
+// A recipe for surfaces leaves out what is as small as a letter.
+void tell_lost_print(const std::vector<Box>& print, double mm, const Drawing& drawing, std::vector<Phrase>& told) {
+    const auto lost = std::count_if(print.begin(), print.end(), [&](const Box& box) {
+        return !is_drawn_at({box.left * mm, box.top * mm, box.right * mm, box.bottom * mm}, drawing);
+    });
+    if (lost > 0)
+        told.push_back(phrases(static_cast<std::size_t>(lost),
+                               "of the print that was not read {0} place is too small to be drawn and is not on the page.",
+                               "of the print that was not read {0} places are too small to be drawn and are not on the page."));
 }
 
 // Pixels from any source. `words` says what to do with print in them.
@@ -96,14 +127,17 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
         way.finer = longest > std::max(picture.width, picture.height);
         print.take_from(picture);
         const std::array<int, 3> ground = recipe.has_words ? ground_of(picture) : std::array<int, 3>{};
+        const std::vector<Box> left = print.left_in(picture, part);
         picture = cut_out(std::move(picture), part);
         if (chooses) way.detail = choose_detail(fitting, picture, on, place, as_drawn);
-        KnownParts parts = known_parts_of(picture, recipe, !print.samples.empty(), ground);
+        KnownParts parts = known_parts_of(picture, recipe, !print.samples.empty(), ground, left);
+        const double mm = picture.mm_per_pixel;
         Drawing drawing = drawing_of(run_settling(fitting, std::move(picture), way.chosen));
         if (!drawing.picture) {
             way.told = parts.told();
             drawing.remarks.insert(drawing.remarks.end(), way.told.begin(), way.told.end());
             std::move(parts).add_to(drawing);
+            tell_lost_print(left, mm, drawing, way.told);
         }
         if (way.detail) drawing.remarks.push_back(remark_on(*way.detail));
         way.steps = steps_of(fitting);

@@ -239,6 +239,7 @@ std::pair<double, double> PictureFonts::size_told_by(const std::vector<std::size
 std::vector<std::size_t> PictureFonts::samples_of(const std::vector<std::size_t>& lines) const {
     constexpr double kSameHeight = 0.12, kWidest = 2.5;  // of a height
     constexpr double kSameWidth = 0.03, kSameInk = 0.015;
+    constexpr double kLowest = 0.55, kHighest = 1.8;  // an x of a b, and a b of an x
     struct Look {
         double height;
         std::size_t line;
@@ -265,6 +266,15 @@ std::vector<std::size_t> PictureFonts::samples_of(const std::vector<std::size_t>
             if (!known && samples.size() < kMostSamples) samples.push_back(looks[k]);
         }
         if (samples.size() > best.size()) best = std::move(samples);
+    }
+    // Of a drawing with few letters the small ones and the capitals tell their font together.
+    if (!best.empty()) {
+        const double height = best.front().height;
+        for (const Look& one : looks)
+            if (best.size() < kMostSamples && one.height >= kLowest * height && one.height <= kHighest * height &&
+                std::none_of(best.begin(), best.end(),
+                             [&](const Look& other) { return one.line == other.line || one.is_like(other); }))
+                best.push_back(one);
     }
     std::vector<std::size_t> found;
     for (const Look& one : best) found.push_back(one.line);

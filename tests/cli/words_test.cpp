@@ -80,6 +80,11 @@ TEST_F(PictureWords, ThatAreSureAreSetAndOthersAreTold) {
         << unsure.err;
     EXPECT_FALSE(holds(bytes_of(folder / "b.svg"), "<g class=\"tactics-cells-"));
     EXPECT_TRUE(holds(bytes_of(folder / "b.svg"), "stroke-width=\""));
+    // What is left in the lines and not drawn is told.
+    EXPECT_FALSE(holds(unsure.err, "is too small to be drawn")) << unsure.err;
+    const Ending small = with_reader(table("45"), {"chart.pgm", "-o", "b.svg", "-r", "regions"});
+    EXPECT_TRUE(holds(small.err, "of the print that was not read 1 place is too small to be drawn and is not on the page."))
+        << small.err;
     // A map or a diagram of areas has its words beside its things, too.
     const Ending regions = with_reader(table("95"), {"chart.pgm", "-o", "d.svg", "-r", "regions"});
     EXPECT_TRUE(holds(regions.err, "chart.pgm: print was read at 1 place and stands in braille")) << regions.err;

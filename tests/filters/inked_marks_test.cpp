@@ -119,6 +119,22 @@ TEST(InkedMarks, ColoursOfOneFormGetSymbolsOfTheirOwn) {
               16u);
 }
 
+TEST(InkedMarks, InBoxesOfPrintAreNone) {
+    Painting painting;
+    const std::vector<Point> squares = scattered({30, 40}, 8), letters = scattered({40, 150}, 6);
+    for (const Point at : squares) painting.paint(square(at, 6));
+    for (const Point at : letters) painting.paint(triangle(at, 7));
+    std::vector<Box> print;
+    for (const Point at : letters) print.push_back({at.x - 8, at.y - 8, at.x + 8, at.y + 8});
+    print.push_back({squares[0].x - 8, squares[0].y - 8, squares[0].x + 8, squares[0].y + 8});  // by mistake
+    const InkedMarks found = without_print(painting.marks(), print);
+    EXPECT_EQ(found.marks.size(), squares.size());
+    EXPECT_EQ(found_at(found, squares, PlotSymbol::square), squares.size());
+    Image picture = painting.picture;
+    take_out(picture, found);
+    for (const Point at : letters) EXPECT_EQ(picture.row(static_cast<int>(at.y))[3 * static_cast<int>(at.x)], 0) << "it stays";
+}
+
 TEST(InkedMarks, ThatLieOverEachOtherAreTwo) {
     Painting painting;
     std::vector<Point> places = scattered({30, 60}, 5);
