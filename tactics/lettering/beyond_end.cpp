@@ -249,8 +249,15 @@ bool has_strange_ink(const Image& grey, const LetteringLine& line) {
         for (const InkPiece& piece : *pieces) clear(piece.runs);
     clear(line.veil);
     std::vector<InkPiece> strange = pieces_of(part, 128, false, kMostInkHeight);
-    std::erase_if(
-        strange, [&](const InkPiece& piece) { return !ends_within(piece, part) || piece.box.width() + piece.box.height() <= 2; });
+    // The bar of an e that lies across two rows of pixels is paler than the rest of it.
+    const auto is_within_letter = [&](const PixelBox& own) {
+        const PixelBox there{own.left + box.left, own.top + box.top, own.right + box.left, own.bottom + box.top};
+        return std::any_of(line.letters.begin(), line.letters.end(),
+                           [&](const InkPiece& letter) { return around(letter.box, there) == letter.box; });
+    };
+    std::erase_if(strange, [&](const InkPiece& piece) {
+        return !ends_within(piece, part) || piece.box.width() + piece.box.height() <= 2 || is_within_letter(piece.box);
+    });
     return !strange.empty() && !is_dashed_line(strange);
 }
 

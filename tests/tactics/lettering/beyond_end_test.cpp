@@ -90,5 +90,17 @@ TEST(BeyondEnd, WhatStandsBeforeALineOrPointsAtItIsNone) {
     EXPECT_FALSE(is_cut_off(bent)) << "the corner of a shape";
 }
 
+// As the bar of an e is that lies across two rows of pixels; the low line of "X_1" stands below.
+TEST(BeyondEnd, PaleInkWithinALetterIsNotStrange) {
+    for (const int top : {25, 38}) {
+        Image image = three_letters();
+        for (int y = top; y < top + 2; ++y) std::fill(image.row(y) + 46, image.row(y) + 51, std::uint8_t{140});
+        const std::vector<LetteringLine> lines = find_lettering(image);
+        ASSERT_EQ(lines.size(), 1u);
+        ASSERT_EQ(lines[0].letters.size(), 3u);
+        EXPECT_EQ(has_strange_ink(image, lines[0]), top > 34) << top;
+    }
+}
+
 }  // namespace
 }  // namespace tactics::beyond_end_test
