@@ -230,6 +230,8 @@ Lettering read_upright(const Image& grey, std::string_view language, double leas
         certain[i] = certain[i] || small[i] == SmallPrint::out;
     }
     doubt_parts(grey, all, unread);
+    if (fonts)
+        for (const LetteringLine& loose : loose_letters(grey, all)) lettering.words.push_back(print_of(grey, loose));
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!all[i].words.sure && !all[i].tell && !unread[i]) continue;
         // Two marks of a plot are read as two letters, but seldom three as three.

@@ -53,6 +53,10 @@ std::vector<FreedLine> freed_lines(const Image& grey, const std::vector<Letterin
 bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::vector<LetteringLine> climbing,
                         const PrintFonts& fonts);
 
+/// What is as large as letters of the print there, is no simple form, and hangs together with a long stroke: letters by themselves
+/// that no reader got. A few at most; more are a texture.
+std::vector<LetteringLine> loose_letters(const Image& grey, const std::vector<ReadLine>& lines);
+
 /// Which of the lines that are neither sure nor told are print: those that are likely, and such as look like print: figures and
 /// words that are soft, noisy or of no known font. Where other print is known these are about as large, else there are few. They
 /// stand free. None is what may be drawn: bars and discs; three or more things that look like each other, or are of about one
