@@ -60,7 +60,8 @@ TEST(LooseLetters, ThatTouchALineAreFound) {
 
 TEST(LooseLetters, AreNoHeadsRingsBarsOrTextures) {
     Image head = with_line();
-    for (int i = 0; i < 20; ++i) stroke(head, {{225.0 - i, 90 - 0.45 * i}, {225.0 - i, 90 + 0.45 * i}});
+    for (const double side : {-1.0, 1.0})
+        for (double t = 0; t <= 1; t += 0.1) stroke(head, {{120, 90}, {120 + side * 10 * t, 104 + 7 * t}}, 1.5);
     EXPECT_TRUE(loose_letters(head, words(2)).empty()) << "a filled head";
     Image ring = with_line();
     std::vector<Point> circle;
