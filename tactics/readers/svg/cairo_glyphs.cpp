@@ -7,6 +7,9 @@
 #include <set>
 #include <utility>
 
+#include "tactics/geometry/box.h"
+#include "tactics/readers/svg/svg_path.h"
+
 namespace tactics {
 
 namespace {
@@ -32,24 +35,15 @@ std::optional<double> number_behind(std::string_view element, std::string_view n
     return take_number(value);
 }
 
-// The box of "M 21.16 295.46 L 27.41 295.46 C ... Z": of all its points, and so a little more than its curves take.
+// The box of "M 21.16 295.46 L 27.41 295.46 C ... Z".
 std::optional<Rect> box_of_path(std::string_view path) {
-    double left = INFINITY, top = INFINITY, right = -INFINITY, bottom = -INFINITY;
-    path = path.substr(0, path.find('"'));
-    while (!path.empty()) {
-        if (path.front() == ' ' || path.front() == 'M' || path.front() == 'L' || path.front() == 'C' || path.front() == 'Z') {
-            path.remove_prefix(1);
-            continue;
-        }
-        const auto x = take_number(path), y = take_number(path);
-        if (!x || !y) return std::nullopt;
-        left = std::min(left, *x);
-        right = std::max(right, *x);
-        top = std::min(top, *y);
-        bottom = std::max(bottom, *y);
-    }
-    if (!(left <= right)) return std::nullopt;
-    return Rect{left, top, right - left, bottom - top};
+    Pen pen(Transform{});
+    if (draw_path(path.substr(0, path.find('"')), pen)) return std::nullopt;
+    Box box = kNothing;
+    for (const Subpath& part : pen.finish())
+        for (const Point& p : part.points) box.take(p);
+    if (!(box.left <= box.right)) return std::nullopt;
+    return Rect{box.left, box.top, box.width(), box.height()};
 }
 
 // A disc, a square, a diamond or a triangle, as wide as high: a mark at a point rather than a letter.
