@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "tactics/lettering/meant_letters.h"
 #include "tactics/lettering/strange_print.h"
@@ -147,11 +149,29 @@ bool is_no_pair(const FormWords& words, const ReadWords& other) {
     return !any || !two || (clear && (certain || other.sureness >= kSureWords));
 }
 
+// The other reader has two letters in place of this one, and all others alike: "Furnace" and "Fumace".
+bool is_said_as_two(const FormLetter& one, const FormWords& words, const ReadWords& other) {
+    constexpr std::pair<char32_t, std::string_view> kPairs[] = {
+        {U'm', "rn"}, {U'd', "cl"}, {U'w', "vv"}, {U'n', "ri"}, {U'O', "Cl"}};
+    for (const auto& [code, two] : kPairs) {
+        if (code != one.code) continue;
+        for (auto at = words.text.find(static_cast<char>(code)); at != std::string::npos;
+             at = words.text.find(static_cast<char>(code), at + 1)) {
+            std::string said = words.text;
+            if (said.replace(at, 1, two) == other.text) return true;
+        }
+    }
+    return false;
+}
+
 // Two letters that touch may look like one, which the other reader denies: "germanium" and "germanmm".
 bool may_be_pair(const FormWords& words, const ReadWords& other) {
+    constexpr double kLikeItself = 0.95;  // as letters of a font are that is the picture's
     if (words.agreed || other.text.empty()) return false;
-    return std::any_of(words.reading.letters.begin(), words.reading.letters.end(),
-                       [](const FormLetter& one) { return kLikeTwo.find(one.code) != kLikeTwo.npos && one.likeness < kClear; });
+    return std::any_of(words.reading.letters.begin(), words.reading.letters.end(), [&](const FormLetter& one) {
+        return kLikeTwo.find(one.code) != kLikeTwo.npos &&
+               (one.likeness < kClear || (one.likeness < kLikeItself && other.sure && is_said_as_two(one, words, other)));
+    });
 }
 
 // In print of so few pixels two readers say the same wrong figure.

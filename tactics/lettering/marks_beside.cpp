@@ -73,9 +73,11 @@ std::vector<std::vector<std::size_t>> parts_at_marks(const std::vector<InkPiece>
 }
 
 bool is_node(const InkPiece& piece, const PixelBox& box, const PixelBox& line) {
-    constexpr double kLargerThanPoint = 0.4,
-                     kOffMiddle = 0.2;  // of the height: points have up to 0.3, signs of degrees are above
-    return box.height() >= kLargerThanPoint * line.height() &&
+    // Of the height: points have up to 0.3, and a pixel more; signs of degrees are above.
+    constexpr double kLargerThanPoint = 0.4, kLargerThanLargePoint = 0.34, kOffMiddle = 0.2;
+    constexpr int kLargePrint = 30;
+    const double least = line.height() >= kLargePrint ? kLargerThanLargePoint : kLargerThanPoint;
+    return box.height() >= least * line.height() &&
            std::abs(middle_of(box).y - middle_of(line).y) <= kOffMiddle * line.height() && is_solid(piece);
 }
 

@@ -62,6 +62,19 @@ TEST(Agreement, LettersThatTouchAreNotTakenForOneAgainstTheOtherReader) {
     EXPECT_TRUE(is_sure(0.9));
 }
 
+TEST(Agreement, ALetterThatTheOtherReaderTakesForTwoIsAllTheMoreLikeItself) {
+    const auto is_sure = [](double likeness, const char* other, bool sure) {
+        FormWords words = line_of(U"Fumace", "Fumace", 0.97);
+        words.reading.letters[2].likeness = words.reading.least = likeness;
+        words.reading.mean = 0.95;
+        return believe(words, {other, 96, true, sure}).sure;
+    };
+    EXPECT_FALSE(is_sure(0.91, "Furnace", true));
+    EXPECT_TRUE(is_sure(0.97, "Furnace", true));
+    EXPECT_TRUE(is_sure(0.91, "Furnace", false)) << "the other reader is not sure";
+    EXPECT_TRUE(is_sure(0.91, "Furmace", true)) << "other letters, too";
+}
+
 TEST(Agreement, InSmallPrintSignsInFiguresAreNotGuessed) {
     EXPECT_TRUE(is_sure_in_small(U"0.25", "0.25", "0.25"));
     EXPECT_TRUE(is_sure_in_small(U"0.125", "0.125", "0.125"));

@@ -106,6 +106,10 @@ TEST(MarksBeside, ANodeIsInTheMiddleAndLargerThanAPoint) {
         return is_node(piece, piece.box, line);
     };
     EXPECT_TRUE(is(14, 7));
+    const PixelBox reaching_down{0, -5, 60, 44};  // "Corby"
+    Line town;
+    town.disc(70, 10, 19);
+    EXPECT_TRUE(is_node(town.pieces().front(), town.pieces().front().box, reaching_down)) << "a point of a map before its name";
     EXPECT_FALSE(is(14, 5)) << "a point of a product";
     EXPECT_FALSE(is(18, 6)) << "a full stop of heavy print";
     EXPECT_FALSE(is(9, 6)) << "a sign of degrees that is filled";
