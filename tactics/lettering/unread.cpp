@@ -314,6 +314,16 @@ bool is_begun_word(const ReadLine& one) {
     return first == second && first.size() >= kLetters && one.line.letters.size() >= kLetters && says_something(first);
 }
 
+// Letters that all touch are one piece of ink, which the other reader was shown: it has read "RAM" and "RA".
+bool is_joined_word(const ReadLine& one) {
+    constexpr std::size_t kAlike = 2;
+    if (is_words(one.line) || one.readings.size() < 2) return false;
+    const std::string first = letters_and_figures_of(one.readings[0]), second = letters_and_figures_of(one.readings[1]);
+    const std::size_t common = std::min(first.size(), second.size());
+    return common >= kAlike && first.substr(0, common) == second.substr(0, common) &&
+           says_something(first.size() > common ? first : second);
+}
+
 }  // namespace
 
 std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& lines) {
@@ -330,7 +340,8 @@ std::vector<bool> unread_print(const Image& grey, const std::vector<ReadLine>& l
         }
         if (!is_doubtful(one)) continue;
         const bool letter = is_letter_of_font(one) || is_bar_or_ring_of_font(one, known);
-        const bool alone = (letter && !drawn.is_repeated(i)) || is_climbing_figure(i, lines, known);
+        const bool alone =
+            (letter && !drawn.is_repeated(i)) || is_climbing_figure(i, lines, known) || (any_known && is_joined_word(one));
         if (alone && has_room_around(grey, one.line)) {
             unread[i] = true;
             continue;

@@ -189,6 +189,17 @@ TEST_F(UnreadPrint, AWordThatIsBegunMayTouchALineAnywhere) {
     EXPECT_FALSE(has(told(true, {"OIO", "OIO"}), 201, 151)) << "marks are read so";
 }
 
+// "RAM" in print whose serifs touch; a zigzag is read as the same letter again and again.
+TEST_F(UnreadPrint, LettersThatAllTouchAreTold) {
+    draw(20, 150, two), draw(34, 150, four);
+    draw(100, 60,
+         {"#####  ####  #   #", "#   #  #  #  ## ##", "#   #  #  #  # # #", "##################", "#  #   #  #  #   #",
+          "#   #  #  #  #   #", "#   #  #  #  #   #"});
+    EXPECT_TRUE(has(told(true, {"RAM", "RA"}), 110, 66));
+    EXPECT_FALSE(has(told(true, {"RAM", "WI"}), 110, 66));
+    EXPECT_FALSE(has(told(true, {"WWW", "WW"}), 110, 66));
+}
+
 TEST_F(UnreadPrint, ABarAsHighAsPrintMayBeAnI) {
     draw(20, 20, two), draw(34, 20, four);
     draw(200, 150, {"#", "#", "#", "#", "#", "#", "#"});
