@@ -52,9 +52,8 @@ class LooseLetters {
 public:
     LooseLetters(const Image& grey, const std::vector<ReadLine>& lines, const LetteringLine& typical)
         : typical_(typical), drawn_(make_image(grey.width, grey.height, 1, 0, 0)) {
-        for (int y = 0; y < grey.height; ++y)
-            for (int x = 0; x < grey.width; ++x)
-                if (is_ink(grey, typical, x, y)) drawn_.row(y)[x] = 1;
+        for (std::size_t i = 0; i < grey.pixels.size(); ++i)
+            drawn_.pixels[i] = (grey.pixels[i] < typical.level) != typical.light ? 1 : 0;
         for (const ReadLine& one : lines)
             if (one.words.sure || one.tell)
                 for (const auto* pieces : {&one.line.letters, &one.line.marks, &one.line.raised})
