@@ -267,11 +267,12 @@ std::vector<std::size_t> PictureFonts::samples_of(const std::vector<std::size_t>
         }
         if (samples.size() > best.size()) best = std::move(samples);
     }
-    // Of a drawing with few letters the small ones and the capitals tell their font together.
+    // Of a drawing with few letters the small ones and the capitals tell their font together, among bits of what is drawn.
+    const std::size_t most = chosen_.empty() ? 2 * kMostSamples : kMostSamples;
     if (!best.empty()) {
         const double height = best.front().height;
         for (const Look& one : looks)
-            if (best.size() < kMostSamples && one.height >= kLowest * height && one.height <= kHighest * height &&
+            if (best.size() < most && one.height >= kLowest * height && one.height <= kHighest * height &&
                 std::none_of(best.begin(), best.end(),
                              [&](const Look& other) { return one.line == other.line || one.is_like(other); }))
                 best.push_back(one);
