@@ -87,8 +87,8 @@ private:
     // Of short print, if letters of one size are told by it: how well they fit, and the size; else zeros.
     std::pair<double, double> size_told_by(const std::vector<std::size_t>& samples, FormFont& font) const;
 
-    // Of one height, as numbers are, and then of others that letters of that size may have; of those that are all the same, as dots
-    // are, one.
+    // Of one height, as numbers are, and then of others that letters of that size may have; of those that are all the same, as
+    // dots are, one.
     std::vector<std::size_t> samples_of(const std::vector<std::size_t>& lines) const;
 
     const std::vector<InkStrip>& strips_;
