@@ -18,7 +18,8 @@ namespace tactics {
 
 namespace {
 
-constexpr double kLeastSide = 6.4;  // mm, as of heads in pictures (filters/known_parts.cpp)
+constexpr double kLeastSide = 6.4;    // mm, as of heads in pictures (filters/known_parts.cpp)
+constexpr float kHeadStrength = 255;  // short as they are, other lines yield to them
 constexpr double kLargestHead = 12;
 constexpr double kLeastAngle = 20, kMostAngle = 40;  // degrees between a side and the line
 constexpr double kOfLine = 0.8;                      // of its line a head may cover
@@ -96,7 +97,7 @@ public:
                 if (const auto head = filled(area.rings[0]); head && ++count <= kMostHeads) {
                     drop_rim(area.rings[0]);
                     area.rings.clear();
-                    opened.push_back({{}, false, LineClass::normal, 0, Role::arrow});
+                    opened.emplace_back();
                     make_felt(*head, opened.back());
                 }
         for (Stroke& stroke : drawing_.strokes)
@@ -169,6 +170,7 @@ private:
     void make_felt(const Head& head, Stroke& stroke) {
         const Point tip = touching(head);
         stroke.role = Role::arrow;
+        stroke.strength = kHeadStrength;
         stroke.points = corners(head, tip);
         lead_to(tip, *head.shaft);
     }

@@ -36,6 +36,7 @@ TEST(FeltHeads, OfSpecksAreLargeEnough) {
         ASSERT_EQ(drawing.strokes.size(), 3u) << "the rim would make it blunt";
         const Stroke& head = drawing.strokes[2];
         EXPECT_EQ(head.role, Role::arrow);
+        EXPECT_GT(head.strength, 0) << "other lines yield to it";
         EXPECT_FALSE(head.closed);
         ASSERT_EQ(head.points.size(), 3u);
         EXPECT_NEAR(head.points[1].x, 100, 1e-9);
