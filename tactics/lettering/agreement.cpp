@@ -283,6 +283,7 @@ bool has_letter_for_figure(std::string_view text) {
         std::string_view part = text.substr(0, text.find(' '));
         text.remove_prefix(std::min(part.size() + 1, text.size()));
         if (after_number && part == "Q") return true;
+        if (part.size() > 2 && part[0] == 'l' && part.find_first_not_of("0123456789", 1) == part.npos) return true;  // "l00"
         std::string_view rest = part;
         if (!rest.empty() && is_dash(take_letter(rest))) part = rest;
         after_number = !part.empty() && is_digit(part.front());

@@ -36,7 +36,7 @@ Belief believe(const FormWords& words, const ReadWords& other);
 /// A unit that may stand alone: degrees of a scale of temperatures.
 bool is_degrees(std::string_view text);
 
-/// "5.O" and "1l": what else is in a number is a figure; and of "10 \u03a9" readers make "10 Q".
+/// "5.O", "1l" and "l00": what else is in a number is a figure; and of "10 \u03a9" readers make "10 Q".
 bool has_letter_for_figure(std::string_view text);
 /// "MilI": a capital I that ends a word of small letters is an l.
 bool ends_word_with_capital_i(std::string_view text);
