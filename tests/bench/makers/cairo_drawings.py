@@ -176,18 +176,23 @@ def needs():
     return None if cairo else "python3-cairo"
 
 
+def draw_as_files(stem, dpi, draw, board_of=Board):
+    """SVG, PDF and PNG of what `draw` does to a board. Gives the files by their ending, and the last board."""
+    for form in ("svg", "pdf", "png"):
+        scale = dpi / 72 if form == "png" else 1
+        size = (round(WIDE * scale), round(HIGH * scale))
+        surface = {"svg": lambda: cairo.SVGSurface(stem + ".svg", *size), "pdf": lambda: cairo.PDFSurface(stem + ".pdf", *size),
+                   "png": lambda: cairo.ImageSurface(cairo.FORMAT_RGB24, *size)}[form]()
+        board = board_of(surface, scale)
+        draw(board)
+        if form == "png":
+            surface.write_to_png(stem + ".png")
+        surface.finish()
+    return {form: f"{stem}.{form}" for form in ("svg", "pdf", "png")}, board
+
+
 def make(folder, dpi):
     for draw in DRAWINGS:
-        stem = os.path.join(folder, "cairo-" + draw.__name__)
-        for form in ("svg", "pdf", "png"):
-            scale = dpi / 72 if form == "png" else 1
-            size = (round(WIDE * scale), round(HIGH * scale))
-            surface = {"svg": lambda: cairo.SVGSurface(stem + ".svg", *size), "pdf": lambda: cairo.PDFSurface(stem + ".pdf", *size),
-                       "png": lambda: cairo.ImageSurface(cairo.FORMAT_RGB24, *size)}[form]()
-            board = Board(surface, scale)
-            draw(board)
-            if form == "png":
-                surface.write_to_png(stem + ".png")
-            surface.finish()
-        yield figure.Figure("cairo", draw.__name__, {"SVG glyphs": stem + ".svg", "PNG": stem + ".png", "PDF": stem + ".pdf"}, board.words,
+        files, board = draw_as_files(os.path.join(folder, "cairo-" + draw.__name__), dpi, draw)
+        yield figure.Figure("cairo", draw.__name__, {"SVG glyphs": files["svg"], "PNG": files["png"], "PDF": files["pdf"]}, board.words,
                             board.arrows, board.curves, title=TITLES.get(draw, ""))

@@ -3,6 +3,7 @@
 import math
 import os
 import random
+import sys
 
 import cairo_drawings
 import figure
@@ -246,28 +247,22 @@ class Board(cairo_drawings.Board):
 
 
 def drawings(count, seed, folder):
-    import cairo
-
+    missing = cairo_drawings.needs()
+    if missing:
+        sys.exit(f"figures: cairo draws these; install {missing}")
     for number in range(count):
         kind = KINDS[number % len(KINDS)]
         settings = random.Random(f"drawings {seed} {number}")
         family, size, thick, colour = settings.choice(FONTS), settings.choice([13, 15, 18]), settings.choice([1, 1.5, 2.5]), settings.choice(COLOURS)
         dpi = settings.choice([100, 150, 200])
-        name = f"{kind.__name__}-{number}"
-        stem = os.path.join(folder, "drawn-" + name)
-        for form in ("svg", "pdf", "png"):
-            scale = dpi / 72 if form == "png" else 1
-            pixels = (round(WIDE * scale), round(HIGH * scale))
-            surface = {"svg": lambda: cairo.SVGSurface(stem + ".svg", *pixels), "pdf": lambda: cairo.PDFSurface(stem + ".pdf", *pixels),
-                       "png": lambda: cairo.ImageSurface(cairo.FORMAT_RGB24, *pixels)}[form]()
-            board = Board(surface, scale)
+
+        def draw(board):
             board.font(family, size)
             board.to.set_line_width(thick)
             board.ink = colour
             board.to.set_source_rgb(*colour)
             kind(board, random.Random(f"{kind.__name__} {seed} {number}"))
-            if form == "png":
-                surface.write_to_png(stem + ".png")
-            surface.finish()
-        files = {"SVG": stem + ".svg", "PNG": stem + ".png", "PDF": stem + ".pdf"}
-        yield figure.Figure("drawn", name, files, board.words, board.arrows, board.curves)
+
+        name = f"{kind.__name__}-{number}"
+        files, board = cairo_drawings.draw_as_files(os.path.join(folder, "drawn-" + name), dpi, draw, Board)
+        yield figure.Figure("drawn", name, {form.upper(): file for form, file in files.items()}, board.words, board.arrows, board.curves)
