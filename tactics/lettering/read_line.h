@@ -53,8 +53,8 @@ std::vector<FreedLine> freed_lines(const Image& grey, const std::vector<Letterin
 bool hold_against_fonts(const Image& grey, std::vector<ReadLine>& lines, std::vector<LetteringLine> climbing,
                         const PrintFonts& fonts);
 
-/// What is as large as letters of the print there, is no simple form, and hangs together with a long stroke: letters by themselves
-/// that no reader got. A few at most; more are a texture.
+/// What is as large as letters of the print there, is no simple form, and hangs together with a long stroke: letters by
+/// themselves that no reader got. A few at most; more are a texture.
 std::vector<LetteringLine> loose_letters(const Image& grey, const std::vector<ReadLine>& lines);
 
 /// Which of the lines that are neither sure nor told are print: those that are likely, and such as look like print: figures and
