@@ -8,8 +8,9 @@
 
 namespace tactics {
 
-/// Takes out what a thin line leaves that is nearly level or upright: where it steps from one row or column of pixels to the next,
-/// both are pale, and its parts would stand as bars beside the letters that it passes. Four of them in a row are such a line.
+/// Takes out what a thin line leaves that is nearly level or upright: where it steps from one row or column of pixels to the
+/// next, both are pale, and its parts would stand as bars beside the letters that it passes. Four of them in a row are such a
+/// line.
 void drop_stroke_steps(std::vector<InkPiece>& pieces);
 
 }  // namespace tactics

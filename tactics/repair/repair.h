@@ -2,9 +2,9 @@
 // A drawing made fit to be felt: what would break a hard rule is joined, moved, broken or left out, the least change first.
 //
 // Order of the means: of far too much line the strongest stays; heads of arrows go back from what they nearly touch; an end
-// that nearly meets a line is led onto it; lines too close to each other are moved apart, by no more than a fingertip can tell, and
-// small areas before them; areas too close or too black become outlines; at a crossing the lesser line is broken; of what is still
-// too close the lesser part goes; dashed lines are cut into dashes. Lesser is: a line beside an area, a thinner line, less
+// that nearly meets a line is led onto it; lines too close to each other are moved apart, by no more than a fingertip can tell,
+// and small areas before them; areas too close or too black become outlines; at a crossing the lesser line is broken; of what is
+// still too close the lesser part goes; dashed lines are cut into dashes. Lesser is: a line beside an area, a thinner line, less
 // evidence (evidence.h).
 #pragma once
 

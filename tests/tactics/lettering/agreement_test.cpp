@@ -281,7 +281,8 @@ TEST(Agreement, ALetterAloneIsSureInTheSizeOfWordsAndIsNoCircle) {
 TEST(Agreement, AnOIsNoZero) {
     for (const char* wrong : {"5.O", "1O.O", "2l", "\u22121O", "1,0OO", "10 Q", "R = 10 Q", "l00"})
         EXPECT_TRUE(has_letter_for_figure(wrong)) << wrong;
-    for (const char* right : {"5.0", "O2", "H2O", "10 Ohm", "10 cm", "Q 10", "Il", "", "\u2212", "2nd", "1 of 2", "3D", "l1", "lot"})
+    for (const char* right :
+         {"5.0", "O2", "H2O", "10 Ohm", "10 cm", "Q 10", "Il", "", "\u2212", "2nd", "1 of 2", "3D", "l1", "lot"})
         EXPECT_FALSE(has_letter_for_figure(right)) << right;
 }
 
