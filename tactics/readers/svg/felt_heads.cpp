@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "tactics/geometry/course.h"
@@ -92,8 +94,9 @@ public:
     void run() {
         std::vector<Stroke> opened;
         std::size_t count = 0;
+        const Shapes others = shapes_without_line();
         for (Area& area : drawing_.areas)
-            if (area.texture == 0 && area.rings.size() == 1 && (area.role == Role::line || area.role == Role::arrow))
+            if (may_be_filled(area) && !others.hold_several(area.rings[0]))
                 if (const auto head = filled(area.rings[0]); head && ++count <= kMostHeads) {
                     drop_rim(area.rings[0]);
                     area.rings.clear();
@@ -109,6 +112,41 @@ public:
     }
 
 private:
+    // Small surfaces by their size.
+    class Shapes {
+    public:
+        void add(const std::vector<Point>& ring) { ++counts_[size_of_shape(ring)]; }
+        bool hold_several(const std::vector<Point>& ring) const {
+            constexpr std::size_t kSeveral = 2;
+            const auto [wide, high] = size_of_shape(ring);
+            std::size_t count = 0;
+            for (const long x : {wide - 1, wide, wide + 1})
+                for (const long y : {high - 1, high, high + 1})
+                    if (const auto found = counts_.find({x, y}); found != counts_.end()) count += found->second;
+            return count >= kSeveral;
+        }
+
+    private:
+        static std::pair<long, long> size_of_shape(const std::vector<Point>& ring) {
+            constexpr double kStep = 0.05;  // mm
+            const Box box = tactics::box_of(ring);
+            return {std::lround(box.width() / kStep), std::lround(box.height() / kStep)};
+        }
+        std::map<std::pair<long, long>, std::size_t> counts_;
+    };
+
+    static bool may_be_filled(const Area& area) {
+        return area.texture == 0 && area.rings.size() == 1 && (area.role == Role::line || area.role == Role::arrow);
+    }
+
+    // A triangle at the end of a curve of which there are others along it is a mark of a plot.
+    Shapes shapes_without_line() const {
+        Shapes shapes;
+        for (const Area& area : drawing_.areas)
+            if (may_be_filled(area) && !filled(area.rings[0])) shapes.add(area.rings[0]);
+        return shapes;
+    }
+
     struct Side {
         Point a, b;
         std::size_t stroke;

@@ -86,6 +86,19 @@ TEST(FeltHeads, TouchWhatTheyNearlyTouch) {
     }
 }
 
+// The last mark of a falling curve stands at its end and points along it.
+TEST(FeltHeads, MarksOfAPlotAreNone) {
+    for (const bool others : {false, true}) {
+        Drawing drawing{200, 100, {}, {}, {}};
+        drawing.strokes.push_back({{{100, 80}, {100, 60}, {100, 40}, {100, 20}}, false});
+        for (const double y : {20.0, 60.0, 40.0})
+            if (others || y < 30) drawing.areas.push_back({{{{98, y + 2}, {100, y - 2}, {102, y + 2}}}});
+        make_heads_felt(drawing);
+        EXPECT_EQ(drawing.areas.size(), others ? 3u : 0u);
+        EXPECT_EQ(drawing.strokes.size(), others ? 1u : 2u);
+    }
+}
+
 TEST(FeltHeads, OtherSmallShapesStay) {
     const std::vector<std::vector<Point>> rings{{{99, 49}, {101, 49}, {101, 51}, {99, 51}},   // a point of a curve
                                                 {{99, 49}, {101, 49}, {100, 51}},             // across the line
