@@ -18,7 +18,7 @@ struct Traits {
     double rim = 0;         ///< of the places along the border: in their commonest colour
     double colourful = 0;   ///< clearly of another hue than that
     double thick = 0;       ///< darker than the ground over more than a line's width
-    double painted = 0;     ///< darker than the ground, but light, over more than a line's width
+    double painted = 0;     ///< plain, darker than the ground, but light, over more than a line's width
     int range = 0;          ///< grey levels from the darkest to the lightest
     bool lightest = false;  ///< the ground is in the lightest fifth of that
     bool darkest = false;   ///< in the darkest fifth

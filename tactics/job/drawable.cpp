@@ -15,11 +15,11 @@
 #include "filters/known_parts.h"
 #include "filters/list.h"
 #include "tactics/error.h"
-#include "tactics/geometry/course.h"
 #include "tactics/job/chart_json.h"
 #include "tactics/job/figure.h"
 #include "tactics/job/figure_pictures.h"
 #include "tactics/job/holds.h"
+#include "tactics/job/left_print.h"
 #include "tactics/job/own_pages.h"
 #include "tactics/job/reading.h"
 #include "tactics/job/surface_heights.h"
@@ -75,35 +75,6 @@ KnownParts known_parts_of(Image& picture, const Recipe& recipe, bool has_legend,
     return parts;
 }
 
-// Something of the drawing is there or right beside it.
-bool is_drawn_at(const Box& box, const Drawing& drawing) {
-    const double reach = std::max(box.width(), box.height()) / 2;
-    const auto passes = [&](const std::vector<Point>& points, bool closed) {
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if ((i + 1 < points.size() || closed) &&
-                distance_to_segment(box.middle(), points[i], points[(i + 1) % points.size()]) <= reach)
-                return true;
-        return false;
-    };
-    return std::any_of(drawing.strokes.begin(), drawing.strokes.end(),
-                       [&](const Stroke& stroke) { return passes(stroke.points, stroke.closed); }) ||
-           std::any_of(drawing.areas.begin(), drawing.areas.end(), [&](const Area& area) {
-               return std::any_of(area.rings.begin(), area.rings.end(),
-                                  [&](const std::vector<Point>& ring) { return passes(ring, true); });
-           });
-}
-
-// A recipe for surfaces leaves out what is as small as a letter.
-void tell_lost_print(const std::vector<Box>& print, double mm, const Drawing& drawing, std::vector<Phrase>& told) {
-    const auto lost = std::count_if(print.begin(), print.end(), [&](const Box& box) {
-        return !is_drawn_at({box.left * mm, box.top * mm, box.right * mm, box.bottom * mm}, drawing);
-    });
-    if (lost > 0)
-        told.push_back(phrases(static_cast<std::size_t>(lost),
-                               "of the print that was not read {0} place is too small to be drawn and is not on the page.",
-                               "of the print that was not read {0} places are too small to be drawn and are not on the page."));
-}
-
 // Pixels from any source. `words` says what to do with print in them.
 Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& reading, WordsWish words, const Job& job,
                             const Sheet& sheet) {
@@ -127,7 +98,7 @@ Drawable drawable_of_pixels(PictureInfo info, const std::shared_ptr<Reading>& re
         way.finer = longest > std::max(picture.width, picture.height);
         print.take_from(picture);
         const std::array<int, 3> ground = recipe.has_words ? ground_of(picture) : std::array<int, 3>{};
-        const std::vector<Box> left = print.left_in(picture, part);
+        const std::vector<Box> left = left_print_in(print, picture, part);
         picture = cut_out(std::move(picture), part);
         if (chooses) way.detail = choose_detail(fitting, picture, on, place, as_drawn);
         KnownParts parts = known_parts_of(picture, recipe, !print.samples.empty(), ground, left);

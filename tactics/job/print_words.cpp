@@ -123,18 +123,6 @@ void PrintWords::take_from(Image& picture) const {
     }
 }
 
-std::vector<Box> PrintWords::left_in(const Image& picture, const Rect& part) const {
-    std::vector<Box> left;
-    if (remove_all) return left;
-    const double across = static_cast<double>(picture.width) / lettering.width, x = part.left * picture.width,
-                 down = static_cast<double>(picture.height) / lettering.height, y = part.top * picture.height;
-    for (const PrintedWords& words : lettering.words)
-        if (!words.sure && !words.out)
-            left.push_back({words.box.left * across - x, words.box.top * down - y, words.box.right * across - x,
-                            words.box.bottom * down - y});
-    return left;
-}
-
 bool PrintWords::any_set() const {
     return std::any_of(told.begin(), told.end(), [](const ToldWords& words) { return words.set && !words.title; });
 }

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "tactics/geometry/box.h"
 #include "tactics/job/axis_names.h"
 #include "tactics/job/reading.h"
 #include "tactics/job/told_words.h"
@@ -33,8 +32,6 @@ struct PrintWords {
 
     /// Paints over the print that does not stay in the drawing. What may be drawn stays, and is reported.
     void take_from(Image& picture) const;
-    /// Where print is that stays, in pixels of that part (in shares of its sides) of the picture.
-    std::vector<Box> left_in(const Image& picture, const Rect& part) const;
     bool any_set() const;
     /// On a drawing of that part of the picture (in shares of its sides); names may lie outside of it.
     std::vector<Name> names_on(const Drawing& drawing, const Rect& part) const;

@@ -37,16 +37,18 @@ std::optional<double> way_back(ArrowTargets& targets, const ArrowHead& head, dou
     return std::nullopt;
 }
 
-// The end of a line that is beyond the tip goes. `last`: its last end.
-void end_at(std::vector<Point>& points, bool last, Point tip, Point forward) {
-    if (last) std::reverse(points.begin(), points.end());
-    while (points.size() > 2 && along(forward, tip, points[1]) > 0) points.erase(points.begin());
-    const double beyond = along(forward, tip, points[0]), behind = along(forward, tip, points[1]);
+// The end of a line that is beyond the tip goes. `first`: its first end.
+void end_at(std::vector<Point>& points, bool first, Point tip, Point forward) {
+    if (first) std::reverse(points.begin(), points.end());
+    while (points.size() > 2 && along(forward, tip, points[points.size() - 2]) > 0) points.pop_back();
+    Point& end = points.back();
+    const Point& before = points[points.size() - 2];
+    const double beyond = along(forward, tip, end), behind = along(forward, tip, before);
     if (beyond > 0 && behind < 0) {
         const double share = beyond / (beyond - behind);
-        points[0] = {points[0].x + share * (points[1].x - points[0].x), points[0].y + share * (points[1].y - points[0].y)};
+        end = {end.x + share * (before.x - end.x), end.y + share * (before.y - end.y)};
     }
-    if (last) std::reverse(points.begin(), points.end());
+    if (first) std::reverse(points.begin(), points.end());
 }
 
 }  // namespace
@@ -76,7 +78,7 @@ Mends draw_back_heads(Drawing& drawing, const Medium& medium, Seen& seen) {
         for (Point& p : own.points) p = {p.x - *back * head->forward.x, p.y - *back * head->forward.y};
         for (const std::uint32_t shaft : shafts) {
             std::vector<Point>& points = drawing.strokes[geometry.chains[shaft].owner].points;
-            end_at(points, distance(points.back(), head->tip) < distance(points.front(), head->tip), tip, head->forward);
+            end_at(points, distance(points.front(), head->tip) < distance(points.back(), head->tip), tip, head->forward);
         }
         changes.push_back({Mend::Kind::shortened, tip, *back});
     }

@@ -83,7 +83,7 @@ TEST_F(PictureWords, ThatAreSureAreSetAndOthersAreTold) {
     // What is left in the lines and not drawn is told.
     EXPECT_FALSE(holds(unsure.err, "is too small to be drawn")) << unsure.err;
     const Ending small = with_reader(table("45"), {"chart.pgm", "-o", "b.svg", "-r", "regions"});
-    EXPECT_TRUE(holds(small.err, "of the print that was not read 1 place is too small to be drawn and is not on the page."))
+    EXPECT_TRUE(holds(small.err, "1 place with print that was not read is too small to be drawn and is not on the page."))
         << small.err;
     // A map or a diagram of areas has its words beside its things, too.
     const Ending regions = with_reader(table("95"), {"chart.pgm", "-o", "d.svg", "-r", "regions"});

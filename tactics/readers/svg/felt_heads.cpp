@@ -94,15 +94,20 @@ public:
     void run() {
         std::vector<Stroke> opened;
         std::size_t count = 0;
-        const Shapes others = shapes_without_line();
-        for (Area& area : drawing_.areas)
-            if (may_be_filled(area) && !others.hold_several(area.rings[0]))
-                if (const auto head = filled(area.rings[0]); head && ++count <= kMostHeads) {
-                    drop_rim(area.rings[0]);
-                    area.rings.clear();
-                    opened.emplace_back();
-                    make_felt(*head, opened.back());
-                }
+        std::vector<std::optional<Head>> heads;
+        Shapes others;
+        for (const Area& area : drawing_.areas) {
+            heads.push_back(may_be_filled(area) ? filled(area.rings[0]) : std::nullopt);
+            if (may_be_filled(area) && !heads.back()) others.add(area.rings[0]);
+        }
+        for (std::size_t i = 0; i < heads.size(); ++i) {
+            Area& area = drawing_.areas[i];
+            if (!heads[i] || others.hold_several(area.rings[0]) || ++count > kMostHeads) continue;
+            drop_rim(area.rings[0]);
+            area.rings.clear();
+            opened.emplace_back();
+            make_felt(*heads[i], opened.back());
+        }
         for (Stroke& stroke : drawing_.strokes)
             if (!stroke.closed && stroke.points.size() == 3 && (stroke.role == Role::line || stroke.role == Role::arrow))
                 if (const auto head = open(stroke); head && ++count <= kMostHeads) make_felt(*head, stroke);
@@ -112,7 +117,7 @@ public:
     }
 
 private:
-    // Small surfaces by their size.
+    // Surfaces by their size: a triangle at the end of a curve of which there are others along it is a mark of a plot.
     class Shapes {
     public:
         void add(const std::vector<Point>& ring) { ++counts_[size_of_shape(ring)]; }
@@ -137,14 +142,6 @@ private:
 
     static bool may_be_filled(const Area& area) {
         return area.texture == 0 && area.rings.size() == 1 && (area.role == Role::line || area.role == Role::arrow);
-    }
-
-    // A triangle at the end of a curve of which there are others along it is a mark of a plot.
-    Shapes shapes_without_line() const {
-        Shapes shapes;
-        for (const Area& area : drawing_.areas)
-            if (may_be_filled(area) && !filled(area.rings[0])) shapes.add(area.rings[0]);
-        return shapes;
     }
 
     struct Side {

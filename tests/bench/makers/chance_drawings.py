@@ -13,7 +13,6 @@ FONTS = ["DejaVu Sans", "DejaVu Serif", "Nimbus Sans", "Nimbus Roman", "Liberati
 PARTS = ["Nucleus", "Cell wall", "Vacuole", "Root", "Stem", "Leaf", "Petal", "Seed coat", "Lens", "Retina", "Iris", "Optic nerve", "Valve",
          "Piston", "Crank", "Spark plug", "Crust", "Mantle", "Core", "Magma", "Skin", "Muscle", "Bone", "Nerve", "Left lung", "Liver"]
 TOWNS = ["Arden", "Belmont", "Corby", "Dunmore", "Elgin", "Fairview", "Glen", "Harwich", "Ilford", "Kells", "Lund", "Moss", "Newport", "Otley"]
-LANDS = ["North", "Lowland", "Hill Country", "Coast", "Marsh", "Forest"]
 COLOURS = [(0, 0, 0), (0, 0, 0), (0, 0, .7), (.8, 0, 0), (0, .4, 0)]
 PALE = [(.9, .9, .9), (.85, .93, 1), (1, .95, .8), (.85, 1, .85)]
 
@@ -26,7 +25,7 @@ def along(a, b, share, aside=0):
 
 
 def polygon(b, chance):
-    """Named corners, sides and an angle; a height or a diagonal, dashed."""
+    """Named corners, sides and an angle; a dashed diagonal."""
     count = chance.choice([3, 3, 4, 4, 5])
     turn = chance.uniform(0, 2 * math.pi)
     corners = []
@@ -147,7 +146,7 @@ def parts(b, chance):
 
 
 def island(b, chance):
-    """An island with borders, a river, towns, a scale and a title."""
+    """An island with towns, and perhaps a dashed border, a scale and an arrow to the north."""
     turns = [2 * math.pi * i / 14 for i in range(14)]
     coast = [(240 + chance.uniform(140, 185) * math.cos(t), 185 + chance.uniform(95, 130) * math.sin(t)) for t in turns]
     b.line(*coast, close=True, fill=chance.choice([None, *PALE]))
