@@ -230,7 +230,7 @@ std::vector<std::pair<std::string, std::string>> likely_names() {
     std::vector<std::pair<std::string, std::string>> names;
     for (const std::string style : {"", ":bold", ":italic", ":bold:italic"}) {
         for (const std::string family : {"DejaVu Sans", "Helvetica", "Times", "sans-serif", "serif", "monospace", "Arial",
-                                         "Times New Roman", "Courier", "DejaVu Serif", "DejaVu Sans Mono", "Latin Modern Sans"})
+                                         "Times New Roman", "Courier", "DejaVu Serif", "DejaVu Sans Mono", "Latin Modern Sans", "Palatino"})
             names.emplace_back(family + style, style.empty() ? family + ":italic" : "");
         names.emplace_back("Latin Modern Roman" + style, style.empty() ? "Latin Modern Math" : "");
         if (style != ":italic") continue;

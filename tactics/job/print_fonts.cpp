@@ -7,7 +7,7 @@ namespace tactics {
 
 namespace {
 
-constexpr std::size_t kMostFonts = 40;
+constexpr std::size_t kMostFonts = 44;
 constexpr int kCurvePieces = 8;  // of a curve
 
 FontShape shape_of(const Letter& letter) {

@@ -25,8 +25,17 @@ constexpr std::size_t kMostFonts = 4, kMostSamples = 12;
 constexpr double kLeastFit = 0.76, kBetter = 0.04;
 constexpr double kLeastLone = 0.86;  // of a letter of a font that is chosen by its looks
 // Letters of one size that tell a font where no word does: so many that fit by themselves, or more that fit less well.
-constexpr std::size_t kLeast = 3, kMany = 4;
+constexpr std::size_t kFewest = 2, kLeast = 3, kMany = 4;
 constexpr double kFitsWithMany = 0.85;
+// So many tell it, too, that fit so well and are of one size nearly to the pixel, in print that is large enough for that. Of a
+// font that other print of the picture has, fewer tell a size: its formulas have small letters beside their arrows.
+struct Witnesses {
+    std::size_t letters;
+    double fit;
+    bool known_font;
+};
+constexpr Witnesses kWitnesses[] = {{3, 0.88, false}, {2, kFitsAlone, false}, {2, 0.86, true}};
+constexpr double kOneSize = 0.03, kLeastOneSize = 18;  // of an em; pixels for an em
 
 constexpr std::string_view kPlainLetters =
     "0 1 2 3 4 5 6 7 8 9 A B C D E F G H I J K L M N O P Q R S T U V W X Y Z a b c d e f g h i j k l m n o p q r s t u v w x y z "
@@ -64,6 +73,20 @@ bool are_as_wide(const FontShapes& one, const FontShapes& other) {
 
 bool is_without_doubt(const FormReading& reading) {
     return !reading.text.empty() && reading.mean >= kFitsAlone && reading.least >= kLeastLone;
+}
+
+// Few letters that fit well.
+bool bear_out_size(const std::vector<FormReading>& readings, double em, bool known_font) {
+    const auto count = [&](double fit, double off) {
+        std::set<char32_t> letters;
+        for (const FormReading& one : readings)
+            if (one.mean >= fit && std::abs(one.em - em) <= off * em) add_telling(one, letters);
+        return letters.size();
+    };
+    if (count(kFitsAlone, kSameSize) >= kLeast) return true;
+    return em >= kLeastOneSize && std::any_of(std::begin(kWitnesses), std::end(kWitnesses), [&](const Witnesses& of) {
+               return (known_font || !of.known_font) && count(of.fit, kOneSize) >= of.letters;
+           });
 }
 
 bool says_letters(std::string_view text) {
@@ -151,14 +174,15 @@ void PictureFonts::choose_by_looks() {
 
 bool PictureFonts::choose_by_letters(const std::vector<std::size_t>& lines) {
     const std::vector<std::size_t> samples = samples_of(lines);
-    if (samples.size() < kLeast) return false;
+    if (samples.size() < kFewest) return false;
     struct Choice {
         double sum = 0, size = 0;
         std::size_t font = 0;
         FontShapes formula;  // if these are the letters that tell it
     } best;
     const auto look = [&](std::size_t f, FormFont& font, const FontShapes& formula) {
-        const auto [sum, size] = size_told_by(samples, font);
+        const bool known = std::find(chosen_.begin(), chosen_.end(), f) != chosen_.end();
+        const auto [sum, size] = size_told_by(samples, font, known);
         if (sum > best.sum) best = {sum, size, f, formula};
     };
     // Where words tell fonts, numbers are in one of these, or one like them.
@@ -216,7 +240,7 @@ void PictureFonts::know_by_company(const std::vector<FormWords>& words) {
     }
 }
 
-std::pair<double, double> PictureFonts::size_told_by(const std::vector<std::size_t>& samples, FormFont& font) const {
+std::pair<double, double> PictureFonts::size_told_by(const std::vector<std::size_t>& samples, FormFont& font, bool known) const {
     std::vector<FormReading> readings;
     for (const std::size_t i : samples) {
         FormReading reading = read_by_forms(strips_[i], font, {}, kPlainLetters, true);
@@ -224,14 +248,11 @@ std::pair<double, double> PictureFonts::size_told_by(const std::vector<std::size
     }
     std::pair<double, double> best{0, 0};
     for (const FormReading& one : readings) {
-        std::set<char32_t> letters, fitting;
+        std::set<char32_t> letters;
         double sum = 0;
-        for (const FormReading& other : readings) {
-            if (!is_of_size(other.em, one.em)) continue;
-            if (other.mean >= kFitsAlone) add_telling(other, fitting);
-            if (add_telling(other, letters)) sum += other.value;
-        }
-        if ((fitting.size() >= kLeast || letters.size() >= kMany) && sum > best.first) best = {sum, one.em};
+        for (const FormReading& other : readings)
+            if (is_of_size(other.em, one.em) && add_telling(other, letters)) sum += other.value;
+        if (sum > best.first && (letters.size() >= kMany || bear_out_size(readings, one.em, known))) best = {sum, one.em};
     }
     return best;
 }

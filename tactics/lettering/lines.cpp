@@ -14,6 +14,7 @@
 #include "tactics/lettering/marks_beside.h"
 #include "tactics/lettering/pale_ink.h"
 #include "tactics/lettering/signs_between.h"
+#include "tactics/lettering/stroke_parts.h"
 #include "tactics/lettering/stroke_steps.h"
 #include "tactics/lettering/tick_ends.h"
 #include "tactics/lettering/underscores.h"
@@ -198,6 +199,7 @@ private:
         std::vector<InkPiece> pieces = pieces_of(grey_, level, light, 2 * kMostInkHeight);
         if (pieces.empty() || pieces.size() > kMostPieces) return;
         drop_stroke_steps(pieces);
+        drop_stroke_parts(grey_, level, light, pieces);
         const std::vector<bool> signs = join_equals_signs(pieces);
         std::vector<PixelBox> upright, turned_boxes;
         for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -84,8 +84,9 @@ private:
         return lines;
     }
 
-    // Of short print, if letters of one size are told by it: how well they fit, and the size; else zeros.
-    std::pair<double, double> size_told_by(const std::vector<std::size_t>& samples, FormFont& font) const;
+    // Of short print, if letters of one size are told by it: how well they fit, and the size; else zeros. `known`: other print
+    // has that font.
+    std::pair<double, double> size_told_by(const std::vector<std::size_t>& samples, FormFont& font, bool known) const;
 
     // Of one height, as numbers are, and then of others that letters of that size may have; of those that are all the same, as
     // dots are, one.

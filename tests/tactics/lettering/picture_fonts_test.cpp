@@ -174,6 +174,29 @@ TEST(PictureFonts, ShortPrintTellsAFontWhereNoWordDoes) {
     EXPECT_EQ(few[0].text, "");
 }
 
+// A diagram of arrows has small letters beside them, and may have two letters in all.
+TEST(PictureFonts, TwoLettersThatFitTellASizeWhereTheyAreLarge) {
+    const FontShapes font = strokes(0.1, 0.5);
+    const auto is_sized = [&](const std::vector<std::pair<char32_t, double>>& letters, bool of_words) {
+        std::vector<Image> images;
+        std::vector<OtherReading> others;
+        for (const auto& [letter, em] : letters) {
+            images.push_back(written(font, std::u32string(1, letter), em));
+            others.emplace_back();
+        }
+        if (of_words) {
+            images.push_back(written(font, U"1010", 40));
+            others.push_back({"1010", true});
+        }
+        return read_lines(images, others, PrintFont{font})[0].sized;
+    };
+    EXPECT_TRUE(is_sized({{U'T', 28}, {U'7', 28}}, false));
+    EXPECT_TRUE(is_sized({{U'T', 28}, {U'7', 28}}, true)) << "of the font of the words";
+    EXPECT_FALSE(is_sized({{U'T', 28}, {U'T', 28}}, false)) << "one letter twice";
+    EXPECT_FALSE(is_sized({{U'T', 28}, {U'7', 26.5}}, false)) << "of two sizes";
+    EXPECT_FALSE(is_sized({{U'T', 16}, {U'7', 16}}, false)) << "of few pixels";
+}
+
 // As the shares of a pie are: what is within its rings is no paler ink.
 TEST(PictureFonts, PrintOnAColourIsAsSureAsOnWhite) {
     const FontShapes font = strokes(0.1, 0.5);
