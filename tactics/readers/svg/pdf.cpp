@@ -128,8 +128,15 @@ std::string pdf_as_svg(const Source& pdf, int page) {
 
 PdfText pdf_text(const Source& pdf, int page) {
     const std::string number = std::to_string(page);
-    return pdf_text_of(said_of(pdf, {"pdftotext", "-bbox-layout", "-cropbox", "-f", number, "-l", number, kFile, "-"}, kInstead),
-                       pdf.name);
+    const auto told = [&](const std::vector<std::string>& how) {
+        std::vector<std::string> command{"pdftotext", "-cropbox", "-f", number, "-l", number};
+        command.insert(command.end(), how.begin(), how.end());
+        command.insert(command.end(), {std::string(kFile), "-"});
+        return said_of(pdf, command, kInstead);
+    };
+    PdfText text = pdf_text_of(told({"-bbox-layout"}), pdf.name);
+    part_words(text, told({"-raw", "-bbox"}), pdf.name);
+    return text;
 }
 
 std::optional<std::string> pdf_page_as_svg(const Source& pdf, int page, const PdfText& text) {

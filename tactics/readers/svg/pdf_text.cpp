@@ -2,6 +2,7 @@
 #include "tactics/readers/svg/pdf_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -29,13 +30,17 @@ Rect box_of(const Element& element) {
     return {left, top, number(element.attribute("xMax")) - left, number(element.attribute("yMax")) - top};
 }
 
-// Words one above the other run up or down; a single word does so if it is much higher than wide.
+// Words one above the other run up or down, but no narrow letter with its index, such as I₁; a single word does so if it is much
+// higher than wide.
 void find_direction(PdfLine& line) {
     const PdfWord &first = line.words.front(), &last = line.words.back();
     const double across = std::abs(last.box.left - first.box.left), down = last.box.top - first.box.top;
     if (line.words.size() > 1) {
-        line.upwards = across < -down;
-        line.downwards = across < down;
+        const double both =
+            std::min(first.box.left + first.box.width, last.box.left + last.box.width) - std::max(first.box.left, last.box.left);
+        const bool stacked = both > 0.5 * std::min(first.box.width, last.box.width);
+        line.upwards = stacked && across < -down;
+        line.downwards = stacked && across < down;
     } else {
         line.upwards = letters_in(first.text) > 1 && first.box.height > 1.5 * first.box.width;
     }
@@ -98,10 +103,21 @@ std::string in_xml(std::string_view text) {
 
 constexpr std::string_view kMinus = "\u2212";
 
+// What formulas raise for degrees.
+constexpr std::array<std::string_view, 2> kRings{"\u25E6", "\u2218"};
+constexpr std::string_view kDegree = "\u00B0";
+std::string with_degrees(std::string text) {
+    for (const std::string_view ring : kRings)
+        for (auto at = text.find(ring, 1); at != std::string::npos; at = text.find(ring, at + 1))
+            if (text[at - 1] >= '0' && text[at - 1] <= '9') text.replace(at, ring.size(), kDegree);
+    return text;
+}
+
 bool begins_with_digit(std::string_view text) { return text[0] == '.' || (text[0] >= '0' && text[0] <= '9'); }
 
 // Off its line: "10" and "-3" are 10\u207B\u00B3, "x" and "n+1" x^(n+1).
 std::string off_line(const std::string& word, bool up) {
+    if (up && std::find(kRings.begin(), kRings.end(), word) != kRings.end()) return std::string(kDegree);
     const bool digits = word.find_first_not_of("0123456789") == std::string::npos;
     if (digits && !up) return word;  // of a formula, as braille has it in most languages
     if (const std::string plain = up ? raised(word) : ""; !plain.empty()) return plain;
@@ -238,6 +254,14 @@ bool goes_on(const Run& run, const SeenWord& next, double size, CairoGlyphs& gly
             glyphs.has_shape_between(last.word->box, next.word->box, last.letters, runs_of(*run.line), size));
 }
 
+// What stands before may be the author's, and is no XML.
+std::string_view body_of(std::string_view told, const std::string& file) {
+    const auto from = told.find("<doc>"), to = told.rfind("</doc>");
+    if (from == std::string_view::npos || to == std::string_view::npos || to < from)
+        throw Error(Fault::failed, file, phrase("pdftotext does not tell its words; open it in a viewer to see what is wrong"));
+    return told.substr(from, to + 6 - from);
+}
+
 // What cannot be told by a letter that there is.
 bool is_readable(const PdfWord& word) { return word.text.find(kReplacement) == std::string::npos; }
 
@@ -251,11 +275,7 @@ std::size_t PdfText::count() const {
 }
 
 PdfText pdf_text_of(std::string_view bbox_layout, const std::string& file) {
-    // What stands before may be the author's, and is no XML.
-    const auto from = bbox_layout.find("<doc>"), to = bbox_layout.rfind("</doc>");
-    if (from == std::string_view::npos || to == std::string_view::npos || to < from)
-        throw Error(Fault::failed, file, phrase("pdftotext does not tell its words; open it in a viewer to see what is wrong"));
-    const Element root = parse_xml(as_xml(bbox_layout.substr(from, to + 6 - from)), file);
+    const Element root = parse_xml(as_xml(body_of(bbox_layout, file)), file);
     PdfText text;
     if (root.children.empty()) return text;
     const Element& page = root.children.front();
@@ -267,13 +287,56 @@ PdfText pdf_text_of(std::string_view bbox_layout, const std::string& file) {
             for (const Element& line : block.children) {
                 PdfLine found;
                 for (const Element& word : line.children)
-                    if (!to_line(word.text).empty()) found.words.push_back({to_line(word.text), box_of(word)});
+                    if (!to_line(word.text).empty()) found.words.push_back({with_degrees(to_line(word.text)), box_of(word)});
                 if (found.words.empty()) continue;
                 find_direction(found);
                 into.lines.push_back(std::move(found));
             }
         }
     return text;
+}
+
+namespace {
+
+// The parts of a word, if they stand apart as words do.
+std::vector<PdfWord> parts_of(const PdfWord& word, const std::vector<PdfWord>& loose) {
+    constexpr double kSame = 0.05, kApart = 0.2;  // points; of the height: letters of a spaced title stand nearer
+    std::vector<PdfWord> parts;
+    std::string said;
+    for (const PdfWord& one : loose) {
+        const bool same_row = std::abs(one.box.top - word.box.top) < kSame && std::abs(one.box.height - word.box.height) < kSame;
+        if (!same_row || one.box.left < word.box.left - kSame || said.size() >= word.text.size()) continue;
+        const bool begins = parts.empty() && std::abs(one.box.left - word.box.left) < kSame;
+        const double gap = parts.empty() ? 0 : one.box.left - parts.back().box.left - parts.back().box.width;
+        if (!begins && (parts.empty() || gap < kApart * word.box.height)) continue;
+        parts.push_back(one);
+        said += one.text;
+    }
+    return parts.size() > 1 && said == word.text ? parts : std::vector<PdfWord>{word};
+}
+
+}  // namespace
+
+void part_words(PdfText& text, std::string_view raw_bbox, const std::string& file) {
+    constexpr std::size_t kMostLetters = 6;
+    std::vector<PdfWord> loose;
+    const Element root = parse_xml(as_xml(body_of(raw_bbox, file)), file);
+    for (const Element& page : root.children)
+        for (const Element& word : page.children)
+            if (!to_line(word.text).empty()) loose.push_back({with_degrees(to_line(word.text)), box_of(word)});
+    for (PdfBlock& block : text.blocks)
+        for (PdfLine& line : block.lines) {
+            if (line.upwards || line.downwards) continue;
+            std::vector<PdfWord> words;
+            for (const PdfWord& word : line.words) {
+                const std::size_t letters = letters_in(word.text);
+                if (letters < 2 || letters > kMostLetters)
+                    words.push_back(word);
+                else
+                    for (PdfWord& part : parts_of(word, loose)) words.push_back(std::move(part));
+            }
+            line.words = std::move(words);
+        }
 }
 
 std::string with_words(std::string_view svg, const PdfText& text) {

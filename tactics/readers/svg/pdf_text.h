@@ -38,6 +38,10 @@ struct PdfText {
 /// Of the first page in what `pdftotext -bbox-layout` writes. Throws Error(failed), naming the file: it is something else.
 PdfText pdf_text_of(std::string_view bbox_layout, const std::string& file);
 
+/// Parts words of a few letters that stand apart in what `pdftotext -raw -bbox` writes of the same page: of "9 V" and "A B C",
+/// whose gaps are all alike, the layout makes one word. Throws as pdf_text_of does.
+void part_words(PdfText& text, std::string_view raw_bbox, const std::string& file);
+
 /// The SVG of `pdftocairo -svg` with the words as <text>, each line or piece of a line by itself, exponents and indices as
 /// <tspan>; the letters that it drew for them are gone. Letters that no word stands for stay as they are drawn.
 std::string with_words(std::string_view svg, const PdfText& text);

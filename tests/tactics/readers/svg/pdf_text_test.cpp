@@ -86,6 +86,49 @@ TEST(PdfText, ALineEndsWhereItsGapIsNoSpace) {
     EXPECT_EQ(count("10", "200", 3), 1u);
 }
 
+// pdftotext makes one word of letters whose gaps are all alike.
+TEST(PdfText, WordsThatStandApartAreParted) {
+    const auto parted = [](const std::string& word, double right,
+                           const std::vector<std::pair<std::string, std::pair<double, double>>>& loose) {
+        PdfText text = pdf_text_of(told({{{word, 60, 20, right, 33}}}), "test.pdf");
+        std::string raw = "<doc><page width=\"400\" height=\"300\">";
+        for (const auto& [part, at] : loose)
+            raw += "<word xMin=\"" + std::to_string(at.first) + "\" yMin=\"20\" xMax=\"" + std::to_string(at.second) +
+                   "\" yMax=\"33\">" + part + "</word>";
+        part_words(text, raw + "</page></doc>", "test.pdf");
+        std::string all;
+        for (const PdfWord& one : text.blocks.at(0).lines.at(0).words) all += (all.empty() ? "" : " ") + one.text;
+        return all;
+    };
+    EXPECT_EQ(parted("9V", 76, {{"9", {60, 65}}, {"V", {68.3, 76}}}), "9 V");
+    EXPECT_EQ(parted("ABC", 90, {{"A", {60, 66}}, {"B", {71, 77}}, {"C", {82, 90}}}), "A B C");
+    EXPECT_EQ(parted("SUN", 84, {{"S", {60, 66}}, {"U", {67.5, 74}}, {"N", {75.5, 84}}}), "SUN") << "spaced";
+    EXPECT_EQ(parted("9V", 76, {{"9V", {60, 76}}}), "9V");
+    EXPECT_EQ(parted("9V", 76, {{"9", {60, 65}}, {"W", {68.3, 76}}}), "9V") << "of another";
+    PdfText text;
+    EXPECT_THROW(part_words(text, "pdftotext: no such file", "test.pdf"), Error);
+}
+
+TEST(PdfText, ANarrowLetterWithItsIndexIsALine) {
+    const std::string letters = use(0, 0, 146.5, 53) + use(1, 0, 149.4, 55);
+    const auto words = words_in(page(letters), told({{{"I", 146.52, 45.2, 149.5, 54}, {"1", 149.39, 48.5, 152.9, 55.4}}}));
+    ASSERT_EQ(words.size(), 1u);
+    EXPECT_EQ(words[0].text, "I1");
+}
+
+TEST(PdfText, RingsAfterFiguresAreDegrees) {
+    const auto text = [](const std::string& word) {
+        return pdf_text_of(told({{{word, 60, 20, 90, 33}}}), "test.pdf").blocks.at(0).lines.at(0).words.at(0).text;
+    };
+    EXPECT_EQ(text("140\u25E6"), "140\u00B0");
+    EXPECT_EQ(text("9\u2218"), "9\u00B0");
+    EXPECT_EQ(text("f\u2218"), "f\u2218");
+    const std::string letters = use(0, 0, 60.2, 271.3) + use(0, 1, 66.6, 271.3) + use(1, 0, 73.04, 267.4);
+    EXPECT_EQ(
+        words_in(page(letters), told({{{"30", 60.2, 256.2, 72.9, 275.1}, {"\u25E6", 73.04, 256.9, 77.5, 270.1}}})).at(0).text,
+        "30\u00B0");
+}
+
 TEST(PdfText, ExponentsStayExponents) {
     const std::string letters = use(0, 0, 60.2, 271.3) + use(0, 1, 66.6, 271.3) + use(1, 0, 73.04, 267.4);
     const auto words = words_in(page(letters), told({{{"10", 60.2, 256.2, 72.9, 275.1}, {"3", 73.04, 256.9, 77.5, 270.1}}}));
