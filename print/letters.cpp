@@ -229,8 +229,9 @@ FontFile file_for(const std::string& name) {
 std::vector<std::pair<std::string, std::string>> likely_names() {
     std::vector<std::pair<std::string, std::string>> names;
     for (const std::string style : {"", ":bold", ":italic", ":bold:italic"}) {
-        for (const std::string family : {"DejaVu Sans", "Helvetica", "Times", "sans-serif", "serif", "monospace", "Arial",
-                                         "Times New Roman", "Courier", "DejaVu Serif", "DejaVu Sans Mono", "Latin Modern Sans", "Palatino"})
+        for (const std::string family :
+             {"DejaVu Sans", "Helvetica", "Times", "sans-serif", "serif", "monospace", "Arial", "Times New Roman", "Courier",
+              "DejaVu Serif", "DejaVu Sans Mono", "Latin Modern Sans", "Palatino"})
             names.emplace_back(family + style, style.empty() ? family + ":italic" : "");
         names.emplace_back("Latin Modern Roman" + style, style.empty() ? "Latin Modern Math" : "");
         if (style != ":italic") continue;
@@ -351,6 +352,31 @@ void each_font(const std::function<bool(const FontLetters& font)>& goes_on) {
             };
         if (!goes_on(font)) return;
     }
+}
+
+std::function<std::optional<double>(char32_t code)> letter_widths_of(std::string file) {
+    // The face reads from the bytes until it is closed, before the library.
+    struct Opened {
+        std::string bytes;
+        Library library;
+        Face face;
+    };
+    const auto font = std::make_shared<Opened>();
+    font->bytes = std::move(file);
+    FT_Library library = nullptr;
+    if (FT_Init_FreeType(&library) != 0) return {};
+    font->library.reset(library);
+    FT_Face face = nullptr;
+    if (FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(font->bytes.data()),
+                           static_cast<FT_Long>(font->bytes.size()), 0, &face) != 0)
+        return {};
+    font->face.reset(face);
+    if (!FT_IS_SCALABLE(face) || face->units_per_EM == 0) return {};
+    return [font](char32_t code) -> std::optional<double> {
+        const FT_UInt glyph = FT_Get_Char_Index(font->face.get(), code);
+        if (glyph == 0 || FT_Load_Glyph(font->face.get(), glyph, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING) != 0) return std::nullopt;
+        return static_cast<double>(font->face->glyph->metrics.horiAdvance) / font->face->units_per_EM;
+    };
 }
 
 }  // namespace tactics

@@ -6,6 +6,8 @@
 
 #include <functional>
 #include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "tactics/page.h"
@@ -48,5 +50,9 @@ struct FontLetters {
 /// Visits the installed outline fonts, first the default fonts of plotting and drawing programs and of TeX, until `goes_on`
 /// returns false; at most 300. Their letters may be read later, too.
 void each_font(const std::function<bool(const FontLetters& font)>& goes_on);
+
+/// How far each letter of a font file (TrueType, OpenType, WOFF, WOFF2) reaches to the next, em; nothing: it has no such letter.
+/// Empty: it is no font file.
+std::function<std::optional<double>(char32_t code)> letter_widths_of(std::string file);
 
 }  // namespace tactics

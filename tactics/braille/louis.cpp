@@ -14,6 +14,7 @@
 
 #include "tactics/braille/tables.h"
 #include "tactics/error.h"
+#include "tactics/text/formula_letters.h"
 #include "tactics/text/utf8.h"
 
 namespace tactics {
@@ -206,8 +207,14 @@ std::vector<std::uint8_t> cells_by_louis(std::string_view utf8, const LouisTable
 
     if (text->empty()) return {};
 
-    const std::vector<widechar> cells = translate(table, *text, 0, session);
-    if (lacks_letters(table, *text, cells, session)) refuse_letters(table, *text, session, text_place);
+    std::vector<widechar> cells = translate(table, *text, 0, session);
+    if (lacks_letters(table, *text, cells, session)) {
+        // Those of formulas, which have codes of their own for each look.
+        std::vector<widechar> plain = *text;
+        for (widechar& letter : plain) letter = static_cast<widechar>(plain_code(static_cast<char32_t>(letter)));
+        cells = translate(table, plain, 0, session);
+        if (lacks_letters(table, plain, cells, session)) refuse_letters(table, *text, session, text_place);
+    }
     std::vector<std::uint8_t> dots;
     dots.reserve(cells.size());
     for (const widechar cell : cells) dots.push_back(static_cast<std::uint8_t>(cell & 0xFFu));

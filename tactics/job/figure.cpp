@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "print/letters.h"
 #include "tactics/error.h"
 #include "tactics/geometry/box.h"
 #include "tactics/geometry/clipped.h"
@@ -136,11 +137,13 @@ Figure read_figure(Source& source, WordsWish wish, const Sheet& sheet) {
     // A figure without a size is finally drawn as large as the sheet, so any size will do.
     const bool wordless = wish == WordsWish::leave || wish == WordsWish::remove || sheet.bare;
     Phrase trouble;  // in reading letters that are shapes
-    figure.page = read_svg(bytes_of(source.file.get()), source.name, 0, find_paper("a4", ""),
-                           wordless ? SvgPurpose::lines : SvgPurpose::figure, [&](FoundPage& page) {
-                               read_letter_shapes(page);
-                               trouble = read_letter_picture(page, sheet.language);
-                           });
+    figure.page = read_svg(
+        bytes_of(source.file.get()), source.name, 0, find_paper("a4", ""), wordless ? SvgPurpose::lines : SvgPurpose::figure,
+        [&](FoundPage& page) {
+            read_letter_shapes(page);
+            trouble = read_letter_picture(page, sheet.language);
+        },
+        letter_widths_of);
     const Page& page = figure.page.page;
     PrintWords& words = figure.words;
     words.notes.assign(figure.page.notes.begin(), figure.page.notes.end());

@@ -7,7 +7,8 @@ namespace tactics {
 /// The italic letter; the same for what formulas do not slant: all but Latin and small Greek letters.
 char32_t slanted(char32_t code);
 
-/// The letter of any look: x for an italic one. Any other code is the same.
+/// The letter of any look: x for an italic one, and of Greek letters the common form: \u03c6 for the \u03d5 of formulas. Any
+/// other code is the same.
 char32_t plain_code(char32_t code);
 
 }  // namespace tactics

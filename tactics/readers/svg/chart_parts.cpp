@@ -11,6 +11,7 @@
 #include "tactics/readers/svg/clip.h"
 #include "tactics/readers/svg/dash_marks.h"
 #include "tactics/readers/svg/hidden_lines.h"
+#include "tactics/readers/svg/text_runs.h"
 
 namespace tactics {
 
@@ -114,6 +115,7 @@ Rect box_of(const FoundPage& figure, const FoundLook& look) {
 }
 
 void tidy_chart(FoundPage& figure, bool with_words) {
+    join_text_runs(figure.words);
     leave_out_grid(figure);
     find_chart_bars(figure);
     if (with_words) name_by_legend(figure);

@@ -32,6 +32,12 @@ struct DrawnLetter {
     double up = 0;          ///< the same, across it: of an exponent or an index
 };
 
+/// Where words begin and end on the line that they stand on, as their font tells it; mm on the page.
+struct TextRun {
+    Point start, end;
+    double em = 0;
+};
+
 /// Letters of the file, as far as it tells what they say.
 struct FoundWords {
     std::string text;   ///< UTF-8; empty: they are drawn as shapes, and nobody has read them
@@ -41,12 +47,13 @@ struct FoundWords {
     double width = 0;                 ///< along the line, mm
     std::optional<Point> thing = {};  ///< what they name is there; nothing: it is where they stand
     std::vector<DrawnLetter> letters = {};
-    Point start = {}, way = {1, 0};  ///< of the line of letters, mm, and where it goes: 1 mm along it
-    double unit = 0;                 ///< mm for one of the shapes' units
-    double sureness = 100;           ///< of 100: less if they were read as print is
-    bool centred = false;            ///< the file sets them by their middle
-    bool hidden = false;             ///< they lie behind something that is drawn
-    bool seen = false;               ///< a reader of print took them for letters, without being sure of which
+    Point start = {}, way = {1, 0};   ///< of the line of letters, mm, and where it goes: 1 mm along it
+    double unit = 0;                  ///< mm for one of the shapes' units
+    double sureness = 100;            ///< of 100: less if they were read as print is
+    bool centred = false;             ///< the file sets them by their middle
+    bool hidden = false;              ///< they lie behind something that is drawn
+    std::optional<TextRun> run = {};  ///< of text in a font of the file
+    bool seen = false;                ///< a reader of print took them for letters, without being sure of which
 };
 
 /// A picture of pixels that stands upright within a figure.

@@ -2,7 +2,6 @@
 #include "tactics/readers/svg/pdf_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -103,9 +102,6 @@ std::string in_xml(std::string_view text) {
 
 constexpr std::string_view kMinus = "\u2212";
 
-// What formulas raise for degrees.
-constexpr std::array<std::string_view, 2> kRings{"\u25E6", "\u2218"};
-constexpr std::string_view kDegree = "\u00B0";
 std::string with_degrees(std::string text) {
     for (const std::string_view ring : kRings)
         for (auto at = text.find(ring, 1); at != std::string::npos; at = text.find(ring, at + 1))
@@ -114,16 +110,6 @@ std::string with_degrees(std::string text) {
 }
 
 bool begins_with_digit(std::string_view text) { return text[0] == '.' || (text[0] >= '0' && text[0] <= '9'); }
-
-// Off its line: "10" and "-3" are 10\u207B\u00B3, "x" and "n+1" x^(n+1).
-std::string off_line(const std::string& word, bool up) {
-    if (up && std::find(kRings.begin(), kRings.end(), word) != kRings.end()) return std::string(kDegree);
-    const bool digits = word.find_first_not_of("0123456789") == std::string::npos;
-    if (digits && !up) return word;  // of a formula, as braille has it in most languages
-    if (const std::string plain = up ? raised(word) : ""; !plain.empty()) return plain;
-    const std::string mark = up ? "^" : "_";
-    return letters_in(word) == 1 ? mark + word : mark + "(" + word + ")";
-}
 
 // A word with the letters that cairo drew for it.
 struct SeenWord {

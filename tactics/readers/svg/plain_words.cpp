@@ -155,6 +155,15 @@ std::string raised(std::string_view digits) {
     return out;
 }
 
+std::string off_line(const std::string& word, bool up) {
+    if (up && std::find(kRings.begin(), kRings.end(), word) != kRings.end()) return std::string(kDegree);
+    const bool digits = word.find_first_not_of("0123456789") == std::string::npos;
+    if (digits && !up) return word;  // of a formula, as braille has it in most languages
+    if (const std::string plain = up ? raised(word) : ""; !plain.empty()) return plain;
+    const std::string mark = up ? "^" : "_";
+    return letters_in(word) == 1 ? mark + word : mark + "(" + word + ")";
+}
+
 std::string without_markup(std::string_view text) {
     // A dollar in one line of words does not begin a formula that ends in another.
     std::string out;

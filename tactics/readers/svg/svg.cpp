@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "tactics/error.h"
 #include "tactics/layout/own_marks.h"
@@ -42,14 +41,21 @@ constexpr int kMostUses = 16;                // of a thing that uses a thing tha
 
 class SvgReader {
 public:
-    SvgReader(const std::string& file, FoundPage& found, SvgPurpose purpose, SvgLook look = SvgLook::plain,
-              std::vector<FoundMark>* marks = nullptr)
-        : file_(file), found_(found), look_(look), figure_(purpose != SvgPurpose::page), marks_(marks), ground_(look) {}
+    SvgReader(const std::string& file, FoundPage& found, SvgPurpose purpose, const FontOpener& open_font,
+              SvgLook look = SvgLook::plain, std::vector<FoundMark>* marks = nullptr)
+        : file_(file),
+          found_(found),
+          fonts_(open_font),
+          look_(look),
+          figure_(purpose != SvgPurpose::page),
+          marks_(marks),
+          ground_(look) {}
 
     void run(const Element& root, double margin, const std::optional<Paper>& paper) {
         if (root.name != "svg") refuse(root, phrase("this is XML but no SVG drawing; save it as SVG"));
-        collect(root);
+        by_id_ = elements_by_id(root);
         sheet_.know(root, missed_);
+        if (figure_) fonts_.know(root);
         Page& page = found_.page;
         SvgSize size = size_of_svg(root, file_, paper);
         found_.tells_size = size.told;
@@ -64,28 +70,19 @@ public:
         const double inset = std::min({margin, page.width / 2, page.height / 2});
         page.live = {inset, inset, page.width - 2 * inset, page.height - 2 * inset};
         const Style style = sheet_.style_of(root, Style{}, missed_);
-        if (figure_) found_.page.title = title_of(root);
+        page.title = figure_ ? title_of(root) : first_title_in(root);
         clip_ = {0, 0, page.width, page.height};
         for (const Element& child : root.children) draw(child, size.to_mm, style, 0);
         settle_discs(std::move(discs_), found_.page);
         if (figure_) take_braille_of_figure(found_);
         if (figure_) letters_.settle(found_);
-        if (!figure_ && is_blank(found_.page))
-            found_.notes.push_back(
-                phrase("nothing on this page is to be felt: no line or area is darker than half grey; draw in black"));
-        if (pages_ > 1) found_.notes.push_back(phrase("only its first page is looked at"));
+        missed_.all = is_blank(found_.page);
         for (Phrase& note : notes_of(missed_, figure_)) found_.notes.push_back(std::move(note));
     }
 
 private:
     [[noreturn]] void refuse(const Element& element, const Phrase& why) const {
         throw Error(Fault::failed, file_ + ":" + std::to_string(element.line), why);
-    }
-
-    void collect(const Element& element) {
-        if (const auto id = element.attribute("id"); !id.empty()) by_id_.emplace(id, &element);
-        if (element.name == "title" && found_.page.title.empty()) found_.page.title = without_svg_blanks(element.text);
-        for (const Element& child : element.children) collect(child);
     }
 
     double across(const Element& e, std::string_view name, double fallback = 0) const {
@@ -102,7 +99,7 @@ private:
         const Transform transform = outer * own;
         const Style style = sheet_.style_of(element, parent, missed_);
         if (!style.shown) return;
-        if (element.name == "page" && pages_++ > 0) return;
+        if (element.name == "page" && missed_.pages++ > 0) return;
         const Rect outside = clip_;
         if (figure_) {
             if (narrow_clip(element, transform)) --missed_.clips;
@@ -356,7 +353,8 @@ private:
     FoundPage& found_;
     StyleSheet sheet_;
     Missed missed_;
-    std::map<std::string, const Element*, std::less<>> by_id_;  // no hash: a file could have thousands that collide
+    SvgFonts fonts_;
+    ElementsById by_id_;
     std::vector<Disc> discs_;
     std::optional<CellSize> cell_;  // of our own files, mm
     const SvgLook look_;
@@ -367,14 +365,15 @@ private:
                            [this](std::string_view id) {
                                const auto found = by_id_.find(id);
                                return found == by_id_.end() ? nullptr : found->second;
-                           }};
+                           },
+                           [this](std::string_view families) -> const LetterWidths& { return fonts_.widths_of(families); }};
     bool lettering_ = false;          // within letters that are shapes, whose words stand beside them
     DrawnLetters letters_;            // those without
     const Element* group_ = nullptr;  // the innermost, or a formula's outermost
     Extent ink_;                      // theirs
     Rect clip_;                       // mm; of a figure
     Ground ground_;                   // its
-    std::size_t drawn_ = 0, points_ = 0, pages_ = 0;
+    std::size_t drawn_ = 0, points_ = 0;
     bool in_marker_ = false;  // which has none of its own
     bool ours_ = false;       // what is drawn is numbered by us
 };
@@ -383,20 +382,20 @@ private:
 
 FoundPage read_marked_svg(const Element& root, const std::string& file, std::vector<FoundMark>& marks) {
     FoundPage found;
-    SvgReader(file, found, SvgPurpose::page, SvgLook::plain, &marks).run(root, 0, std::nullopt);
+    SvgReader(file, found, SvgPurpose::page, {}, SvgLook::plain, &marks).run(root, 0, std::nullopt);
     return found;
 }
 
 FoundPage read_svg(std::string_view bytes, const std::string& file, double margin, const std::optional<Paper>& paper,
-                   SvgPurpose purpose, const LetterReader& read_letters) {
+                   SvgPurpose purpose, const LetterReader& read_letters, const FontOpener& open_font) {
     const Element root = parse_xml(bytes, file);
     FoundPage found;
-    SvgReader(file, found, purpose).run(root, margin, paper);
+    SvgReader(file, found, purpose, open_font).run(root, margin, paper);
     // Who shows nothing so far may be all gleam, or drawn in white for a dark ground.
     for (const SvgLook look : {SvgLook::gleams, SvgLook::on_dark}) {
         if (purpose == SvgPurpose::page || !is_blank(found.page) || !found.words.empty() || !found.pictures.empty()) break;
         FoundPage again;
-        SvgReader(file, again, purpose, look).run(root, margin, paper);
+        SvgReader(file, again, purpose, open_font, look).run(root, margin, paper);
         if (is_blank(again.page)) continue;
         found = std::move(again);
         if (look == SvgLook::on_dark)

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "tactics/readers/svg/found_page.h"
+#include "tactics/readers/svg/svg_fonts.h"
 
 namespace tactics {
 
@@ -21,8 +22,10 @@ using LetterReader = std::function<void(FoundPage& figure)>;
 
 /// Lines, curves and shapes in what is darker than half grey become strokes and areas, with their transforms, widths and
 /// simple style sheets; small discs that stand as cells do become braille; one picture within the file stays a picture.
-/// White drawn over black is not taken as erasing. `paper` is for a file that tells no size. Throws Error(failed).
+/// White drawn over black is not taken as erasing. `paper` is for a file that tells no size. `open_font` tells how wide letters
+/// of fonts within the file are, on which the gaps between its words depend. Throws Error(failed).
 FoundPage read_svg(std::string_view bytes, const std::string& file, double margin, const std::optional<Paper>& paper,
-                   SvgPurpose purpose = SvgPurpose::page, const LetterReader& read_letters = {});
+                   SvgPurpose purpose = SvgPurpose::page, const LetterReader& read_letters = {},
+                   const FontOpener& open_font = {});
 
 }  // namespace tactics

@@ -5,6 +5,8 @@
 #include <array>
 #include <string_view>
 
+#include "tactics/readers/svg/svg_numbers.h"
+
 namespace tactics {
 
 namespace {
@@ -22,6 +24,29 @@ bool is_rendered(const Element& element) {
 
 bool is_group(const Element& element) {
     return element.name == "g" || element.name == "a" || element.name == "page" || element.name == "pageSet";
+}
+
+namespace {
+
+void add_by_id(const Element& element, ElementsById& all) {
+    if (const auto id = element.attribute("id"); !id.empty()) all.emplace(id, &element);
+    for (const Element& child : element.children) add_by_id(child, all);
+}
+
+}  // namespace
+
+ElementsById elements_by_id(const Element& root) {
+    ElementsById all;
+    add_by_id(root, all);
+    return all;
+}
+
+std::string first_title_in(const Element& root) {
+    if (root.name == "title") return std::string(without_svg_blanks(root.text));
+    std::string title;
+    for (auto child = root.children.begin(); title.empty() && child != root.children.end(); ++child)
+        title = first_title_in(*child);
+    return title;
 }
 
 }  // namespace tactics

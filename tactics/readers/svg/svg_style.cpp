@@ -105,6 +105,8 @@ void set_property(Style& style, std::string_view name, std::string_view value, c
         style.anchor = value;
     else if (name == "font-size")
         style.font_size = parse_font_size(value, style.font_size);
+    else if (name == "font-family")
+        style.font_family = value;
     else if (name == "font" && !size_in(value).empty())
         style.font_size = parse_font_size(size_in(value), style.font_size);
     else if (name == "fill-rule")
@@ -130,6 +132,9 @@ std::vector<Phrase> notes_of(const Missed& missed, bool figure) {
     const auto tell = [&](std::size_t count, Phrase words) {
         if (count > 0) notes.push_back(std::move(words));
     };
+    if (!figure && missed.all)
+        notes.push_back(phrase("nothing on this page is to be felt: no line or area is darker than half grey; draw in black"));
+    if (missed.pages > 1) notes.push_back(phrase("only its first page is looked at"));
     if (!figure)
         tell(missed.letters, phrases(missed.letters, "{0} text or letter is not looked at by any rule",
                                      "{0} texts or letters are not looked at by any rule"));

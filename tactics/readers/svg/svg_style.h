@@ -31,6 +31,8 @@ struct Missed {
     std::size_t foreign = 0;    ///< elements of other languages
     std::size_t shadows = 0;    ///< of a figure
     std::size_t broken = 0;     ///< paths of a figure that are drawn up to a fault
+    std::size_t pages = 0;      ///< that the file has; one is looked at
+    bool all = false;           ///< nothing of a page is to be felt
 };
 
 /// "2 texts or letters are not looked at by any rule", and so on; nothing for what is none.
@@ -67,6 +69,7 @@ struct Style {
     std::string dashes;  ///< empty or none: a whole line
     std::string dash_offset;
     double font_size = 16;                 ///< px, as CSS has it where nothing is told ("medium")
+    std::string font_family;               ///< as it is told: names, the most wanted first
     std::string anchor = "start";          ///< of texts
     std::string marker_start, marker_end;  ///< "url(#name)"
     bool visible = true;

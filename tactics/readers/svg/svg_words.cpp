@@ -56,6 +56,7 @@ struct Line {
     std::string text;
     double width = 0;
     std::optional<Point> along = {};  // a path: what it begins with goes that way there
+    bool exact = true;                // its width is known, from its fonts
 };
 
 class Texts {
@@ -79,21 +80,23 @@ public:
         const bool power = small && beside && down < -0.2 * last.size && !last.text.empty();
         if (!last.text.empty() && (!beside || (x && parts(last, *x - before.x, high, style)))) {
             lines_.push_back({pen_, em, style.anchor, ""});
-        } else if (x && !last.text.empty() && !power && *x - before.x > kBlank * high && *x != last.start.x) {
+        } else if (x && !last.text.empty() && !power && *x - before.x > (last.exact ? kSpaceOfFont : kBlank) * high &&
+                   *x != last.start.x) {
             lines_.back().text += ' ';
         }
         if (element.name == "textPath") follow(element, style);
         std::size_t from = 0;
         for (const Element& child : element.children) {
-            add(std::string_view(element.text).substr(from, child.after - from), em, power);
+            add(std::string_view(element.text).substr(from, child.after - from), style, power);
             from = child.after;
             if (child.name != "tspan" && child.name != "textPath" && child.name != "a" && child.name != "tref") continue;
             const Style own = needs_.style_of(child, style);
             if (own.shown) read(child, own);
         }
-        add(std::string_view(element.text).substr(from), em, power);
+        add(std::string_view(element.text).substr(from), style, power);
         if (const auto end = last_of(element, "x", em)) {
             lines_.back().width = std::max(lines_.back().width, *end + kLetterWidth * em - lines_.back().start.x);
+            lines_.back().exact = false;
             pen_.x = *end + kLetterWidth * em;
         }
     }
@@ -101,11 +104,13 @@ public:
     std::vector<Line> lines_;
 
 private:
-    // In em: a gap of a space, and one that no line of words has. How wide words are is a guess.
-    static constexpr double kBlank = 0.25, kApart = 1.5, kGuess = 0.35;
+    // In em: a gap of a space, and one that no line of words has. How wide words are is a guess, unless their font is known: then
+    // kerning moves letters by a tenth, and spaces are a fifth at least.
+    static constexpr double kBlank = 0.25, kApart = 1.5, kGuess = 0.35, kSpaceOfFont = 0.16;
 
     // Goes on at another place, as the names of a row do.
     static bool parts(const Line& last, double gap, double size, const Style& style) {
+        if (last.exact) return std::abs(gap) > kApart * size;
         if (style.anchor != "start" && std::abs(gap) > kBlank * size + kGuess * last.width) return true;
         return gap > kApart * size + kGuess * last.width || gap < -kApart * size - kGuess * last.width;
     }
@@ -124,15 +129,31 @@ private:
         return shift.empty() ? 0 : parse_svg_length(shift, 0).value_or(0);
     }
 
-    void add(std::string_view text, double em, bool power) {
+    void add(std::string_view text, const Style& style, bool power) {
         Line& line = lines_.back();
-        if (line.text.empty() && without_svg_blanks(text).empty()) return;
-        const std::string digits = power ? raised(without_svg_blanks(text)) : "";
+        const std::string_view letters = without_svg_blanks(text);
+        if (line.text.empty() && letters.empty()) return;
+        const std::string digits = power ? raised(letters) : "";
         if (!digits.empty()) line.text = without_svg_blanks(line.text);  // line ends between elements
         line.text += digits.empty() ? std::string(text) : digits;
-        const double width = static_cast<double>(letters_in(without_svg_blanks(text))) * kLetterWidth * em;
-        line.width += width;
+        const auto known = width_of(letters, style);
+        line.exact = line.exact && known;
+        const double width = known.value_or(static_cast<double>(letters_in(letters)) * kLetterWidth * style.font_size);
         pen_.x += width;
+        line.width = line.exact ? pen_.x - line.start.x : line.width + width;
+    }
+
+    // By a font of the file, if that has all letters.
+    std::optional<double> width_of(std::string_view text, const Style& style) const {
+        const LetterWidths& widths = needs_.widths(style.font_family);
+        if (!widths) return std::nullopt;
+        double sum = 0;
+        while (!text.empty()) {
+            const auto own = widths(take_letter(text));
+            if (!own) return std::nullopt;
+            sum += *own * style.font_size;
+        }
+        return sum;
     }
 
     // Along a path the line is at the place where its middle comes to stand.
@@ -197,6 +218,9 @@ std::vector<FoundWords> words_of_text(const Element& text, const Transform& tran
         words.push_back({said, transform(middle), kCapital * line.size * transform.scale(),
                          std::abs(on_page.y) > std::abs(on_page.x), line.width * transform.scale()});
         words.back().centred = !line.along && line.anchor == "middle";
+        if (line.exact && !line.along && line.anchor == "start")
+            words.back().run = TextRun{transform(line.start), transform({line.start.x + line.width, line.start.y}),
+                                       line.size * transform.scale()};
     }
     return words;
 }

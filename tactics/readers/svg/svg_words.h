@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tactics/readers/svg/found_page.h"
+#include "tactics/readers/svg/svg_fonts.h"
 #include "tactics/readers/svg/svg_style.h"
 #include "tactics/readers/svg/transform.h"
 #include "tactics/readers/xml.h"
@@ -18,7 +19,8 @@ namespace tactics {
 /// What the words of a text depend on elsewhere in the file.
 struct TextNeeds {
     std::function<Style(const Element& part, const Style& outer)> style_of;
-    std::function<const Element*(std::string_view id)> element;  ///< nullptr: there is none
+    std::function<const Element*(std::string_view id)> element;            ///< nullptr: there is none
+    std::function<const LetterWidths&(std::string_view families)> widths;  ///< of a font of the file; empty: it has none
 };
 
 /// The words of a text element, in each of its lines or wherever it goes on. `transform` gives mm; `style` is the element's.

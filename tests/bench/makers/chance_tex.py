@@ -286,27 +286,39 @@ def places_of(pdf, words):
     found = [(html.unescape(t), *(float(n) for n in box)) for *box, t in
              re.findall(r'<word xMin="([\d.-]+)" yMin="([\d.-]+)" xMax="([\d.-]+)" yMax="([\d.-]+)">([^<]*)</word>', text)]
     plain = lambda t: re.sub(r"\s", "", t.translate(str.maketrans("₀₁₂₃²◦µϕϵ−", "01232°μφε-")))
-    places = []
-    for word in words:
-        wanted, hit = plain(word), None
-        for i in range(len(found)):
-            for j in range(i + 1, min(i + 4, len(found)) + 1):
-                if plain("".join(f[0] for f in found[i:j])) == wanted:
-                    hit = (i, j)
-                    break
-            if hit:
-                break
-        if not hit:
-            places.append((word, None, None))
-            continue
-        run = found[hit[0]:hit[1]]
-        places.append((word, 50 * (min(f[1] for f in run) + max(f[3] for f in run)) / wide, 50 * (min(f[2] for f in run) + max(f[4] for f in run)) / high))
-        del found[hit[0]:hit[1]]
-    return places
+    places = {}
+    for number in sorted(range(len(words)), key=lambda n: -len(words[n])):  # the R of "R₁" is none
+        wanted = plain(words[number])
+        runs = ((i, j) for i in range(len(found)) for j in range(i + 1, min(i + 4, len(found)) + 1))
+        hit = next(((i, j) for i, j in runs if plain("".join(f[0] for f in found[i:j])) == wanted), None)
+        places[number] = (words[number], None, None)
+        if hit:
+            run = found[hit[0]:hit[1]]
+            places[number] = (words[number], 50 * (min(f[1] for f in run) + max(f[3] for f in run)) / wide,
+                              50 * (min(f[2] for f in run) + max(f[4] for f in run)) / high)
+            del found[hit[0]:hit[1]]
+    return [places[n] for n in range(len(words))]
+
+
+def files_of(stem, text, dpi, folder):
+    """As people make them of TeX: with letters as text through DVI, as shapes and as outlines from the PDF, and as pixels."""
+    with open(stem + ".tex", "w", encoding="utf-8") as file:
+        file.write(text)
+    with open(stem + "-dvi.tex", "w", encoding="utf-8") as file:
+        file.write("\\def\\pgfsysdriver{pgfsys-dvisvgm.def}" + text.replace("documentclass[", "documentclass[dvisvgm,"))
+    run = ("-interaction=nonstopmode", "-halt-on-error", "-output-directory", folder)
+    figure.run("pdflatex", *run, stem + ".tex")
+    figure.run("latex", *run, stem + "-dvi.tex")
+    files = {"PDF": stem + ".pdf", "PNG": stem + ".png", "SVG": stem + ".svg", "SVG glyphs": stem + "-glyphs.svg", "SVG outlines": stem + "-outlines.svg"}
+    figure.run("dvisvgm", "--bbox=papersize", "--font-format=woff2", "--output=" + files["SVG"], stem + "-dvi.dvi")
+    figure.run("dvisvgm", "--pdf", "--output=" + files["SVG outlines"], files["PDF"])
+    figure.run("pdftocairo", "-svg", files["PDF"], files["SVG glyphs"])
+    figure.run("pdftoppm", "-r", str(dpi), "-png", "-singlefile", files["PDF"], stem)
+    return files
 
 
 def needs():
-    return figure.missing("pdflatex", "pdftotext", "pdftoppm", "pdftocairo", "dvisvgm")
+    return figure.missing("pdflatex", "latex", "pdftotext", "pdftoppm", "pdftocairo", "dvisvgm")
 
 
 def drawings(count, seed, folder):
@@ -320,11 +332,5 @@ def drawings(count, seed, folder):
         font, size, dpi = chance.choice(FONTS), chance.choice([10, 11, 12]), chance.choice([100, 150, 200])
         kind(sheet, chance)
         stem = os.path.join(folder, f"tex-{kind.__name__}-{number}")
-        with open(stem + ".tex", "w", encoding="utf-8") as file:
-            file.write(page_of(sheet, font, size))
-        figure.run("pdflatex", "-interaction=nonstopmode", "-halt-on-error", "-output-directory", folder, stem + ".tex")
-        figure.run("pdftoppm", "-r", str(dpi), "-png", "-singlefile", stem + ".pdf", stem)
-        figure.run("pdftocairo", "-svg", stem + ".pdf", stem + "-glyphs.svg")
-        figure.run("dvisvgm", "--pdf", "--font-format=woff2", "--output=" + stem + ".svg", stem + ".pdf")
-        yield figure.Figure("TeX", f"{kind.__name__}-{number}", {"PDF": stem + ".pdf", "PNG": stem + ".png", "SVG glyphs": stem + "-glyphs.svg", "SVG": stem + ".svg"},
+        yield figure.Figure("TeX", f"{kind.__name__}-{number}", files_of(stem, page_of(sheet, font, size), dpi, folder),
                             places_of(stem + ".pdf", sheet.words), sheet.arrows, title=sheet.title)

@@ -17,7 +17,7 @@ NEAR = 6  # percent: a line of braille off its place, or the middle of words tha
 def plain(text):
     """Words as they are compared: raised figures and one sign for minus."""
     text = re.sub("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+", lambda m: "^" + m[0].translate(RAISED), text)
-    return " ".join(text.translate(RAISED).replace("−", "-").replace("µ", "μ").split())
+    return " ".join(text.translate(RAISED).replace("−", "-").replace("µ", "μ").replace("\u2126", "Ω").replace("ϕ", "φ").split())
 
 
 def near(one, label):

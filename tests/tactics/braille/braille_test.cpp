@@ -157,6 +157,17 @@ TEST(Braille, RefusesLettersThatTheTableLacks) {
 }
 
 // A letter may stand anywhere among others: what is refused is what is refused alone, and the first of them is named.
+// Unicode has those of formulas once more for each look.
+TEST(Braille, LettersOfFormulasAreLetters) {
+    const auto same = [](std::string_view formula, std::string_view plain) {
+        EXPECT_EQ(to_braille(formula, kGrade2), to_braille(plain, kGrade2)) << formula;
+    };
+    same("𝑥 𝐀 ℎ 𝟗", "x A h 9");
+    same("𝛼 𝛚 𝜙 𝜖 𝚪 𝛀 𝝅", "α ω φ ε Γ Ω π");
+    same("ϕ ϵ ϑ ϱ", "φ ε θ ρ");
+    EXPECT_EQ(message_of("𝑥日", kGrade2).find("U+1D465") != std::string::npos, true) << "the text is told as it is";
+}
+
 TEST(Braille, RefusesALetterWhereverItStands) {
     const std::string letters[] = {"a", "B", "7", " ", "é", "²", "日", "☃", "-", "the "};
     std::set<std::string> missing;
