@@ -2,6 +2,7 @@
 #include "tactics/readers/svg/felt_heads.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -75,6 +76,28 @@ std::vector<Point> without_spikes(const std::vector<Point>& ring, double same) {
     return kept;
 }
 
+// A line of few corners or curves whose ends lie behind its tip on both sides: back, tip and back; nothing: it is none. TeX bows
+// both sides towards the shaft; what is bowed the other way is an arc.
+std::optional<std::array<Point, 3>> as_open_head(const std::vector<Point>& points) {
+    constexpr std::size_t kMostOfHead = 80;
+    constexpr double kBowed = 0.3;  // of a side
+    if (points.size() < 3 || points.size() > kMostOfHead) return std::nullopt;
+    const Point first = points.front(), last = points.back(), middle{(first.x + last.x) / 2, (first.y + last.y) / 2};
+    const auto off = [&](Point p) { return std::abs(cross(last - first, p - first)); };
+    const auto tip = std::max_element(points.begin(), points.end(), [&](Point a, Point b) { return off(a) < off(b); });
+    if (tip == points.begin() || tip + 1 == points.end() || !(off(*tip) > 0)) return std::nullopt;
+    const auto is_side = [&](auto begin, auto end, Point back) {
+        const double length = distance(back, *tip);
+        const double inwards = cross(*tip - back, middle - back) > 0 ? 1 : -1;
+        return std::all_of(begin, end, [&](Point p) {
+            const double bow = inwards * cross(*tip - back, p - back) / length;
+            return bow > -length / 50 && bow < kBowed * length;
+        });
+    };
+    if (!is_side(points.begin() + 1, tip, first) || !is_side(tip + 1, points.end() - 1, last)) return std::nullopt;
+    return std::array{first, *tip, last};
+}
+
 class Heads {
 public:
     explicit Heads(Drawing& drawing) : drawing_(drawing), ends_at_({0, 0, drawing.width, drawing.height}, kLargestHead / 4) {
@@ -109,7 +132,7 @@ public:
             make_felt(*heads[i], opened.back());
         }
         for (Stroke& stroke : drawing_.strokes)
-            if (!stroke.closed && stroke.points.size() == 3 && (stroke.role == Role::line || stroke.role == Role::arrow))
+            if (!stroke.closed && (stroke.role == Role::line || stroke.role == Role::arrow))
                 if (const auto head = open(stroke); head && ++count <= kMostHeads) make_felt(*head, stroke);
         std::erase_if(drawing_.areas, [](const Area& area) { return area.rings.empty(); });
         std::move(opened.begin(), opened.end(), std::back_inserter(drawing_.strokes));
@@ -230,7 +253,9 @@ private:
     }
 
     std::optional<Head> open(const Stroke& stroke) const {
-        const std::vector<Point>& all = stroke.points;
+        const auto corners = as_open_head(stroke.points);
+        if (!corners) return std::nullopt;
+        const std::vector<Point> all(corners->begin(), corners->end());
         const double one = distance(all[0], all[1]), other = distance(all[2], all[1]), longer = std::max(one, other);
         constexpr double kEven = 0.7;
         if (longer > kLargestHead || std::min(one, other) < kEven * longer) return std::nullopt;

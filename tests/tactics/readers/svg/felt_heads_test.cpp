@@ -65,6 +65,26 @@ TEST(FeltHeads, OfOpenSidesPointTheSameWay) {
     EXPECT_NEAR(distance(head.points[1], {100, 50}), 0, 1e-9);
 }
 
+// As TeX draws them, both sides bowed towards the line; an arc over the end of a line is bowed the other way.
+TEST(FeltHeads, OfBowedSidesAreNoArcs) {
+    const auto bowed = [](double bow) {
+        std::vector<Point> points;
+        for (int i = -8; i <= 8; ++i) {
+            const double t = std::abs(i) / 8.0;
+            points.push_back({100 - 2 * t, 50 + (i < 0 ? -1 : 1) * (1.6 * t - bow * 4 * t * (1 - t))});
+        }
+        return points;
+    };
+    for (const double bow : {0.0, 0.3, -0.3}) {
+        Drawing drawing = arrow(30, 10);
+        drawing.strokes.push_back({bowed(bow), false});
+        make_heads_felt(drawing);
+        const bool head = bow >= 0;
+        EXPECT_EQ(drawing.strokes[2].role == Role::arrow, head) << bow;
+        EXPECT_EQ(drawing.strokes[2].points.size() == 3, head) << bow;
+    }
+}
+
 TEST(FeltHeads, AreNoLongerThanTheirLine) {
     Drawing drawing = arrow(3, 10);
     drawing.areas.push_back({{{{98.5, 49.5}, {100, 50}, {98.5, 50.5}}}});
