@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "print/raster.h"
+#include "tactics/job/print_fonts.h"
 #include "tactics/lettering/lettering.h"
 #include "tactics/readers/svg/rings.h"
 #include "tactics/text/utf8.h"
@@ -22,7 +24,17 @@ bool is_unread(const FoundPage& figure, const FoundWords& words) {
            });
 }
 
-// Lower- and upper-case forms of these letters differ only in size, and some digits look the same: alone they are ambiguous.
+bool are_fonts_installed() {
+    bool any = false;
+    each_print_font({}, [&](const PrintFont&) {
+        any = true;
+        return false;
+    });
+    return any;
+}
+
+// Lower- and upper-case forms of these letters differ only in size, and some digits look the same: alone they are ambiguous,
+// unless fonts tell their size.
 bool is_doubtful(std::string_view text) {
     constexpr std::string_view kAlike = "cosvwxzuCOSVWXZUlI|10 ";
     const bool letter = std::any_of(text.begin(), text.end(), [](char c) { return (c | 32) >= 'a' && (c | 32) <= 'z'; });
@@ -41,7 +53,7 @@ Page page_of(const FoundPage& figure) {
             auto rings = figure.letter_shapes[letter.shape].rings;
             for (auto& ring : rings)
                 for (Point& p : ring) {
-                    const double x = words.unit * (letter.at + p.x), y = words.unit * p.y;
+                    const double x = words.unit * (letter.at + p.x), y = words.unit * (p.y - letter.up);
                     p = {words.start.x + x * words.way.x - y * words.way.y, words.start.y + x * words.way.y + y * words.way.x};
                 }
             if (!rings.empty()) page.areas.push_back({to_even_odd(std::move(rings)), Role::line});
@@ -50,18 +62,22 @@ Page page_of(const FoundPage& figure) {
     return page;
 }
 
-// Large letters count as drawn things.
+// Large letters count as drawn things. Each pixel is as dark as the share of its parts that is ink.
 Image picture_of(const Page& page, double tallest) {
-    constexpr double kTall = 80;  // pixels
+    constexpr double kTall = 24;  // pixels: in larger ones a font's sizes for small and large print differ
+    constexpr int kParts = 4;     // of a pixel, across and down
     const double scale = std::min(kLookForWords / std::max(page.width, page.height), kTall / tallest);
     const PixelSize size{std::max(1, static_cast<int>(std::lround(page.width * scale))),
                          std::max(1, static_cast<int>(std::lround(page.height * scale)))};
     Image image = make_image(size.width, size.height, 1, 0, 255);
-    int y = 0;
-    draw_rows(page, size, [&](const std::uint8_t* row) {
-        std::uint8_t* to = image.row(y++);
+    std::vector<int> ink(static_cast<std::size_t>(size.width), 0);
+    int part = 0;
+    draw_rows(page, {kParts * size.width, kParts * size.height}, [&](const std::uint8_t* row) {
+        for (int x = 0; x < kParts * size.width; ++x) ink[static_cast<std::size_t>(x / kParts)] += row[x / 8] >> (7 - x % 8) & 1;
+        if (++part % kParts != 0) return;
+        std::uint8_t* to = image.row(part / kParts - 1);
         for (int x = 0; x < size.width; ++x)
-            if ((row[x / 8] >> (7 - x % 8) & 1) != 0) to[x] = 0;
+            to[x] = static_cast<std::uint8_t>(255 - 255 * std::exchange(ink[static_cast<std::size_t>(x)], 0) / (kParts * kParts));
     });
     return image;
 }
@@ -76,7 +92,8 @@ Phrase read_letter_picture(FoundPage& figure, std::string_view language, const s
         if (is_unread(figure, words)) tallest = std::max(tallest, words.height);
     if (!(tallest > 0)) return {};
     const Image image = picture_of(page_of(figure), tallest);
-    const Lettering lettering = read_lettering(image, language, kSureEnough, {}, program);
+    const Lettering lettering = read_lettering(image, language, kSureEnough, each_print_font, program);
+    const bool fonts = are_fonts_installed();
     const double mm = figure.page.width / image.width;
     std::vector<FoundWords*> unread;
     for (FoundWords& words : figure.words)
@@ -92,7 +109,7 @@ Phrase read_letter_picture(FoundPage& figure, std::string_view language, const s
         const double along = words.upwards ? box.height : box.width;
         if (std::abs(along - words.width) > words.height / 2) continue;
         words.seen = words.seen || letters_in(print.text) > 2;
-        if (!print.sure || is_doubtful(print.text)) continue;
+        if (!print.sure || (!fonts && is_doubtful(print.text))) continue;
         words.text = print.text;
         words.sureness = print.sureness;
     }

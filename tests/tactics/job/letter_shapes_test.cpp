@@ -185,6 +185,11 @@ TEST(LetterShapes, ThatNoFontHasAreReadAsPrint) {
     if (const std::string trouble = read_letter_picture(page, "en").english(); !trouble.empty()) GTEST_SKIP() << trouble;
     EXPECT_EQ(page.words[0].text, "Rainfall in Lisbon");
     EXPECT_LT(page.words[0].sureness, 100);
+    FoundPage stepped = figure(line_of("Rainfall in Lisbon", 12, 0, 0), none);
+    FoundWords& words = stepped.words[0];
+    for (std::size_t i = 0; i < words.letters.size(); i += 2) words.letters[i].up = words.height / words.unit;
+    read_letter_picture(stepped, "en");
+    EXPECT_NE(words.text, "Rainfall in Lisbon") << "letters off the line are drawn there";
     FoundPage doubtful = figure(line_of("cos x", 12, 0, 0), none);
     read_letter_picture(doubtful, "en");
     EXPECT_EQ(doubtful.words[0].text, "") << "or COS X";
