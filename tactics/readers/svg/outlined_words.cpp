@@ -164,8 +164,9 @@ public:
     void settle(FoundPage& figure) {
         std::size_t read = 0, all = 0;
         const std::vector<Rect> surfaces = surfaces_below(figure);
-        for (const Row& row : rows_) {
+        for (Row& row : rows_) {
             FoundWords& words = figure.words[row.words];
+            free_mark(figure, row, words);
             words.text = without_spacing(words.text);
             if (row.doubt || is_torn(words.text) || !fits(words, figure.letter_shapes) ||
                 (row.only_read && !has_letter(words.text)) || (row.light && !is_seen(figure, row.words, surfaces))) {
@@ -179,12 +180,7 @@ public:
         for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
             const FoundWords& words = figure.words[row->words];
             if (!words.text.empty() || (!row->only_read && (words.seen || all_print))) continue;
-            for (Taken& ring : row->rings) {
-                if (ring.stroke)
-                    figure.page.strokes[ring.of].points = std::move(ring.points);
-                else
-                    figure.page.areas[ring.of].rings.push_back(std::move(ring.points));
-            }
+            for (Taken& ring : row->rings) give_back(figure, std::move(ring));
             figure.words.erase(figure.words.begin() + static_cast<std::ptrdiff_t>(row->words));
         }
     }
@@ -203,6 +199,30 @@ private:
         std::vector<LetterRow> rows;
         std::vector<Taken> rings;
     };
+
+    static void give_back(FoundPage& figure, Taken ring) {
+        if (ring.stroke)
+            figure.page.strokes[ring.of].points = std::move(ring.points);
+        else
+            figure.page.areas[ring.of].rings.push_back(std::move(ring.points));
+    }
+
+    // The point of a sample in a legend, right before its words, is none of their letters.
+    static void free_mark(FoundPage& figure, Row& row, FoundWords& words) {
+        constexpr std::string_view kDisc = "\u25CF";
+        if (!words.text.starts_with(kDisc) || words.upwards || words.letters.size() < 2) return;
+        const double next = words.letters[1].at, edge = words.start.x + next;
+        const auto marks = std::stable_partition(row.rings.begin(), row.rings.end(),
+                                                 [&](const Taken& ring) { return box_of(ring.points).middle().x > edge; });
+        for (auto ring = marks; ring != row.rings.end(); ++ring) give_back(figure, std::move(*ring));
+        row.rings.erase(marks, row.rings.end());
+        words.letters.erase(words.letters.begin());
+        for (DrawnLetter& letter : words.letters) letter.at -= next;
+        words.text = to_line(words.text.substr(kDisc.size()));
+        words.start.x = edge;
+        words.width -= next;
+        words.middle.x += next / 2;
+    }
 
     // `sure`: they are print though nobody may read them.
     void take_rows(FoundPage& figure, PaintedRows& painted, bool sure) {

@@ -215,6 +215,14 @@ TEST(OutlinedWords, InWhiteAreReadOnWhatIsDarker) {
               std::vector<std::string>{"Start"});
 }
 
+// The sample of a curve in a legend ends with a point.
+TEST(OutlinedWords, HaveNoPointBeforeThem) {
+    if (!has_font()) GTEST_SKIP() << "no font is installed";
+    const FoundPage page = figure(outlined("●Square", 20, 30, true) + outlined("Linear", 24.5, 40, true), kFonts);
+    EXPECT_EQ(texts_of(page), (std::vector<std::string>{"Linear", "Square"}));
+    EXPECT_EQ(page.page.strokes.size() + page.page.areas.size(), 1u) << "the point is drawn";
+}
+
 TEST(OutlinedWords, OfSingleSignsStayApart) {
     if (!has_font()) GTEST_SKIP() << "no font is installed";
     EXPECT_EQ(texts_of(figure(outlined("n > 0 ?", 20, 30, false) + outlined("Traits", 20, 60, false), kFonts)),
