@@ -14,9 +14,10 @@ namespace {
 
 // Settings: grey levels by which ink is fainter, and the last level at which it is no ground; share of its box that a drawn line
 // is at most; pixels of a long part, and how often the longer and the shorter side of its line are as long. A short part may be
-// of a letter that comes apart, and its line must be larger on both sides.
+// of a letter that comes apart, and its line must be larger on both sides. Of a band with the moments of its ink, a bar fills
+// more.
 constexpr int kFainter = 96, kFaintest = 192;
-constexpr double kMostOfBox = 0.35, kLongPart = 20, kLongerSide = 1.6, kShorterSide = 1.35, kSidesOfShort = 3;
+constexpr double kMostOfBox = 0.35, kLongPart = 20, kLongerSide = 1.6, kShorterSide = 1.35, kSidesOfShort = 3, kFillsBand = 0.8;
 
 struct LineRun {
     InkRun run;
@@ -66,7 +67,7 @@ void drop_stroke_parts(const Image& grey, int level, bool light, std::vector<Ink
     const FaintLines lines(grey, faint, light, kLeastInkHeight);
     std::erase_if(pieces, [&](const InkPiece& piece) {
         return std::max(piece.box.width(), piece.box.height()) >= kLeastInkHeight && lines.have(piece) &&
-               (mark_shape(piece).band >= 0.8 || is_bent_band(piece));
+               (mark_shape(piece).band >= kFillsBand || is_bent_band(piece));
     });
 }
 
