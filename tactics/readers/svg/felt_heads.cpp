@@ -24,9 +24,10 @@ namespace {
 constexpr double kLeastSide = 6.4;    // mm, as of heads in pictures (filters/known_parts.cpp)
 constexpr float kHeadStrength = 255;  // short as they are, other lines yield to them
 constexpr double kLargestHead = 12;
-constexpr double kLeastAngle = 20, kMostAngle = 40;  // degrees between a side and the line
-constexpr double kOfLine = 0.8;                      // of its line a head may cover
-constexpr double kLastPart = 3;                      // mm of a line that tell where it goes
+// Degrees between a side and the line: at 30 a side ends 3.2 mm from the line, which would be cut short at less.
+constexpr double kLeastAngle = 35, kMostAngle = 40;
+constexpr double kOfLine = 0.8;      // of its line a head may cover
+constexpr double kLastPart = 3;      // mm of a line that tell where it goes
 constexpr double kTouches = 2;       // mm from a tip to the middle of the line that it touches: half a gap and a half line
 constexpr double kStraightOn = 0.5;  // cosine of the angle in which that lies
 constexpr std::size_t kMostHeads = 5'000;
