@@ -23,7 +23,7 @@ class Sheet:
     """Collects the lines of a picture, and what is said in it."""
 
     def __init__(self):
-        self.lines, self.words, self.arrows, self.curves, self.bars, self.title = [], [], [], [], [], ""
+        self.lines, self.words, self.arrows, self.title = [], [], [], ""
 
     def put(self, line):
         self.lines.append(line)
@@ -43,8 +43,8 @@ def percent(x, y):
     return 100 * x / WIDE, 100 - 100 * y / HIGH
 
 
-SIGNS = {"α": r"\alpha", "β": r"\beta", "γ": r"\gamma", "ε": r"\varepsilon", "π": r"\pi", "°": r"^\circ", "Ω": r"\Omega", "µ": r"\mu{}", "ω": r"\omega", "≥": r"\geq ",
-         "λ": r"\lambda", "φ": r"\varphi", "−": "-", "₀": "_0", "₁": "_1", "₂": "_2", "₃": "_3", "²": "^2"}
+SIGNS = {"α": r"\alpha", "ε": r"\varepsilon", "π": r"\pi", "φ": r"\varphi", "Ω": r"\Omega", "µ": r"\mu{}", "°": r"^\circ",
+         "₀": "_0", "₁": "_1", "₂": "_2", "₃": "_3"}
 
 
 def tex(text):
@@ -135,9 +135,6 @@ def plot(s, chance):
         settings.append(f"title={{{s.say(s.title)}}}")
     for text in ("1 2 3 4 5 10 15" if middle else "0 1 2 3 4 5 0 5 10 15 20").split():
         s.words.append(text)
-    if middle:
-        s.words.remove("5")
-        s.words.append("5")
     settings.append(f"legend pos={chance.choice(['north west', 'south east', 'north east'])}")
     s.put(rf"\begin{{axis}}[{', '.join(settings)}]")
     marks = chance.choice(["mark=none", "only marks", ""])
